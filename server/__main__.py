@@ -1,0 +1,94 @@
+"""`python3 server` sets up and runs; `python3 server test` sets up and tests. Needs nothing but Python 3.11 or newer.
+
+Set-up makes .venv beside this folder, installs statwalk into it (which builds the viewer) and remembers what it did,
+so that the second start goes straight to the program. Other arguments are passed on: `python3 server --port 9000`.
+"""
+
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+VENV = ROOT / ".venv"
+PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
+VIEWER_SOURCES = ("static/index.html", "static/package.json", "static/package-lock.json", "static/vite.config.ts", "static/src", "static/public")
+
+
+def run(*command: object) -> None:
+    """Runs a command in the checkout; its failure ends the program with its exit status."""
+    status = subprocess.run([str(part) for part in command], cwd=ROOT).returncode
+    if status:
+        sys.exit(f"statwalk set-up: this failed with status {status}: {' '.join(str(part) for part in command)}")
+
+
+def fingerprint(extra: str) -> str:
+    """A hash of what the installation was made from: project file, build hook, viewer sources."""
+    state = hashlib.sha256(extra.encode() + sys.version.encode())
+    for name in ("pyproject.toml", "server/build_hook.py", *VIEWER_SOURCES):
+        path = ROOT / name
+        for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
+            if file.is_file():
+                state.update(file.relative_to(ROOT).as_posix().encode() + file.read_bytes())
+    return state.hexdigest()
+
+
+def make_venv(uv: str | None) -> None:
+    """Makes .venv with the Python that runs this; says what to install where Debian left `venv` out."""
+    if uv:
+        run(uv, "venv", "-q", "--python", sys.executable, VENV)
+        return
+    try:
+        import ensurepip  # noqa: F401  (Debian splits it off)
+    except ImportError:
+        sys.exit("This Python has no venv. On Debian and Ubuntu: apt-get install python3-venv")
+    run(sys.executable, "-m", "venv", VENV)
+
+
+def set_up(extra: str) -> None:
+    """Installs the project (with `extra`) into .venv, unless that was done from these very sources."""
+    if sys.version_info < (3, 11):
+        sys.exit(f"Python 3.11 or newer is needed; this is {sys.version.split()[0]}")
+    stamp = VENV / f".ready-{extra or 'run'}"
+    wanted = fingerprint(extra)
+    if stamp.is_file() and stamp.read_text() == wanted:
+        return
+    sys.stderr.write("statwalk: setting up (about half a minute the first time)\n")
+    uv = shutil.which("uv")
+    if not PYTHON.exists():
+        make_venv(uv)
+    what = f".[{extra}]" if extra else "."
+    if uv:
+        run(uv, "pip", "install", "-q", "--python", PYTHON, "-e", what)
+    else:
+        run(PYTHON, "-m", "pip", "install", "-q", "--disable-pip-version-check", "-e", what)
+    stamp.write_text(wanted)
+
+
+def find_browser() -> None:
+    """Makes sure that a Chromium is there for the tests of the page: on PATH, else Playwright's, else Debian's."""
+    if any(shutil.which(name) for name in BROWSERS):
+        return
+    if subprocess.run([PYTHON, "-m", "playwright", "install", "--with-deps", "chromium"], cwd=ROOT).returncode == 0:
+        return
+    if shutil.which("apt-get") and os.geteuid() == 0:
+        run("apt-get", "update", "-q")
+        run("apt-get", "install", "-y", "-q", "--no-install-recommends", "chromium")
+        return
+    sys.exit("The tests need a Chromium: install one (Debian: apt-get install chromium) and run this again")
+
+
+def main(arguments: list[str]) -> None:
+    """Sets up, then becomes the program asked for."""
+    if arguments[:1] == ["test"]:
+        set_up("dev")
+        find_browser()
+        os.execv(PYTHON, [str(PYTHON), "-m", "pytest", *arguments[1:]])
+    set_up("")
+    os.execv(PYTHON, [str(PYTHON), "-m", "statwalk.cli", "serve", *arguments])
+
+
+main(sys.argv[1:])
