@@ -1,0 +1,1 @@
+"""statwalk animates characters from state tables."""
