@@ -1,1 +1,1 @@
-"""Set by its owner."""
+"""Vertices follow bones: rigid parts, rigid and soft skin, morph targets, normals."""

@@ -1,0 +1,59 @@
+"""A character: skeleton, clips and skins, cross-checked once by whoever reads the file, and immutable from then on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.errors import UnknownNameError
+from statwalk.maths import transform
+from statwalk.maths.pose import Pose
+from statwalk.motion.clip import Clip
+from statwalk.rig.evaluate import world_from_local
+from statwalk.rig.skeleton import Skeleton
+from statwalk.skin.deform import posed_part
+from statwalk.skin.primitive import Part, Primitive, Skin
+
+
+@dataclass(frozen=True, eq=False)
+class Character:
+    """All that is known of a character; poses are local transforms of its joints, metres and radians.
+
+    skeleton     every node of the file is a joint, parents first
+    node_index   (J,) the node in the file (and in model_glb) of each joint
+    bind_pose    the pose at rest, unbatched, float32
+    clips        by name, in the order of the file; unnamed and repeated names are made unique
+    materials    glTF material objects, in the order that the parts count them
+    notes        what was repaired when the file was read
+    model_glb    the model as a .glb that any viewer opens
+    """
+
+    name: str
+    skeleton: Skeleton
+    node_index: NDArray[np.int32]
+    bind_pose: Pose
+    clips: Mapping[str, Clip] = field(default_factory=dict)
+    skins: tuple[Skin, ...] = ()
+    parts: tuple[Primitive, ...] = ()
+    materials: tuple[Mapping[str, Any], ...] = ()
+    notes: tuple[str, ...] = ()
+    model_glb: bytes = b""
+
+    def clip(self, name: str) -> Clip:
+        """The clip of that name; raises UnknownNameError, which lists those that exist."""
+        if name not in self.clips:
+            raise UnknownNameError("clip", name, self.clips)
+        return self.clips[name]
+
+    def world(self, pose: Pose) -> NDArray[np.floating[Any]]:
+        """(…,J,4,4) matrices of the joints in the character's space, for a pose with any leading axes."""
+        return transform.to_matrix4(world_from_local(self.skeleton, pose))
+
+    def vertices(self, pose: Pose) -> list[Part]:
+        """Every drawable primitive in an unbatched pose, positions and unit normals (V,3) in the character's space (RTCA 2.3.2)."""
+        world = world_from_local(self.skeleton, pose)
+        return [posed_part(part, self.skins, world, pose.weights) for part in self.parts]
