@@ -1,0 +1,59 @@
+"""Affine transforms (…, 3, 4): the rows [R | t] of a matrix that acts on column vectors, over any leading axes.
+
+`mul(a, b)` is b first, then a: world(child) = mul(world(parent), local(child)).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from statwalk.maths import quat, vector
+from statwalk.maths.arrays import Floats
+
+
+def from_trs(translation: Floats, rotation: Floats, scale: Floats) -> Floats:
+    """T · R · S (glTF 3.5.3) from translation (…, 3), rotation (…, 4) xyzw and scale (…, 3)."""
+    linear = quat.to_matrix(rotation) * scale[..., None, :]
+    return np.concatenate([linear, translation[..., None]], -1)
+
+
+def mul(a: Floats, b: Floats) -> Floats:
+    """The transform that does `b` first, then `a`."""
+    product = a[..., :, 0, None] * b[..., None, 0, :]
+    product += a[..., :, 1, None] * b[..., None, 1, :]
+    product += a[..., :, 2, None] * b[..., None, 2, :]
+    product[..., 3] += a[..., 3]
+    return product
+
+
+def apply_vector(a: Floats, vectors: Floats) -> Floats:
+    """Directions (…, 3) under the linear part of `a`: not moved, only turned and scaled."""
+    x, y, z = vectors[..., 0:1], vectors[..., 1:2], vectors[..., 2:3]
+    return a[..., 0] * x + a[..., 1] * y + a[..., 2] * z
+
+
+def apply(a: Floats, points: Floats) -> Floats:
+    """Points (…, 3) under `a`; a transform for many points needs a[..., None, :, :]."""
+    return apply_vector(a, points) + a[..., 3]
+
+
+def invert(a: Floats) -> Floats:
+    """The inverse of `a`; its linear part must not be singular."""
+    x, y, z = a[..., 0], a[..., 1], a[..., 2]
+    rows = np.stack([vector.cross(y, z), vector.cross(z, x), vector.cross(x, y)], -2)
+    linear = rows / vector.dot(x, rows[..., 0, :])[..., None, None]
+    back = linear[..., 0] * a[..., 0:1, 3] + linear[..., 1] * a[..., 1:2, 3] + linear[..., 2] * a[..., 2:3, 3]
+    return np.concatenate([linear, -back[..., None]], -1)
+
+
+def to_matrix4(a: Floats) -> Floats:
+    """The same as matrices (…, 4, 4) with the last row 0 0 0 1."""
+    matrix = np.zeros((*a.shape[:-2], 4, 4), a.dtype)
+    matrix[..., :3, :] = a
+    matrix[..., 3, 3] = 1
+    return matrix
+
+
+def from_matrix4(matrix: Floats) -> Floats:
+    """The upper three rows of matrices (…, 4, 4) whose last row is 0 0 0 1."""
+    return matrix[..., :3, :]

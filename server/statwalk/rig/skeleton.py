@@ -1,0 +1,112 @@
+"""The skeleton: names and parents of joints in a flat array, parents first, so that evaluation is one pass without recursion.
+
+SK1; FAQ Q2 and Q11; RTCA Listing 10.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.errors import TextError, UnknownNameError
+from statwalk.maths.arrays import Ints
+
+
+@dataclass(frozen=True, eq=False)
+class Skeleton:
+    """J joints, every one after its parent; `Skeleton.sorted` brings rows of any order into this one."""
+
+    names: tuple[str, ...]
+    parent: NDArray[np.int32]
+    """(J,) index of the parent; -1 for a root"""
+
+    @classmethod
+    def sorted(cls, names: Sequence[str], parents: Sequence[str | None]) -> tuple[Skeleton, Ints]:
+        """The skeleton of rows (name, parent's name or None) in any order, and for each of its joints the row it came from.
+
+        Rows keep their order as far as parents-first allows. Raises TextError (its place is the row, counted from 0) for a name
+        that occurs twice, a parent that is not there, and joints that hang on each other in a circle.
+        """
+        row_of = _rows_by_name(names)
+        parent_row = np.array([_parent_row(row, parent, row_of) for row, parent in enumerate(parents)], np.int64)
+        order = _parents_first(parent_row)
+        if len(order) < len(names):
+            _refuse_cycle(names, parent_row, set(order))
+        place = np.empty(len(order), np.int32)
+        place[order] = np.arange(len(order), dtype=np.int32)
+        sorted_parents = parent_row[order]
+        parent = np.where(sorted_parents < 0, np.int32(-1), place[sorted_parents]).astype(np.int32)
+        return cls(tuple(names[row] for row in order), parent), np.array(order, np.int64)
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    @cached_property
+    def _index(self) -> dict[str, int]:
+        return {name: joint for joint, name in reversed(tuple(enumerate(self.names)))}
+
+    def index(self, name: str) -> int:
+        """The joint of that name (the first, where a file names several alike). Raises UnknownNameError."""
+        if name not in self._index:
+            raise UnknownNameError("joint", name, self.names)
+        return self._index[name]
+
+    @cached_property
+    def levels(self) -> tuple[tuple[Ints, Ints], ...]:
+        """By depth, roots first: (joints of that depth, their parents)."""
+        depth = np.zeros(len(self), np.int64)
+        for joint, parent in enumerate(self.parent.tolist()):
+            depth[joint] = depth[parent] + 1 if parent >= 0 else 0
+        order = np.argsort(depth, kind="stable")
+        groups = np.split(order, np.flatnonzero(np.diff(depth[order])) + 1)
+        return tuple((joints, self.parent[joints].astype(np.int64)) for joints in groups if len(joints))
+
+
+def _rows_by_name(names: Sequence[str]) -> dict[str, int]:
+    rows: dict[str, int] = {}
+    for row, name in enumerate(names):
+        if name in rows:
+            raise TextError(f"{name} is there twice; names must differ", place=str(row))
+        rows[name] = row
+    return rows
+
+
+def _parent_row(row: int, parent: str | None, row_of: dict[str, int]) -> int:
+    if parent is None:
+        return -1
+    if parent not in row_of:
+        raise TextError(str(UnknownNameError("bone", parent, row_of)), place=str(row))
+    return row_of[parent]
+
+
+def _parents_first(parent_row: Ints) -> list[int]:
+    """Rows so that each stands after its parent; rows of a cycle, and what hangs on them, are left out."""
+    waiting: dict[int, list[int]] = {}
+    for row, parent in enumerate(parent_row.tolist()):
+        waiting.setdefault(parent, []).append(row)
+    order: list[int] = []
+    ready = waiting.pop(-1, [])[::-1]
+    while ready:
+        row = ready.pop()
+        order.append(row)
+        ready += waiting.pop(row, [])[::-1]
+    return order
+
+
+def _refuse_cycle(names: Sequence[str], parent_row: Ints, sorted_rows: set[int]) -> NoReturn:
+    """Walk up from a row that was not reached until a row comes again, and name the circle."""
+    row = next(row for row in range(len(names)) if row not in sorted_rows)
+    path: list[int] = []
+    seen: set[int] = set()
+    while row not in seen:
+        seen.add(row)
+        path.append(row)
+        row = int(parent_row[row])
+    circle = path[path.index(row) :]
+    chain = " -> ".join(names[member] for member in [*circle, row])
+    raise TextError(f"bones hang on each other in a circle: {chain}", place=str(min(circle)))
