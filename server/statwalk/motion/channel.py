@@ -1,0 +1,67 @@
+"""What a clip is made of, as authored: keyed channels and named moments."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from statwalk.errors import ContentError
+from statwalk.maths.arrays import Floats
+
+Path = Literal["translation", "rotation", "scale", "weights"]
+Interpolation = Literal["STEP", "LINEAR", "CUBICSPLINE", "BSPLINE", "BSPLINE_THROUGH"]
+
+WIDTHS = {"translation": 3, "rotation": 4, "scale": 3}
+
+
+class Marker(NamedTuple):
+    """A named moment of a clip: `time` in seconds from its start."""
+
+    name: str
+    time: float
+
+
+@dataclass(frozen=True, eq=False)
+class Channel:
+    """The keys of one property of one joint.
+
+    Raises ContentError where times do not rise or the values do not fit them.
+    """
+
+    joint: int
+    """row of the pose; for weights, of the joint that carries the mesh"""
+    path: Path
+    times: Floats
+    """(K,) seconds, strictly increasing"""
+    values: Floats
+    """(K, n), n = 3, 4 (xyzw) or the number of weights; CUBICSPLINE (K, 3, n): in-tangent, value, out-tangent (glTF, appendix C)"""
+    interpolation: Interpolation = "LINEAR"
+    weight_first: int = 0
+    """for weights: the column of the pose's weights that the first value goes to"""
+
+    def __post_init__(self) -> None:
+        if self.times.ndim != 1 or not len(self.times) or (np.diff(self.times) <= 0).any():
+            raise ContentError(f"the key times of joint {self.joint}'s {self.path} must rise from key to key")
+        expected = (len(self.times), 3) if self.interpolation == "CUBICSPLINE" else (len(self.times),)
+        width = WIDTHS.get(self.path, self.values.shape[-1])
+        if self.values.shape != (*expected, width):
+            raise ContentError(f"joint {self.joint}'s {self.path} needs values of shape {(*expected, width)}, not {self.values.shape}")
+
+    @property
+    def keys(self) -> Floats:
+        """(K, n) the key values, without the tangents of a CUBICSPLINE."""
+        return self.values[:, 1] if self.interpolation == "CUBICSPLINE" else self.values
+
+    @property
+    def is_constant(self) -> bool:
+        """Whether it says the same at every time."""
+        tangents = self.interpolation == "CUBICSPLINE" and bool(self.values[:, ::2].any())
+        return not tangents and bool((self.keys == self.keys[0]).all())
+
+
+def duration_of(channels: Iterable[Channel]) -> float:
+    """Seconds from 0 to the last key of all channels; 0 where there are none."""
+    return max((float(channel.times[-1]) for channel in channels), default=0.0)
