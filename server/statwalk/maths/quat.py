@@ -1,6 +1,6 @@
 """Quaternions (…, 4) in the order x y z w, unit length, over any leading axes; float32 and float64 stay what they are.
 
-Rotations act on column vectors: `rotate(mul(a, b), v) == rotate(a, rotate(b, v))`. Interpolation is FAQ Q17; see `quat_curves` for
+Rotations act on column vectors: `rotate(mul(a, b), v) == rotate(a, rotate(b, v))`. Interpolation is FAQ Q17; see `curves` for
 splines. Products are written out element by element: one actor and a thousand get the same bits.
 """
 
@@ -133,7 +133,8 @@ def to_rotation_vector(q: Floats) -> Floats:
     axis = q[..., :3]
     sine = np.sqrt(vector.dot(axis, axis) + _SMALLEST[q.dtype.char])
     angle = 2 * atan2(sine, np.abs(q[..., 3]))
-    return axis * np.copysign(angle / sine, q[..., 3])[..., None]
+    size: Floats = np.copysign(angle / sine, q[..., 3])
+    return axis * size[..., None]
 
 
 def align(a: Floats, b: Floats) -> Floats:
@@ -152,6 +153,19 @@ def slerp(a: Floats, b: Floats, f: ArrayLike) -> Floats:
     cosine = dot(a, b)
     first, second = _arc_weights(np.abs(cosine), np.asarray(f, a.dtype))
     return a * first[..., None] + b * np.copysign(second, cosine)[..., None]
+
+
+def squad(q0: Floats, s0: Floats, s1: Floats, q1: Floats, f: ArrayLike) -> Floats:
+    """Spherical cubic from `q0` (f = 0) to `q1` (f = 1) with inner points `s0`, `s1` from `squad_tangent`. KF4, Shoemake 1987."""
+    part = np.asarray(f, q0.dtype)
+    return slerp(slerp(q0, q1, part), slerp(s0, s1, part), 2 * part * (1 - part))
+
+
+def squad_tangent(before: Floats, q: Floats, after: Floats) -> Floats:
+    """The inner point at key `q` between its neighbours, for which the motion goes through `q` without a kink."""
+    back = conjugate(q)
+    mean = to_rotation_vector(mul(back, before)) + to_rotation_vector(mul(back, after))
+    return mul(q, from_rotation_vector(mean * -0.25))
 
 
 def _arc_weights(cosine: Floats, f: Floats) -> tuple[Floats, Floats]:

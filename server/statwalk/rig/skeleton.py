@@ -26,17 +26,18 @@ class Skeleton:
     """(J,) index of the parent; -1 for a root"""
 
     @classmethod
-    def sorted(cls, names: Sequence[str], parents: Sequence[str | None]) -> tuple[Skeleton, Ints]:
+    def sorted(cls, names: Sequence[str], parents: Sequence[str | None], places: Sequence[str] | None = None) -> tuple[Skeleton, Ints]:
         """The skeleton of rows (name, parent's name or None) in any order, and for each of its joints the row it came from.
 
-        Rows keep their order as far as parents-first allows. Raises TextError (its place is the row, counted from 0) for a name
-        that occurs twice, a parent that is not there, and joints that hang on each other in a circle.
+        Rows keep their order as far as parents-first allows. Raises TextError, with the row's place (`places`, else "row 3"), for a
+        name that occurs twice, a parent that is not there, and joints that hang on each other in a circle.
         """
-        row_of = _rows_by_name(names)
-        parent_row = np.array([_parent_row(row, parent, row_of) for row, parent in enumerate(parents)], np.int64)
+        where = places or [f"row {row + 1}" for row in range(len(names))]
+        row_of = _rows_by_name(names, where)
+        parent_row = np.array([_parent_row(parent, row_of, where[row]) for row, parent in enumerate(parents)], np.int64)
         order = _parents_first(parent_row)
         if len(order) < len(names):
-            _refuse_cycle(names, parent_row, set(order))
+            _refuse_cycle(names, parent_row, set(order), where)
         place = np.empty(len(order), np.int32)
         place[order] = np.arange(len(order), dtype=np.int32)
         sorted_parents = parent_row[order]
@@ -67,20 +68,20 @@ class Skeleton:
         return tuple((joints, self.parent[joints].astype(np.int64)) for joints in groups if len(joints))
 
 
-def _rows_by_name(names: Sequence[str]) -> dict[str, int]:
+def _rows_by_name(names: Sequence[str], where: Sequence[str]) -> dict[str, int]:
     rows: dict[str, int] = {}
     for row, name in enumerate(names):
         if name in rows:
-            raise TextError(f"{name} is there twice; names must differ", place=str(row))
+            raise TextError(f"{name} is there twice, first at {where[rows[name]]}; names must differ", place=where[row])
         rows[name] = row
     return rows
 
 
-def _parent_row(row: int, parent: str | None, row_of: dict[str, int]) -> int:
+def _parent_row(parent: str | None, row_of: dict[str, int], place: str) -> int:
     if parent is None:
         return -1
     if parent not in row_of:
-        raise TextError(str(UnknownNameError("bone", parent, row_of)), place=str(row))
+        raise TextError(str(UnknownNameError("bone", parent, row_of)), place=place)
     return row_of[parent]
 
 
@@ -98,7 +99,7 @@ def _parents_first(parent_row: Ints) -> list[int]:
     return order
 
 
-def _refuse_cycle(names: Sequence[str], parent_row: Ints, sorted_rows: set[int]) -> NoReturn:
+def _refuse_cycle(names: Sequence[str], parent_row: Ints, sorted_rows: set[int], where: Sequence[str]) -> NoReturn:
     """Walk up from a row that was not reached until a row comes again, and name the circle."""
     row = next(row for row in range(len(names)) if row not in sorted_rows)
     path: list[int] = []
@@ -109,4 +110,4 @@ def _refuse_cycle(names: Sequence[str], parent_row: Ints, sorted_rows: set[int])
         row = int(parent_row[row])
     circle = path[path.index(row) :]
     chain = " -> ".join(names[member] for member in [*circle, row])
-    raise TextError(f"bones hang on each other in a circle: {chain}", place=str(min(circle)))
+    raise TextError(f"bones hang on each other in a circle: {chain}", place=where[min(circle)])

@@ -1,0 +1,122 @@
+"""Curves through and near keys (FAQ Q17), over any leading axes; float32 and float64 stay what they are. KF3, KF5, KF7.
+
+A B-spline segment takes four controls and runs between the two in the middle, f = 0…1. `ends` gives the first and the last
+segment of a clip the controls they lack; `bspline_through` and `rotations_through` find the controls whose curve meets the keys.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from statwalk.errors import ContentError
+from statwalk.maths import quat
+from statwalk.maths.arrays import Floats
+
+# The error of the controls shrinks at least by half a round (the curve's matrix has eigenvalues 1/3…1): 56 rounds reach float64.
+_ROUNDS = 56
+_STEP = 1.5
+_LARGEST_MISS = 1e-9
+
+
+def lerp(a: Floats, b: Floats, f: ArrayLike) -> Floats:
+    """a·(1−f) + b·f on every component (…, n); f (…). FAQ Q17; exactly `a` at 0 and `b` at 1."""
+    part = np.asarray(f, a.dtype)[..., None]
+    return a * (1 - part) + b * part
+
+
+def step(a: Floats, b: Floats, f: ArrayLike) -> Floats:
+    """`a` before the half-way point, `b` from there on (…, n); f (…). RTCA Listing 2, KF7."""
+    return np.where(np.asarray(f)[..., None] < 0.5, a, b)
+
+
+def cubic_hermite(p0: Floats, m0: Floats, p1: Floats, m1: Floats, f: ArrayLike, dt: ArrayLike) -> Floats:
+    """From `p0` to `p1` (…, n) with tangents `m0`, `m1` per second, over `dt` seconds; f, dt (…). glTF 2.0 appendix C.5."""
+    part, seconds = np.asarray(f, p0.dtype)[..., None], np.asarray(dt, p0.dtype)[..., None]
+    square = part * part
+    cube = square * part
+    to_end = 3 * square - 2 * cube
+    return (1 - to_end) * p0 + seconds * (cube - 2 * square + part) * m0 + to_end * p1 + seconds * (cube - square) * m1
+
+
+def bspline_basis(f: ArrayLike, dtype: np.typing.DTypeLike = np.float64) -> Floats:
+    """The weights (…, 4) of four controls of a uniform cubic B-spline at f (…) in 0…1; they sum to 1."""
+    part = np.asarray(f, dtype)
+    rest, square, cube = 1 - part, part * part, part * part * part
+    return np.stack([rest * rest * rest, 3 * cube - 6 * square + 4, 3 * (part + square - cube) + 1, cube], -1) / 6
+
+
+def bspline(controls: Floats, f: ArrayLike) -> Floats:
+    """The point (…, n) at f (…) of the segment with `controls` (…, 4, n)."""
+    terms = controls * bspline_basis(f, controls.dtype)[..., None]
+    return terms[..., 0, :] + terms[..., 1, :] + terms[..., 2, :] + terms[..., 3, :]
+
+
+def ends(keys: Floats, loop: bool = False) -> Floats:
+    """Controls (K+2, …, n) for K keys (K, …, n): one more at each end, so that the curve begins and ends on the end keys.
+
+    With `loop` the last key is the first one again (as in a cycle whose duration is its last key), and the curve closes smoothly.
+    """
+    if loop:
+        return np.concatenate([keys[-2:-1], keys, keys[1:2]])
+    return np.concatenate([2 * keys[:1] - keys[1:2], keys, 2 * keys[-1:] - keys[-2:-1]])
+
+
+def bspline_through(keys: Floats, loop: bool = False) -> Floats:
+    """Controls (K+2, …, n) of the uniform cubic B-spline that passes through K keys (K, …, n)."""
+    wanted = keys.astype(np.float64)
+    inner: Floats = wanted
+    for _ in range(_ROUNDS):
+        controls = ends(inner, loop)
+        inner = inner + _STEP * (wanted - (controls[:-2] + 4 * controls[1:-1] + controls[2:]) / 6)
+    return ends(inner, loop).astype(keys.dtype)
+
+
+def bspline_rotation(controls: Floats, f: ArrayLike) -> Floats:
+    """The rotation (…, 4) at f (…) of the cumulative B-spline with control quaternions (…, 4, 4) (Kim, Kim and Shin 1995)."""
+    weights = bspline_basis(f, controls.dtype)
+    third = weights[..., 3]
+    second = third + weights[..., 2]
+    first = second + weights[..., 1]
+    rotation = controls[..., 0, :]
+    for row, weight in enumerate((first, second, third)):
+        turn = quat.to_rotation_vector(quat.mul(quat.conjugate(controls[..., row, :]), controls[..., row + 1, :]))
+        rotation = quat.mul(rotation, quat.from_rotation_vector(turn * weight[..., None]))
+    return quat.normalize(rotation)
+
+
+def rotation_ends(keys: Floats, loop: bool = False) -> Floats:
+    """`ends` for quaternions (K, …, 4): the turn of the first and of the last segment is carried on."""
+    if loop:
+        return np.concatenate([keys[-2:-1], keys, keys[1:2]])
+    first = quat.mul(keys[:1], quat.mul(quat.conjugate(keys[1:2]), keys[:1]))
+    last = quat.mul(keys[-1:], quat.mul(quat.conjugate(keys[-2:-1]), keys[-1:]))
+    return np.concatenate([first, keys, last])
+
+
+def rotations_through(keys: Floats, loop: bool = False) -> Floats:
+    """Controls (K+2, …, 4) of the cumulative B-spline that passes through K quaternions (K, …, 4), found step by step.
+
+    Controls swing up to three times as far as their keys and no further than half a turn, so neighbouring keys may differ by 60°
+    (more, where they do not swing to and fro). Raises ContentError where the curve cannot meet the keys.
+    """
+    wanted = keys.astype(np.float64)
+    inner: Floats = wanted
+    for _ in range(_ROUNDS):
+        inner = quat.normalize(quat.mul(inner, quat.from_rotation_vector(_STEP * _miss(inner, wanted, loop))))
+    if np.abs(_miss(inner, wanted, loop)).max(initial=0) > _LARGEST_MISS:
+        raise ContentError(
+            "a B-spline cannot pass through these rotations: neighbouring keys should differ by at most 60 degrees; add keys"
+        )
+    return rotation_ends(inner, loop).astype(keys.dtype)
+
+
+def _miss(inner: Floats, wanted: Floats, loop: bool) -> Floats:
+    """The rotation vectors (K, …, 3) from the curve of the controls to the keys."""
+    return quat.to_rotation_vector(quat.mul(quat.conjugate(_rotation_at_keys(rotation_ends(inner, loop))), wanted))
+
+
+def _rotation_at_keys(controls: Floats) -> Floats:
+    """Where the rotation B-spline with `controls` (K+2, …, 4) is at its K keys: f = 0, where the last control has no say."""
+    windows = np.stack([controls[:-2], controls[1:-1], controls[2:], controls[2:]], -2)
+    return bspline_rotation(windows, np.zeros(windows.shape[:-2]))
