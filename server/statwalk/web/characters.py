@@ -1,0 +1,47 @@
+"""GET /api/characters: what can be animated."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Depends, Response
+
+from statwalk.web.door import library_of
+from statwalk.web.jsonbody import BoundedRoute
+from statwalk.web.library import Library
+
+router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
+Shelf = Annotated[Library, Depends(library_of)]
+
+
+@router.get("")
+def list_characters(library: Shelf) -> list[dict[str, Any]]:
+    """The characters, and the machine that each was found with."""
+    return [{"name": name, "machine": machine} for name, machine in library.owners.items()]
+
+
+@router.get("/{name}")
+def get_character(name: str, library: Shelf) -> dict[str, Any]:
+    """Joints (parents first), clips, skins and what was repaired when the file was read."""
+    character = library.character(name)
+    skeleton = character.skeleton
+    return {
+        "name": name,
+        "joints": [
+            {"name": joint, "parent": int(parent), "node": int(node)}
+            for joint, parent, node in zip(skeleton.names, skeleton.parent, character.node_index, strict=True)
+        ],
+        "clips": [{"name": clip.name, "duration": float(clip.duration)} for clip in character.clips.values()],
+        "skins": len(character.skins),
+        "parts": [
+            {"node": part.node, "mesh": part.mesh, "primitive": part.primitive, "vertices": len(part.positions)} for part in character.parts
+        ],
+        "notes": list(character.notes),
+        "model": f"/api/characters/{name}/model.glb",
+    }
+
+
+@router.get("/{name}/model.glb", response_class=Response, responses={200: {"content": {"model/gltf-binary": {}}}})
+def get_model(name: str, library: Shelf) -> Response:
+    """The model, as any glTF viewer opens it."""
+    return Response(library.character(name).model_glb, media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})

@@ -1,0 +1,28 @@
+"""What the routes are given: the library and the registry of the app that they belong to."""
+
+from __future__ import annotations
+
+from fastapi import Request
+
+from statwalk.web.hosted import HostedStage
+from statwalk.web.library import Library
+from statwalk.web.registry import Registry
+
+
+def registry_of(request: Request) -> Registry:
+    """The app's stages."""
+    registry: Registry = request.app.state.registry
+    return registry
+
+
+def library_of(request: Request) -> Library:
+    """The app's machines and characters."""
+    return registry_of(request).library
+
+
+def stage_of(stage_id: str, request: Request) -> HostedStage:
+    """The stage that the path names.
+
+    :raises Problem: 404, if there is none.
+    """
+    return registry_of(request).find(stage_id)

@@ -1,0 +1,37 @@
+"""The viewer's files at `/`: the page itself is asked for anew each time, its hashed assets are kept for good."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from fastapi import FastAPI
+from starlette.responses import HTMLResponse, Response
+from starlette.staticfiles import StaticFiles
+from starlette.types import Scope
+
+FOR_GOOD = "public, max-age=31536000, immutable"
+NOT_BUILT = "<!doctype html><meta charset=utf-8><title>statwalk</title><p>The viewer is not built. In static/: npm ci, npm run build."
+
+
+class Page(StaticFiles):
+    """Static files with the cache headers of a Vite build."""
+
+    def file_response(
+        self, full_path: str | os.PathLike[str], stat_result: os.stat_result, scope: Scope, status_code: int = 200
+    ) -> Response:
+        """A file; what lies in assets/ has its content's hash in its name."""
+        response = super().file_response(full_path, stat_result, scope, status_code)
+        response.headers["Cache-Control"] = FOR_GOOD if Path(full_path).parent.name == "assets" else "no-cache"
+        return response
+
+
+def install(app: FastAPI, folder: Path) -> None:
+    """Serves the built viewer, or says how to build it."""
+    if (folder / "index.html").is_file():
+        app.mount("/", Page(directory=folder, html=True), name="page")
+        return
+
+    @app.get("/", include_in_schema=False)
+    def not_built() -> HTMLResponse:
+        return HTMLResponse(NOT_BUILT, status_code=503)

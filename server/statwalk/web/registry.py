@@ -1,0 +1,126 @@
+"""The stages that the server holds, by id."""
+
+from __future__ import annotations
+
+import math
+import secrets
+import threading
+import time
+from collections.abc import Callable
+
+from statwalk.stage.stage import Actor, Stage
+from statwalk.web.hosted import HostedStage
+from statwalk.web.library import Library
+from statwalk.web.problem import Problem
+from statwalk.web.schemas import Accepted, Clock, NewActor, NewEvent, NewParameter, NewStage
+from statwalk.web.settings import Settings
+
+MAIN = "main"
+
+
+class Registry:
+    """Opens, finds, forks and closes stages. Safe to use from several threads."""
+
+    def __init__(self, library: Library, settings: Settings, wake: Callable[[], None] = lambda: None) -> None:
+        self.library, self.settings, self.wake = library, settings, wake
+        self.lock = threading.Lock()
+        self.stages: dict[str, HostedStage] = {}
+
+    def all(self) -> list[HostedStage]:
+        """Those that there are now."""
+        return list(self.stages.values())
+
+    def find(self, stage_id: str) -> HostedStage:
+        """The stage of that id.
+
+        :raises Problem: 404, if there is none.
+        """
+        hosted = self.stages.get(stage_id)
+        if hosted is None:
+            raise Problem(404, f"there is no stage {stage_id[:80]!r}", field="stage", known=self.stages)
+        return hosted
+
+    def hold(self, stage: Stage, clock: Clock, stage_id: str = "") -> HostedStage:
+        """Takes a stage in.
+
+        :raises Problem: 409, if the server holds as many as it may.
+        """
+        hosted = HostedStage(stage_id or secrets.token_hex(4), stage, clock, self.library)
+        with self.lock:
+            if len(self.stages) >= self.settings.most_stages:
+                raise Problem(409, f"the server holds {self.settings.most_stages} stages, which is the most it may; delete one")
+            self.stages[hosted.id] = hosted
+        self.wake()
+        return hosted
+
+    def open_main(self) -> HostedStage:
+        """The stage the page opens on: real time, with the default machine."""
+        stage = Stage()
+        if self.library.default is not None:
+            stage.add(self.library.role(self.library.default))
+        return self.hold(stage, "real", MAIN)
+
+    def close(self, stage_id: str) -> None:
+        """Lets a stage go; its viewers are sent away.
+
+        :raises Problem: 404, if there is none.
+        """
+        hosted = self.find(stage_id)
+        with self.lock:
+            self.stages.pop(stage_id, None)
+        hosted.broadcast.end(4404, "the stage was deleted")
+
+    def place(self, stage: Stage, new: NewActor) -> Actor:
+        """Adds an actor to a stage.
+
+        :raises Problem: 422 for an unknown machine, 409 if the stage is full.
+        """
+        role = self.library.role(new.machine, status=422)
+        if len(stage.actors) >= self.settings.most_actors:
+            raise Problem(409, f"the stage has {self.settings.most_actors} actors, which is the most it may have")
+        x, y, z = new.position
+        return stage.add(role, position=(x, y, z), heading=math.radians(new.heading_deg), name=new.name)
+
+    def open(self, new: NewStage) -> HostedStage:
+        """Opens a stage with its actors."""
+        stage = Stage(seed=new.seed, rate=new.rate)
+        for actor in new.actors:
+            self.place(stage, actor)
+        return self.hold(stage, new.clock)
+
+    def fork(self, hosted: HostedStage, tick: int | None = None) -> HostedStage:
+        """A new stage that goes on from the playhead of `hosted`, or from a tick of its past, with the past but without the future."""
+        with hosted.turn() as stage:
+            branch = stage.fork()
+            if tick is not None and tick != branch.tick:
+                branch.seek(tick)
+                branch = branch.fork()
+        return self.hold(branch, hosted.clock_kind)
+
+    def writable(self, hosted: HostedStage, looked_at: int | None = None) -> HostedStage:
+        """The stage itself while the tick looked at (or the playhead) is its newest, else a fork there: the past stays."""
+        with hosted.turn() as stage:
+            tick = stage.tick if looked_at is None else looked_at
+            return hosted if tick >= stage.head else self.fork(hosted, tick)
+
+    def post(self, hosted: HostedStage, event: NewEvent, looked_at: int | None = None) -> Accepted:
+        """Logs an event, in a fork if it belongs to the past."""
+        with hosted.turn():
+            target = self.writable(hosted, looked_at)
+            with target.turn() as stage:
+                return Accepted(tick=stage.tick, seq=target.post(event), stage=target.id)
+
+    def set_parameter(self, hosted: HostedStage, new: NewParameter, looked_at: int | None = None) -> Accepted:
+        """Logs a parameter's value, in a fork if it belongs to the past."""
+        with hosted.turn():
+            target = self.writable(hosted, looked_at)
+            with target.turn() as stage:
+                return Accepted(tick=stage.tick, seq=target.set_parameter(new), stage=target.id)
+
+    def drop_idle(self) -> None:
+        """Lets go of real-time stages that nobody has watched or used for a while; `main` stays."""
+        now = time.monotonic()
+        for hosted in self.all():
+            unused = now - hosted.touched > self.settings.idle_seconds
+            if unused and hosted.id != MAIN and hosted.clock_kind == "real" and not hosted.broadcast.mailboxes:
+                self.stages.pop(hosted.id, None)

@@ -1,0 +1,36 @@
+"""What the server is told when it starts, and the limits it keeps."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parent.parent
+LOOPBACK_HOSTS = ("127.0.0.1", "localhost", "[::1]")
+
+LARGEST_BODY_BYTES = 256 << 10
+LARGEST_MESSAGE_BYTES = 64 << 10
+MOST_STAGES = 64
+MOST_ACTORS = 2_000
+MOST_TICKS = 36_000
+MOST_VIEWERS = 256
+IDLE_SECONDS = 600.0
+
+
+def page_folder() -> Path:
+    """Where the built viewer is: in the wheel, or in the checkout of an editable install."""
+    inside = PACKAGE / "static"
+    return inside if inside.is_dir() else PACKAGE.parent.parent / "static" / "dist"
+
+
+@dataclass(frozen=True)
+class Settings:
+    """`folders`: machine folders beside the shipped ones, the first is the default; `hosts`: names this server answers to."""
+
+    folders: tuple[Path, ...] = ()
+    hosts: tuple[str, ...] = LOOPBACK_HOSTS
+    page: Path = field(default_factory=page_folder)
+    main_stage: bool = True
+    most_stages: int = MOST_STAGES
+    most_actors: int = MOST_ACTORS
+    idle_seconds: float = IDLE_SECONDS
