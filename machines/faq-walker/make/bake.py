@@ -1,0 +1,106 @@
+"""Writes body and motions as one binary glTF file."""
+
+import struct
+from pathlib import Path
+
+import numpy as np
+import pygltflib as gl
+from body import MATERIALS, Body, inverse_bind
+from curves import Array
+from motion import Motion
+from numpy.typing import NDArray
+from skeleton import INDEX, NAMES, PARENT, rest_translation
+
+FLOAT, BYTE, SHORT = 5126, 5121, 5123
+KINDS = {1: "SCALAR", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
+
+
+class Writer:
+    """Collects accessors over one buffer."""
+
+    def __init__(self) -> None:
+        self.file = gl.GLTF2(asset=gl.Asset(version="2.0", generator="machines/faq-walker/make"))
+        self.blob = bytearray()
+
+    def add(self, rows: NDArray[np.generic], component: int, *, target: int | None = None, bounds: bool = False) -> int:
+        """Append rows (N,) or (N, n) and return their accessor."""
+        width = 1 if rows.ndim == 1 else rows.shape[1]
+        data = np.ascontiguousarray(rows).tobytes()
+        self.file.bufferViews.append(gl.BufferView(buffer=0, byteOffset=len(self.blob), byteLength=len(data), target=target))
+        self.blob.extend(data + b"\0" * (-len(data) % 4))
+        accessor = gl.Accessor(bufferView=len(self.file.bufferViews) - 1, componentType=component, count=len(rows), type=KINDS[width])
+        if bounds:
+            table = rows.reshape(len(rows), -1)
+            accessor.min, accessor.max = [float(v) for v in table.min(0)], [float(v) for v in table.max(0)]
+        self.file.accessors.append(accessor)
+        return len(self.file.accessors) - 1
+
+    def floats(self, rows: Array, **how: bool | int | None) -> int:
+        """Append rows as 32-bit floats."""
+        return self.add(rows.astype(np.float32), FLOAT, **how)  # type: ignore[arg-type]
+
+
+def _add_body(out: Writer, body: Body) -> None:
+    primitives = []
+    for name, faces in body.parts.items():
+        used, indices = np.unique(faces, return_inverse=True)
+        (red, green, blue), rough = MATERIALS[name]
+        surface = gl.PbrMetallicRoughness(baseColorFactor=[red, green, blue, 1.0], metallicFactor=0.0, roughnessFactor=rough)
+        out.file.materials.append(gl.Material(name=name, pbrMetallicRoughness=surface))
+        attributes = gl.Attributes(
+            POSITION=out.floats(body.points[used], target=34962, bounds=True),
+            NORMAL=out.floats(_unit32(body.normals[used]), target=34962),
+            JOINTS_0=out.add(body.joints[used], BYTE, target=34962),
+            WEIGHTS_0=out.floats(body.weights[used], target=34962),
+        )
+        at = out.add(indices.reshape(-1).astype(np.uint16), SHORT, target=34963)
+        primitives.append(gl.Primitive(attributes=attributes, indices=at, material=len(out.file.materials) - 1))
+    out.file.meshes.append(gl.Mesh(name="Body", primitives=primitives))
+    matrices = np.swapaxes(inverse_bind(), 1, 2).reshape(-1, 16)
+    out.file.skins.append(gl.Skin(name="Body", joints=list(range(len(NAMES))), skeleton=0, inverseBindMatrices=out.floats(matrices)))
+
+
+def _unit32(vectors: Array) -> Array:
+    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+
+
+def _add_nodes(out: Writer, rotation: Array, root: Array) -> None:
+    """The skeleton in a first pose, and the skinned body beside it."""
+    places = rest_translation()
+    places[0] = root
+    for index, name in enumerate(NAMES):
+        children = [child for child, parent in enumerate(PARENT) if parent == index]
+        turn = [float(v) for v in rotation[index]]
+        out.file.nodes.append(gl.Node(name=name, translation=[float(v) for v in places[index]], rotation=turn, children=children))
+    out.file.nodes.append(gl.Node(name="Body", mesh=0, skin=0))
+    out.file.scenes.append(gl.Scene(name="faq-walker", nodes=[0, len(NAMES)]))
+    out.file.scene = 0
+
+
+def _add_motion(out: Writer, motion: Motion) -> None:
+    times, rotation, root = motion.frames()
+    clip = gl.Animation(name=motion.name, samplers=[], channels=[])
+    at = out.floats(times, bounds=True)
+    tracks = [(INDEX["Root"], "translation", root), *((joint, "rotation", rotation[:, joint]) for joint in range(len(NAMES)))]
+    for joint, path, values in tracks:
+        clip.samplers.append(gl.AnimationSampler(input=at, output=out.floats(values), interpolation="LINEAR"))
+        target = gl.AnimationChannelTarget(node=joint, path=path)
+        clip.channels.append(gl.AnimationChannel(sampler=len(clip.samplers) - 1, target=target))
+    out.file.animations.append(clip)
+
+
+def write_glb(path: Path, body: Body, motions: list[Motion]) -> None:
+    """Write the character; the nodes stand as in the first frame of the first motion."""
+    out = Writer()
+    _add_body(out, body)
+    _, rotation, root = motions[0].frames()
+    _add_nodes(out, rotation[0], root[0])
+    for motion in motions:
+        _add_motion(out, motion)
+    out.file.buffers.append(gl.Buffer(byteLength=len(out.blob)))
+    text = out.file.to_json(separators=(",", ":"), indent=None).encode()
+    text += b" " * (-len(text) % 4)
+    binary = bytes(out.blob)
+    total = 12 + 8 + len(text) + 8 + len(binary)
+    head = struct.pack("<4sII", b"glTF", 2, total) + struct.pack("<I4s", len(text), b"JSON") + text
+    path.write_bytes(head + struct.pack("<I4s", len(binary), b"BIN\0") + binary)
