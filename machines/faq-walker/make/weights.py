@@ -23,7 +23,8 @@ def _split(whole: Array, part: Array) -> tuple[Array, Array]:
 def _limbs(points: Array, side: str, share: dict[str, Array], rest: Array) -> Array:
     """Give the left or right limbs their share (the points are mirrored to the left); returns what is left for the trunk."""
     along = (points - SHOULDER_AT) @ ARM_WAY
-    arm = step(along, -0.045, 0.085) * step(trunk_field(points) - arm_field(points), -0.035, 0.045)
+    inward = np.linalg.norm(points - SHOULDER_AT - along[:, None] * ARM_WAY, axis=1)
+    arm = step(along, -0.045, 0.085) * step(trunk_field(points) - arm_field(points), -0.035, 0.045) * step(-inward, -0.16, -0.11)
     rest, arm = _split(rest, arm)
     upper, lower = _split(arm, step(along, UPPER_ARM - 0.045, UPPER_ARM + 0.045))
     lower, hand = _split(lower, step(along, WRIST - 0.030, WRIST + 0.025))
