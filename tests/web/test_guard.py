@@ -4,7 +4,6 @@ import asyncio
 from typing import Any
 
 import pytest
-
 from statwalk.web.guard import SECURITY_HEADERS, Guard
 from statwalk.web.settings import LARGEST_BODY_BYTES, LOOPBACK_HOSTS
 

@@ -3,7 +3,6 @@
 import asyncio
 
 import pytest
-
 from statwalk.web.mailbox import MOST_FACTS, Layout, Mailbox, Shown
 
 LAYOUT = Layout(1, ())

@@ -6,9 +6,8 @@ from typing import Any
 
 import pytest
 from serving import open_and_never_read, serving, wait_for
-from websockets.sync.client import connect
-
 from statwalk.web import protocol
+from websockets.sync.client import connect
 
 LARGE = b"x" * (1 << 20)
 

@@ -1,0 +1,115 @@
+"""`statwalk play`: a machine without a server, a browser or a clock."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from typing import Annotated, NamedTuple
+
+import typer
+from rich.console import Console
+from rich.table import Table
+
+from statwalk.errors import StatwalkError, UnknownNameError
+from statwalk.loading import load, shipped_machines
+from statwalk.stage.role import Role
+from statwalk.stage.stage import Actor, Stage
+
+EXAMPLES = """Examples:
+
+  statwalk play faq-walker --events "0:FORWARD 2:STOP" --seconds 4
+
+  statwalk play my-robot --events "0.5:+LEFT 1.5:-LEFT" --every-tick
+
+An event is SECONDS:EVENT; + before its name holds it, - releases it.
+"""
+EVENT = re.compile(r"(\d+(?:\.\d+)?):([+-]?)(\S+)")
+console = Console(highlight=False)
+errors = Console(stderr=True, highlight=False)
+
+
+class Input(NamedTuple):
+    """An event at a tick; `sign` is + for hold, - for release, nothing for a press."""
+
+    tick: int
+    sign: str
+    event: str
+
+
+def read_events(text: str, rate: int) -> list[Input]:
+    """The inputs of `0:FORWARD 2:STOP`, in the order of their ticks.
+
+    :raises typer.BadParameter: if a word is no event.
+    """
+    inputs = []
+    for word in text.split():
+        match = EVENT.fullmatch(word)
+        if match is None:
+            raise typer.BadParameter(f"{word!r} is not SECONDS:EVENT, as in 0:FORWARD, 1.5:+LEFT, 2:-LEFT")
+        inputs.append(Input(round(float(match[1]) * rate), match[2], match[3]))
+    return sorted(inputs, key=lambda one: one.tick)
+
+
+def run(stage: Stage, actor: Actor, inputs: list[Input], ticks: int) -> Iterator[str]:
+    """Steps the stage; after each tick, the events that were logged before it."""
+    log = {"": stage.send, "+": stage.hold, "-": stage.release}
+    waiting = list(inputs)
+    for tick in range(ticks):
+        due = [one for one in waiting if one.tick <= tick]
+        waiting = waiting[len(due) :]
+        for one in due:
+            log[one.sign](actor, one.event)
+        stage.step(1)
+        yield " ".join(one.sign + one.event for one in due)
+
+
+def row(stage: Stage, actor: Actor, events: str) -> list[str]:
+    """A line of the table: where the actor is after a tick."""
+    (x, _, z), heading = actor.root
+    return [
+        str(stage.tick),
+        f"{stage.seconds:.3f}",
+        events,
+        actor.state,
+        f"{actor.time:.3f}",
+        f"{x:+.3f} {z:+.3f}",
+        f"{math.degrees(heading):+.1f}",
+        actor.hash,
+    ]
+
+
+def role_of(machine: str) -> Role:
+    """The machine to play.
+
+    :raises StatwalkError: if there is none, or its files must be refused.
+    """
+    found = load(machine)
+    if isinstance(found, Role):
+        return found
+    raise UnknownNameError("machine", machine, shipped_machines())
+
+
+def play(
+    machine: Annotated[str, typer.Argument(help="A machine folder, or the name of a shipped machine.")],
+    events: Annotated[str, typer.Option(help='What happens when, in seconds: "0:FORWARD 2:STOP"; +NAME holds, -NAME releases.')] = "",
+    seconds: Annotated[float, typer.Option(help="How long to play.", min=0.0, max=3600.0)] = 4.0,
+    rate: Annotated[int, typer.Option(help="Ticks a second.", min=1, max=240)] = 60,
+    seed: Annotated[int, typer.Option(help="The stage's seed.", min=0)] = 0,
+    every_tick: Annotated[bool, typer.Option("--every-tick", help="A line for each tick, not only where something changes.")] = False,
+) -> None:
+    """Plays a machine as fast as it can, and prints what changed, and the hash that the same inputs always give."""
+    try:
+        stage = Stage(seed=seed, rate=rate)
+        actor = stage.add(role_of(machine))
+        table = Table("tick", "seconds", "events", "state", "in motion", "x z metres", "heading°", "hash", box=None)
+        state = None
+        for happened in run(stage, actor, read_events(events, rate), round(seconds * rate)):
+            if every_tick or happened or actor.state != state:
+                table.add_row(*row(stage, actor, happened))
+            state = actor.state
+    except StatwalkError as error:
+        errors.print(f"[bold red]statwalk play:[/] {error}")
+        raise typer.Exit(2) from None
+    console.print(table)
+    console.print(f"after {stage.tick} ticks: [bold]{actor.state}[/], hash {stage.hash}")
