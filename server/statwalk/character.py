@@ -15,7 +15,7 @@ from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Clip
 from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.skeleton import Skeleton
-from statwalk.skin.deform import posed_part
+from statwalk.skin.deform import matrices, posed_part
 from statwalk.skin.primitive import Part, Primitive, Skin
 
 
@@ -56,4 +56,5 @@ class Character:
     def vertices(self, pose: Pose) -> list[Part]:
         """Every drawable primitive in an unbatched pose, positions and unit normals (V,3) in the character's space (RTCA 2.3.2)."""
         world = world_from_local(self.skeleton, pose)
-        return [posed_part(part, self.skins, world, pose.weights) for part in self.parts]
+        skins = matrices(self.skins, world)
+        return [posed_part(part, skins, world, pose.weights) for part in self.parts]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -32,7 +33,7 @@ class Primitive:
     skin, joints, weights    index into the character's skins; (V,I) indices into the skin's joints; (V,I) weights that sum to 1
     target_positions         (M,V,3) displacements of morph targets; target_normals the same for normals, or None
     weight_first             the first of this mesh's M columns in a pose's weights
-    texcoords, colors        (V,2) TEXCOORD_0 and (V,4) COLOR_0, or None
+    attributes               what no pose changes, by glTF's names: TEXCOORD_n (V,2), COLOR_n (V,4)
     """
 
     joint: int
@@ -50,8 +51,7 @@ class Primitive:
     target_positions: NDArray[np.float32] | None = None
     target_normals: NDArray[np.float32] | None = None
     weight_first: int = 0
-    texcoords: NDArray[np.float32] | None = None
-    colors: NDArray[np.float32] | None = None
+    attributes: Mapping[str, NDArray[np.float32]] = field(default_factory=dict)
 
 
 class Part(NamedTuple):

@@ -1,1 +1,5 @@
-"""Set by its owner."""
+"""glTF 2.0: read and checked, written, and posed frames from a prepared template."""
+
+from statwalk.files.glb.read import read_model
+
+__all__ = ["read_model"]

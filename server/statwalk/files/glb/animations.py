@@ -1,0 +1,109 @@
+"""Animations: channels and samplers as clips (glTF 2.0, 3.11)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.errors import ModelError
+from statwalk.files.glb import check
+from statwalk.files.glb.accessors import Accessors
+from statwalk.files.glb.check import Json
+from statwalk.files.glb.document import Document
+from statwalk.files.glb.formats import MORPH_WEIGHTS, ROTATIONS, TIMES, TRANSLATIONS, VECTORS, Allowed
+from statwalk.files.glb.names import unique
+from statwalk.maths.pose import Pose
+from statwalk.motion.clip import Channel, Clip, duration_of
+
+FORMATS: dict[str, Allowed] = {"translation": TRANSLATIONS, "rotation": ROTATIONS, "scale": VECTORS, "weights": MORPH_WEIGHTS}
+INTERPOLATIONS = ("LINEAR", "STEP", "CUBICSPLINE")
+Path = Literal["translation", "rotation", "scale", "weights"]
+Interpolation = Literal["STEP", "LINEAR", "CUBICSPLINE"]
+
+
+@dataclass
+class KeyTimes:
+    """Times (K,) of a sampler, and which of its keys they are: None for all."""
+
+    times: NDArray[np.float32]
+    keys: NDArray[np.int64] | None
+
+
+@dataclass
+class Animations:
+    """The animations of a document; `weight_span` says where each node's morph weights are in a pose."""
+
+    document: Document
+    accessors: Accessors
+    joint_of: list[int]
+    weight_span: dict[int, tuple[int, int]]
+    rest: Pose
+    known_times: dict[int, KeyTimes] = field(default_factory=dict)
+
+    def clips(self) -> dict[str, Clip]:
+        """Every animation as a clip, by its name made unique, in the order of the file."""
+        entries = self.document["animations"]
+        names = unique([check.label(entry, f"/animations/{row}") for row, entry in enumerate(entries)], "clip")
+        return {name: self.clip(name, entry, f"/animations/{row}") for row, (name, entry) in enumerate(zip(names, entries, strict=True))}
+
+    def clip(self, name: str, entry: Json, place: str) -> Clip:
+        """One animation. Channels that nothing here understands are left out, and noted."""
+        samplers = check.objects(entry, "samplers", place)
+        found: dict[tuple[int, str], Channel] = {}
+        for row, channel in enumerate(check.objects(entry, "channels", place)):
+            made = self.channel(channel, samplers, place, f"{place}/channels/{row}")
+            if made is not None and (made.joint, made.path) in found:
+                self.document.note("two channels of an animation move the same property; the first counts")
+            elif made is not None:
+                found[made.joint, made.path] = made
+        channels = tuple(found.values())
+        return Clip(name, channels, duration_of(channels), self.rest)
+
+    def channel(self, entry: Json, samplers: list[Json], animation: str, place: str) -> Channel | None:
+        """One channel; None where it has no node or moves a property that is unknown or not there."""
+        row = check.required_reference(entry, "sampler", place, samplers, "sampler of this animation")
+        sampler, where = samplers[row], f"{animation}/samplers/{row}"
+        target = check.as_object(entry.get("target"), f"{place}/target")
+        node = check.reference(target, "node", f"{place}/target", self.document["nodes"], "node")
+        path = check.text(target, "path", f"{place}/target")
+        first, count = self.weight_span.get(-1 if node is None else node, (0, 0))
+        if node is None or path not in FORMATS or (path == "weights" and not count):
+            self.document.note(f"animation channels for {check.shown(path)} of nothing that has it are left out")
+            return None
+        kind = check.one_of(sampler, "interpolation", where, INTERPOLATIONS, "LINEAR")
+        keys = self.key_times(check.required_reference(sampler, "input", where, self.document["accessors"], "accessor"), f"{where}/input")
+        width = count if path == "weights" else 1
+        values = self.values(sampler, path, kind, keys, width, where)
+        return Channel(self.joint_of[node], cast("Path", path), keys.times, values, cast("Interpolation", kind), first)
+
+    def key_times(self, row: int, place: str) -> KeyTimes:
+        """The times of an accessor, checked once: finite, not negative, rising. Of keys at the same time the last one stays."""
+        if row not in self.known_times:
+            times = self.accessors.floats(row, TIMES, place)
+            steps = times[1:] - times[:-1]
+            if times[0] < 0 or (len(steps) and steps.min() < 0):
+                raise ModelError("key times must be 0 or more, and rise", place=f"/accessors/{row}")
+            if len(steps) and steps.min() == 0:
+                keys = np.flatnonzero(np.append(steps > 0, True))
+                self.document.note("keys at equal times: the last one counts")
+                self.known_times[row] = KeyTimes(times[keys], keys)
+            else:
+                self.known_times[row] = KeyTimes(times, None)
+        return self.known_times[row]
+
+    def values(self, sampler: Json, path: str, kind: str, keys: KeyTimes, width: int, place: str) -> NDArray[np.float32]:
+        """(K,n) key values, or (K,3,n) of a cubic spline: in-tangent, value, out-tangent."""
+        row = check.required_reference(sampler, "output", place, self.document["accessors"], "accessor")
+        values = self.accessors.floats(row, FORMATS[path], f"{place}/output")
+        given = len(keys.times) if keys.keys is None else len(self.accessors.array(sampler["input"]))
+        expected = given * width * (3 if kind == "CUBICSPLINE" else 1)
+        if len(values) != expected:
+            raise ModelError(f"it has {len(values)} elements; {given} keys need {expected}", place=f"{place}/output")
+        if path == "weights":
+            values = values.reshape(-1, width)
+        if kind == "CUBICSPLINE":
+            values = values.reshape(given, 3, -1)
+        return values if keys.keys is None else values[keys.keys]

@@ -1,0 +1,40 @@
+"""Skins: joints and inverse bind matrices (glTF 2.0, 3.7.3)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.errors import ModelError
+from statwalk.files.glb import check
+from statwalk.files.glb.accessors import Accessors
+from statwalk.files.glb.check import Json
+from statwalk.files.glb.document import Document
+from statwalk.files.glb.formats import MATRICES
+from statwalk.skin.primitive import Skin
+
+
+def read_skins(document: Document, accessors: Accessors, joint_of: NDArray[np.int32]) -> tuple[Skin, ...]:
+    """All skins of the file. `skeleton` is a hint that may be wrong: it is checked and not used."""
+    return tuple(read_skin(document, accessors, joint_of, row, skin) for row, skin in enumerate(document["skins"]))
+
+
+def read_skin(document: Document, accessors: Accessors, joint_of: NDArray[np.int32], row: int, skin: Json) -> Skin:
+    """One skin; without inverse bind matrices they are identities."""
+    place = f"/skins/{row}"
+    check.reference(skin, "skeleton", place, document["nodes"], "node")
+    listed = check.items(skin, "joints", place, required=True)
+    nodes = [check.index(node, f"{place}/joints/{k}", document["nodes"], "node") for k, node in enumerate(listed)]
+    matrices = inverse_bind(document, accessors, skin, len(nodes), place)
+    return Skin(check.label(skin, place) or f"skin {row}", joint_of[nodes], matrices)
+
+
+def inverse_bind(document: Document, accessors: Accessors, skin: Json, count: int, place: str) -> NDArray[np.float32]:
+    """(K,3,4) inverse bind matrices."""
+    row = check.reference(skin, "inverseBindMatrices", place, document["accessors"], "accessor")
+    if row is None:
+        return np.broadcast_to(np.eye(4, dtype=np.float32)[:3], (count, 3, 4)).copy()
+    matrices = accessors.floats(row, MATRICES, f"{place}/inverseBindMatrices")
+    if len(matrices) < count:
+        raise ModelError(f"there are {len(matrices)} matrices for {count} joints", place=f"{place}/inverseBindMatrices")
+    return np.ascontiguousarray(matrices[:count, :3])

@@ -1,0 +1,32 @@
+"""Normals for meshes that come without: smooth, each face counted by its area."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.maths.arrays import Floats, Ints
+from statwalk.skin.rows import unit
+
+STRIP, FAN = 5, 6
+
+
+def triangles(indices: Ints, mode: int) -> Ints:
+    """(T,3) vertex numbers of a triangle list, strip or fan (glTF modes 4, 5, 6)."""
+    if mode == STRIP:
+        rows = np.stack([indices[:-2], indices[1:-1], indices[2:]], axis=1)
+        rows[1::2] = rows[1::2, [1, 0, 2]]
+        return rows
+    if mode == FAN:
+        return np.stack([indices[1:-1], indices[2:], np.broadcast_to(indices[0], len(indices) - 2)], axis=1)
+    return indices[: len(indices) // 3 * 3].reshape(-1, 3)
+
+
+def smooth_normals(positions: Floats, faces: Ints) -> NDArray[np.float32]:
+    """Unit normals (V,3) of positions (V,3) under faces (T,3); vertices that no face uses get +Z."""
+    corner = positions.astype(np.float64)[faces]
+    area = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    total = np.zeros(positions.shape)
+    for k in range(3):
+        np.add.at(total, faces[:, k], area)
+    return unit(total, np.zeros(3)).astype(np.float32)
