@@ -44,7 +44,7 @@ def fail(reason: str) -> typer.Exit:
 
 def serve(
     folders: Annotated[
-        list[Path] | None, typer.Argument(help="Machine folders to add; the first becomes the one the page opens on.")
+        list[Path] | None, typer.Argument(help="Machine folders to add; the page opens on the first.")
     ] = None,
     port: Annotated[int, typer.Option(help="TCP port; 0 takes a free one.", min=0, max=65535)] = 8000,
     host: Annotated[str, typer.Option(help="A loopback address; others are refused.")] = "127.0.0.1",
@@ -52,7 +52,7 @@ def serve(
     """Serves the API and the viewer on this machine, until it is stopped (Ctrl+C)."""
     if not is_loopback(host):
         raise fail(
-            f"{host} can be reached from other machines, and this server asks nobody for a password. Use 127.0.0.1, ::1 or localhost."
+            f"other machines can reach {host}, and nobody is asked for a password. Use 127.0.0.1, ::1 or localhost."
         )
     try:
         listener = listening_socket("127.0.0.1" if host == "localhost" else host, port)
