@@ -52,7 +52,7 @@ class UnknownNameError(StatwalkError):
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         self.kind, self.name, self.known = kind, name, tuple(known)
         near = get_close_matches(name, self.known, n=1)
-        hint = f"; did you mean {near[0]}?" if near else ""
+        hint = f"; did you mean {near[0]}?" if near else "."
         super().__init__(f"no {kind} is called {name!r}{hint} There are: {', '.join(self.known) or 'none'}")
 
 
