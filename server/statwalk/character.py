@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Clip
 from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.skeleton import Skeleton
-from statwalk.skin.deform import matrices, posed_part
+from statwalk.skin.deform import Surface, surface
 from statwalk.skin.primitive import Part, Primitive, Skin
 
 
@@ -55,6 +56,9 @@ class Character:
 
     def vertices(self, pose: Pose) -> list[Part]:
         """Every drawable primitive in an unbatched pose, positions and unit normals (V,3) in the character's space (RTCA 2.3.2)."""
-        world = world_from_local(self.skeleton, pose)
-        skins = matrices(self.skins, world)
-        return [posed_part(part, skins, world, pose.weights) for part in self.parts]
+        return self.surface.posed_parts(world_from_local(self.skeleton, pose), pose.weights)
+
+    @cached_property
+    def surface(self) -> Surface:
+        """The parts in their run form, made on first use."""
+        return surface(self.parts, self.skins)

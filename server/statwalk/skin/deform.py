@@ -1,50 +1,109 @@
-"""A primitive in a pose: morphed, then moved by its skin or its joint."""
+"""All primitives of a character in their run form: one list of vertices, one palette of bones; posed in a few array operations."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats
 from statwalk.skin import rows as affine
-from statwalk.skin.morph import morphed
+from statwalk.skin.morph import Morph, morphed
 from statwalk.skin.primitive import Part, Primitive, Skin
-from statwalk.skin.rigid import rigid_rows
-from statwalk.skin.soft import blended_rows, skin_rows
+from statwalk.skin.soft import Influence, Palette, blended_rows, influences
+
+IDENTITY = np.eye(4, dtype=np.float32)[:3]
 
 
-def matrices(skins: Sequence[Skin], world: Floats) -> list[Floats]:
-    """The rows (…,12,K) of every skin for world matrices (…,J,3,4): once a pose, however many primitives share a skin."""
-    return [skin_rows(skin, world) for skin in skins]
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """V vertices of all parts, one part after the other: `spans` says which are whose.
 
-
-def posed(part: Primitive, skins: Sequence[Floats], world: Floats, morphs: Floats) -> tuple[Floats, Floats | None]:
-    """Positions and unit normals (…,V,3) for `skins` from `matrices`, world (…,J,3,4) and morph weights (…,W).
-
-    A skinned mesh is placed by its joints alone, not by the node that carries it (glTF 2.0, 3.7.3.1).
+    positions and normals (3,V) at rest; morphs of either; the palette; the influences of all vertices.
     """
-    positions, normals = rest(part, morphs)
-    rows = rigid_rows(world, part.joint) if part.skin is None else skinned_rows(part, skins[part.skin])
-    return affine.points(rows, positions), None if normals is None else affine.normals(rows, normals)
+
+    parts: tuple[Primitive, ...]
+    spans: tuple[slice, ...]
+    positions: NDArray[np.float32]
+    normals: NDArray[np.float32]
+    position_morphs: tuple[Morph, ...]
+    normal_morphs: tuple[Morph, ...]
+    palette: Palette
+    influences: tuple[Influence, ...]
+
+    def pose(self, world: Floats, weights: Floats) -> tuple[Floats, Floats]:
+        """Positions and unit normals (3,V) for world matrices (J,3,4) and morph weights (W,).
+
+        A skinned mesh is placed by its joints alone, not by the node that carries it (glTF 2.0, 3.7.3.1).
+        """
+        rows = blended_rows(self.palette.rows(world), self.influences)
+        positions = morphed(self.positions, self.position_morphs, weights)
+        normals = morphed(self.normals, self.normal_morphs, weights)
+        return affine.points(rows, positions), affine.normals(rows, normals)
+
+    def posed_parts(self, world: Floats, weights: Floats) -> list[Part]:
+        """The parts in one pose, named by their indices in the file."""
+        if not self.parts:
+            return []
+        positions, normals = (np.ascontiguousarray(array.T) for array in self.pose(world, weights))
+        return [
+            Part(part.node, part.mesh, part.primitive, positions[span], None if part.normals is None else normals[span])
+            for part, span in zip(self.parts, self.spans, strict=True)
+        ]
 
 
-def skinned_rows(part: Primitive, rows: Floats) -> Floats:
-    """Rows (…,12,V) of a skinned primitive."""
-    assert part.joints is not None
-    assert part.weights is not None
-    return blended_rows(rows, part.joints, part.weights)
+def surface(parts: Sequence[Primitive], skins: Sequence[Skin]) -> Surface:
+    """The run form of a character's primitives."""
+    ends = np.cumsum([len(part.positions) for part in parts]).tolist()
+    spans = tuple(slice(end - len(part.positions), end) for part, end in zip(parts, ends, strict=True))
+    first_bone = np.cumsum([0, *(len(skin.joints) for skin in skins)]).tolist()
+    bones, weights = influence_table(parts, spans, first_bone)
+    rigid = np.array([part.joint for part in parts], np.int32)
+    return Surface(
+        parts=tuple(parts),
+        spans=spans,
+        positions=joined([part.positions for part in parts]),
+        normals=joined([upright(part) if part.normals is None else part.normals for part in parts]),
+        position_morphs=tuple(morphs(parts, spans, "target_positions")),
+        normal_morphs=tuple(morphs(parts, spans, "target_normals")),
+        palette=Palette(
+            np.concatenate([*(skin.joints for skin in skins), rigid]).astype(np.int32),
+            np.concatenate([*(skin.inverse_bind for skin in skins), np.broadcast_to(IDENTITY, (len(parts), 3, 4))]).astype(np.float32),
+        ),
+        influences=influences(bones, weights),
+    )
 
 
-def rest(part: Primitive, morphs: Floats) -> tuple[Floats, Floats | None]:
-    """Positions and normals before any joint moves them: (V,3), or (…,V,3) where there are morph targets."""
-    if part.target_positions is None:
-        return part.positions, part.normals
-    weights = morphs[..., part.weight_first : part.weight_first + len(part.target_positions)]
-    positions = morphed(part.positions, part.target_positions, weights)
-    if part.normals is None or part.target_normals is None:
-        return positions, part.normals
-    return positions, morphed(part.normals, part.target_normals, weights)
+def influence_table(
+    parts: Sequence[Primitive], spans: Sequence[slice], first_bone: Sequence[int]
+) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
+    """Bones of the palette and weights (V,I) of all vertices; a rigid part follows a bone of its own, after those of the skins."""
+    count = spans[-1].stop if spans else 0
+    width = max([1, *(part.joints.shape[1] for part in parts if part.joints is not None)])
+    bones, weights = np.zeros((count, width), np.intp), np.zeros((count, width), np.float32)
+    for row, (part, span) in enumerate(zip(parts, spans, strict=True)):
+        if part.skin is None or part.joints is None or part.weights is None:
+            bones[span, 0], weights[span, 0] = first_bone[-1] + row, 1
+        else:
+            bones[span, : part.joints.shape[1]] = part.joints.astype(np.intp) + first_bone[part.skin]
+            weights[span, : part.weights.shape[1]] = part.weights
+    return bones, weights
 
 
-def posed_part(part: Primitive, skins: Sequence[Floats], world: Floats, morphs: Floats) -> Part:
-    """The primitive in one pose, named by its indices in the file."""
-    return Part(part.node, part.mesh, part.primitive, *posed(part, skins, world, morphs))
+def morphs(parts: Sequence[Primitive], spans: Sequence[slice], name: str) -> list[Morph]:
+    """The morph targets of those parts that have any, of positions or of normals."""
+    found = [(part.weight_first, span, getattr(part, name)) for part, span in zip(parts, spans, strict=True)]
+    return [Morph(span, first, np.ascontiguousarray(rows.swapaxes(1, 2))) for first, span, rows in found if rows is not None]
+
+
+def joined(arrays: Sequence[NDArray[np.float32]]) -> NDArray[np.float32]:
+    """Arrays (V,3) one after the other, as (3,V)."""
+    whole = np.concatenate([np.zeros((0, 3), np.float32), *arrays])
+    return np.ascontiguousarray(whole.T)
+
+
+def upright(part: Primitive) -> NDArray[np.float32]:
+    """(V,3) of +Z: the place of normals that a primitive does not have."""
+    return np.broadcast_to(np.array([0, 0, 1], np.float32), part.positions.shape)

@@ -2,21 +2,39 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
+from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats
 
 
 def inbetween(start: Floats, end: Floats, fraction: float) -> Floats:
-    """The mesh (V,3) at `fraction` 0…1 of the way from `start` to `end`: s[k] + t·(s[k+1] - s[k]) (RTCA Listing 1, corrected)."""
+    """The mesh at `fraction` 0…1 of the way from `start` to `end`: s[k] + t·(s[k+1] - s[k]) (RTCA Listing 1, corrected)."""
     return start + (end - start) * start.dtype.type(fraction)
 
 
-def morphed(base: Floats, targets: Floats, weights: Floats) -> Floats:
-    """Base (V,3) plus weighted displacements (M,V,3): (…,V,3) for weights (…,M). Targets without weight cost nothing."""
-    out = np.broadcast_to(base, (*weights.shape[:-1], *base.shape))
-    for target in range(len(targets)):
-        weight = weights[..., target]
-        if weight.any():
-            out = out + targets[target] * weight[..., None, None]
+class Morph(NamedTuple):
+    """The morph targets of some vertices: displacements (M,3,v) for the vertices of `span`, by the pose's weights from column `first`."""
+
+    span: slice
+    first: int
+    displacements: NDArray[np.float32]
+
+    def add(self, base: Floats, weights: Floats) -> None:
+        """Add the weighted displacements to `base` (3,V), in place. Targets without weight cost nothing."""
+        for target, displacement in enumerate(self.displacements):
+            weight = weights[self.first + target]
+            if weight != 0:
+                base[:, self.span] += displacement * base.dtype.type(weight)
+
+
+def morphed(base: Floats, morphs: tuple[Morph, ...], weights: Floats) -> Floats:
+    """Base (3,V) with all displacements added; `base` itself where there are none."""
+    if not morphs:
+        return base
+    out = np.array(base)
+    for morph in morphs:
+        morph.add(out, weights)
     return out

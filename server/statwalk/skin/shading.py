@@ -29,4 +29,4 @@ def smooth_normals(positions: Floats, faces: Ints) -> NDArray[np.float32]:
     total = np.zeros(positions.shape)
     for k in range(3):
         np.add.at(total, faces[:, k], area)
-    return unit(total, np.zeros(3)).astype(np.float32)
+    return np.ascontiguousarray(unit(total.T, np.zeros((3, 1))).T, np.float32)

@@ -72,10 +72,10 @@ class Accessors:
     def array(self, row: int) -> Array:
         """The raw array of an accessor."""
         if row not in self.arrays:
-            self.arrays[row] = self.opened(row, self.document["accessors"][row], f"/accessors/{row}")
+            self.arrays[row] = self.opened(self.document["accessors"][row], f"/accessors/{row}")
         return self.arrays[row]
 
-    def opened(self, row: int, entry: Json, place: str) -> Array:
+    def opened(self, entry: Json, place: str) -> Array:
         """The array an accessor describes, after every bound was checked."""
         component = check.one_of(entry, "componentType", place, COMPONENTS)
         kind = check.one_of(entry, "type", place, ELEMENTS)

@@ -39,7 +39,7 @@ def normals(
     """(V,3) unit normals: the file's, or smooth ones computed for triangles; None for points and lines without any."""
     given = vector(document, accessors, attributes, "NORMAL", place, len(positions))
     if given is not None:
-        return np.asarray(unit(given, np.zeros(3, np.float32)), np.float32)
+        return np.ascontiguousarray(unit(given.T, np.zeros((3, 1), np.float32)).T, np.float32)
     if mode < 4:
         return None
     document.note("a mesh without normals got smooth ones")

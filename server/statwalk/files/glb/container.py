@@ -53,7 +53,7 @@ def join(text: bytes, binary: bytes | memoryview) -> bytes:
     """A GLB of a JSON text and binary data; both are padded to 4 bytes, JSON with spaces, binary with zeros."""
     text = text + b" " * (-len(text) % 4)
     zeros = b"\0" * (-len(binary) % 4)
-    chunks = [CHUNK_HEADER.pack(len(text), JSON_CHUNK), text]
+    chunks: list[bytes | memoryview] = [CHUNK_HEADER.pack(len(text), JSON_CHUNK), text]
     if len(binary):
         chunks += [CHUNK_HEADER.pack(len(binary) + len(zeros), BIN_CHUNK), binary, zeros]
     body = b"".join(chunks)

@@ -121,7 +121,7 @@ def place_meshes(document: Document, accessors: Accessors, nodes: Hierarchy, ski
         span[row] = (first, count)
         joint = int(nodes.joint_of[row])
         if nodes.drawn[joint]:
-            placed = [bound(primitive, found, skin, place) for primitive, found in primitives]
+            placed = [bound(primitive, found, skin) for primitive, found in primitives]
             parts += [replace(part, node=row, joint=joint, weight_first=first) for part in placed]
     for row in range(len(document["meshes"])):
         meshes.mesh(row)
@@ -139,7 +139,7 @@ Bound = dict[tuple[int, int, int], Primitive]
 
 
 def bind(
-    document: Document, skins: tuple[Skin, ...], known: Bound, part: Primitive, found: Influences | None, skin: int | None, place: str
+    document: Document, skins: tuple[Skin, ...], known: Bound, part: Primitive, found: Influences | None, skin: int | None
 ) -> Primitive:
     """The primitive with its skin, weights normalised; rigid where the node has no skin or the mesh no joints."""
     if skin is None or found is None:
