@@ -1,16 +1,11 @@
 """All motions of the figure, in the order of the file."""
 
-from dataclasses import replace
-
+from crouch import CROUCH, STAND_UP
+from jump import FLY, JUMP, LAND
 from motion import Motion
 from stand import STAND
+from start_stop import COME_TO_STOP, START_WALK
+from turn import TURN_LEFT, TURN_RIGHT
 from walk import WALK
 
-MOTIONS: list[Motion] = [
-    STAND,
-    *(
-        replace(STAND, name=name, duration=1.0, loop=False)
-        for name in ("start-walk", "come-to-stop", "turn-left", "turn-right", "jump", "fly", "land", "crouch", "stand-up")
-    ),
-    WALK,
-]
+MOTIONS: list[Motion] = [STAND, START_WALK, WALK, COME_TO_STOP, TURN_LEFT, TURN_RIGHT, JUMP, FLY, LAND, CROUCH, STAND_UP]

@@ -49,10 +49,3 @@ def rest_translation() -> Array:
     ends = [np.multiply(length, direction) for _, _, length, direction in BONES]
     rows = [ends[parent] if parent >= 0 else np.array([0.0, ROOT_HEIGHT, 0.0]) for parent in PARENT]
     return np.array(rows)
-
-
-def mirrored_joints() -> list[int]:
-    """For every joint the index of its twin on the other side (itself on the spine)."""
-    swap = {"Left": "Right", "Right": "Left"}
-    twins = [".".join([swap.get(name.split(".")[0], name.split(".")[0]), *name.split(".")[1:]]) for name in NAMES]
-    return [INDEX[twin] for twin in twins]

@@ -9,11 +9,11 @@ from curves import Array, Curve, cyclic, cyclic_eased
 from feet import Arc, Plant, Track, walk_track
 from motion import Feet, Motion, sides
 
-CYCLE, STRIDE = 1.04, 1.34  # seconds, metres (two steps)
+CYCLE, STRIDE = 1.05, 1.34  # seconds, metres (two steps)
 SPEED = STRIDE / CYCLE
-HEIGHT, RISE = 0.934, 0.041  # pelvis: mean, lowest to highest
+HEIGHT, RISE = 0.932, 0.038  # pelvis: mean, lowest to highest
 AHEAD = 0.318  # how far before the pelvis the left foot's place lies when its heel touches
-FOOT_X, TOES_OUT = 0.072, np.radians(6.0)
+FOOT_X, TOES_OUT = 0.072, np.radians(7.0)
 OFF = 0.625  # phase at which the toes leave the ground
 
 # eight keys of one cycle, degrees (this side's heel touches at the first)

@@ -1,0 +1,93 @@
+"""The low pose after a landing, held while it breathes, and getting up from it with a small overshoot."""
+
+import numpy as np
+from curves import Array, Curve, eased, ramp, through
+from feet import walk_track
+from motion import Body, Feet, Motion, added, held, mixed, replaced, sides, value
+from stand import stand_body, stand_plant
+
+LOW, BACK = 0.690, -0.075  # pelvis height, and how far behind its standing place it is
+HOLD, RISE = 0.60, 0.70
+
+POSE = {
+    "x": 0.004,
+    "y": LOW,
+    "z": BACK,
+    "lean": 30.0,
+    "list": 0.8,
+    "pelvis_yaw": 0.0,
+    "low_pitch": 9.0,
+    "up_pitch": 8.0,
+    "head_pitch": 8.0,
+    "Left.swing": 14.0,
+    "Right.swing": 8.0,
+    "Left.abduct": 17.0,
+    "Right.abduct": 20.0,
+    "Left.twist": 22.0,
+    "Right.twist": 26.0,
+    "Left.elbow": 42.0,
+    "Right.elbow": 36.0,
+    "Left.forearm": 20.0,
+    "Right.forearm": 20.0,
+    "Left.wrist": 4.0,
+    "Right.wrist": 8.0,
+    "Left.reach": 6.0,
+    "Right.reach": 6.0,
+    "Left.knee_out": 10.0,
+    "Right.knee_out": 11.0,
+}
+
+
+def crouch_body(t: Array) -> dict[str, Array]:
+    """The low pose with a small breath; it rests at both ends, so that it can be held for long."""
+    body = {name: np.full_like(t, value) for name, value in POSE.items()}
+    breath = (1 - np.cos(2 * np.pi * t / HOLD)) / 2
+    body["y"] = body["y"] - 0.006 * breath
+    body["up_pitch"] = body["up_pitch"] + 1.2 * breath
+    for side, size in (("Left", 2.0), ("Right", 2.6)):
+        body[f"{side}.swing"] = body[f"{side}.swing"] - size * breath
+        body[f"{side}.elbow"] = body[f"{side}.elbow"] + 1.4 * size * breath
+    return body
+
+
+def standing_feet(pitch: Curve) -> Feet:
+    """Feet on their standing places with the same pitch (radians)."""
+
+    def make(_: str, sign: float):  # noqa: ANN202
+        return lambda t: walk_track(t, [stand_plant(sign)], [], pitch)
+
+    return sides(make)
+
+
+def rise_body() -> Body:
+    """Hips first, then the chest, the arms last; up on the toes a little too far, and down."""
+    weight = {"body": (0.0, 0.46), "arms": (0.08, 0.56)}
+    low, high = held(crouch_body, 0.0), held(stand_body, 0.0)
+    over = {
+        "lean": eased([(0.0, 0.0), (0.10, 4.0), (0.26, 0.0), (0.46, -1.8), (0.66, 0.0)]),
+        "low_pitch": eased([(0.16, 0.0), (0.46, -2.0), (0.68, 0.0)]),
+        "up_pitch": eased([(0.08, 0.0), (0.24, 4.0), (0.50, -2.5), (0.69, 0.0)]),
+        "head_pitch": eased([(0.04, 0.0), (0.20, 4.0), (0.50, -2.0), (0.70, 0.0)]),
+        "Left.swing": eased([(0.0, 0.0), (0.16, 8.0), (0.42, -10.0), (0.58, -2.0), (0.70, 0.0)]),
+        "Right.swing": eased([(0.0, 0.0), (0.18, 7.0), (0.45, -9.0), (0.60, -2.0), (0.70, 0.0)]),
+        "Left.raise": eased([(0.10, 0.0), (0.42, 3.0), (0.66, 0.0)]),
+        "Right.raise": eased([(0.12, 0.0), (0.44, 3.0), (0.68, 0.0)]),
+    }
+    trunk = mixed(low, high, lambda t: ramp(t, *weight["body"]))
+    arms = mixed(low, high, lambda t: ramp(t, *weight["arms"]))
+
+    def whole(t: Array) -> dict[str, Array]:
+        return {**trunk(t), **{name: curve for name, curve in arms(t).items() if "." in name}}
+
+    top = value(stand_body, "y", 0)
+    y = through([(0, LOW), (0.06, LOW - 0.006), (0.22, 0.835), (0.36, top + 0.002), (0.44, top + 0.011), (0.56, top + 0.002), (RISE, top)])
+    z = through([(0, BACK), (0.20, -0.030), (0.40, 0.010), (0.56, 0.002), (RISE, 0)])
+    return replaced(added(whole, over), {"y": y, "z": z})
+
+
+def _tiptoe(t: Array) -> Array:
+    return np.radians(eased([(0.24, 0.0), (0.42, -9.0), (0.58, 0.0)])(t))
+
+
+CROUCH = Motion("crouch", HOLD, crouch_body, standing_feet(np.zeros_like), loop=True)
+STAND_UP = Motion("stand-up", RISE, rise_body(), standing_feet(_tiptoe))
