@@ -1,1 +1,1 @@
-"""Set by its owner."""
+"""Stages: actors in casts, the tick, and the log that everything follows from."""

@@ -1,0 +1,122 @@
+"""A cast: the actors that share a role, as arrays with a leading axis of actors. One actor is a cast of one.
+
+A cast is never changed; a tick makes the next one. Poses are float32, times and places float64.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.machine.state import MachineState, fresh
+from statwalk.maths.arrays import Floats
+from statwalk.maths.pose import Pose
+from statwalk.motion import inertialize
+from statwalk.stage.fading import Fading
+from statwalk.stage.hash import Words, mix
+from statwalk.stage.role import Role
+
+
+@dataclass(frozen=True, eq=False)
+class Cast:
+    """N actors of one role, L layers."""
+
+    role: Role
+    ids: NDArray[np.int64]
+    """(N,) rising"""
+    names: tuple[str, ...]
+    machine: MachineState
+    shown: Pose
+    """(N, …) the poses of this tick"""
+    before: Pose
+    """(N, …) the poses of the tick before: with `shown` they give the velocities that were shown"""
+    fading: Fading
+    position: Floats
+    """(N, 3) metres"""
+    heading: Floats
+    """(N,) radians about +Y"""
+    way: Floats
+    """(N, 3) the way of this tick in the actor's frame: x, z (metres), yaw (radians)"""
+    hash: Words
+    """(N,) over all states since the actor came"""
+
+    def row(self, actor: int) -> int:
+        """The row of an actor, or -1."""
+        row = int(self.ids.searchsorted(actor))
+        return row if row < len(self.ids) and self.ids[row] == actor else -1
+
+    def joined(self, other: Cast) -> Cast:
+        """With the actors of `other`, whose ids are higher."""
+        return Cast(
+            self.role,
+            np.concatenate([self.ids, other.ids]),
+            self.names + other.names,
+            self.machine.append(other.machine),
+            _append(self.shown, other.shown),
+            _append(self.before, other.before),
+            Fading(*(np.concatenate(pair) for pair in zip(self.fading, other.fading, strict=True))),
+            np.concatenate([self.position, other.position]),
+            np.concatenate([self.heading, other.heading]),
+            np.concatenate([self.way, other.way]),
+            np.concatenate([self.hash, other.hash]),
+        )
+
+    def without(self, row: int) -> Cast:
+        """Without the actor of that row."""
+        keep = np.arange(len(self.ids)) != row
+        return Cast(
+            self.role,
+            self.ids[keep],
+            tuple(name for name, kept in zip(self.names, keep, strict=True) if kept),
+            self.machine.take(keep),
+            self.shown.take(keep),
+            self.before.take(keep),
+            Fading(*(array[keep] for array in self.fading)),
+            self.position[keep],
+            self.heading[keep],
+            self.way[keep],
+            self.hash[keep],
+        )
+
+    def with_parameter(self, row: int, parameter: int, value: float) -> Cast:
+        """With a parameter of one actor set."""
+        parameters = self.machine.parameters.copy()
+        parameters[row, parameter] = value
+        return replace(self, machine=replace(self.machine, parameters=parameters))
+
+    def rehashed(self) -> Cast:
+        """With the hash that follows from the state now."""
+        fading = self.fading
+        return replace(self, hash=mix(self.hash, [*self.machine.arrays(), *self.shown, *fading, self.position, self.heading, self.way]))
+
+    @property
+    def phase(self) -> Floats:
+        """(N, L) 0…1 of each motion; 0 where it has no duration."""
+        duration = self.role.machine.duration[self.machine.state]
+        return self.machine.time / np.where(duration > 0, duration, 1)
+
+
+def _append(first: Pose, second: Pose) -> Pose:
+    return Pose(*(np.concatenate(pair) for pair in zip(first, second, strict=True)))
+
+
+def enter(role: Role, actor: int, name: str, position: Floats, heading: float) -> Cast:
+    """A cast of one: an actor in the machine's initial state, at a place."""
+    machine = fresh(role.machine, 1)
+    shown = role.clips[role.machine.initial].sample(np.zeros(1))
+    fading = Fading.none(1, machine.state.shape[1], inertialize.size(shown))
+    return Cast(
+        role,
+        np.array([actor]),
+        (name,),
+        machine,
+        shown,
+        shown,
+        fading,
+        np.array([position], np.float64),
+        np.array([heading], np.float64),
+        np.zeros((1, 3)),
+        np.zeros(1, np.uint64),
+    ).rehashed()

@@ -1,0 +1,42 @@
+"""Which steps are due. The clock is told the time; it never reads one and never sleeps."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+LARGEST_CATCH_UP_S = 0.25
+"""After a stall of more than this the rest is let go, so that a slow machine does not run ever further behind."""
+NEVER_S = 3600.0
+
+
+@dataclass
+class Clock:
+    """Hands out steps of 1/`rate` seconds, `speed` times as fast as real time.
+
+    clock = Clock(rate=60)
+    stage.step(clock.due(now_in_seconds))
+    """
+
+    rate: float = 60.0
+    speed: float = 1.0
+    paused: bool = False
+    _last: float | None = field(default=None, init=False)
+    _owed: float = field(default=0.0, init=False)
+
+    def due(self, now: float) -> int:
+        """Steps to take at `now` seconds (any origin, never backwards); time that passed in a pause does not count."""
+        passed = 0.0 if self._last is None else min(max(now - self._last, 0.0), LARGEST_CATCH_UP_S)
+        self._last = now
+        if self.paused:
+            return 0
+        self._owed += passed * self.speed * self.rate
+        steps = int(self._owed + 1e-9)
+        self._owed = max(self._owed - steps, 0.0)
+        return steps
+
+    def wait(self, now: float) -> float:
+        """Seconds from `now` until the next step is due; 0 when it is, NEVER_S while paused."""
+        if self.paused or self.speed <= 0:
+            return NEVER_S
+        passed = 0.0 if self._last is None else now - self._last
+        return max((1 - self._owed) / (self.speed * self.rate) - passed, 0.0)

@@ -1,0 +1,60 @@
+"""A running 64-bit hash of every actor's state, in exact integer arithmetic: the same alone and in a crowd."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Words = NDArray[np.uint64]
+
+_GOLDEN = 0x9E3779B97F4A7C15
+_WORD = 0xFFFFFFFFFFFFFFFF
+
+
+def mix(before: Words, arrays: Iterable[NDArray[Any]]) -> Words:
+    """The hashes (N,) that follow from those before and from the bits of arrays with a leading axis of N actors."""
+    total = before * _factors(1)
+    for array in arrays:
+        words = _words(array)
+        if words.shape[1]:
+            total = _scramble(total + (words * _factors(words.shape[1])).sum(-1, dtype=np.uint64))
+    return total
+
+
+def _words(array: NDArray[Any]) -> Words:
+    """The bits of `array` (N, …) as words (N, K)."""
+    flat = np.ascontiguousarray(array).reshape(len(array), -1)
+    if flat.dtype.kind == "f":
+        return flat.view(f"u{flat.dtype.itemsize}").astype(np.uint64)
+    return flat.astype(np.int64).view(np.uint64)
+
+
+@cache
+def _factors(count: int) -> Words:
+    """`count` odd 64-bit numbers without pattern, so that a word's place in the state matters."""
+    return _scramble(np.arange(1, count + 1, dtype=np.uint64) * np.uint64(_GOLDEN)) | np.uint64(1)
+
+
+def _scramble(words: Words) -> Words:
+    """Every bit of the input changes half the bits of the output (splitmix64, Steele, Lea and Flood 2014)."""
+    words = (words ^ (words >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    words = (words ^ (words >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    return words ^ (words >> np.uint64(31))
+
+
+def combine(hashes: Iterable[int]) -> int:
+    """One hash of many, in their order."""
+    total = 0
+    for value in hashes:
+        total = ((total ^ value) * _GOLDEN + 1) & _WORD
+        total ^= total >> 29
+    return total
+
+
+def text(value: int) -> str:
+    """A hash as people and files see it: 16 hexadecimal digits."""
+    return f"{value:016x}"

@@ -1,0 +1,83 @@
+"""One tick: what statwalk does, on one page. Pure: no clock, no file, no chance; the same state and events give the same bits.
+
+The numbers are those of the design. What has no step yet (expressions, limits, reach, senses) has no line.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from statwalk.machine.step import Changes, Inputs, StepResult, step
+from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.pose import Pose
+from statwalk.motion import inertialize
+from statwalk.motion.root import compose
+from statwalk.stage.cast import Cast
+from statwalk.stage.role import Role
+from statwalk.stage.travel import way_gone
+
+
+def tick(cast: Cast, inputs: Inputs, dt: float, now: int) -> tuple[Cast, StepResult]:
+    """The cast one step of `dt` seconds later, as tick `now`, and what its machines did."""
+    # 1 advance: motions move on; 2 decide: every event is looked up in the table, END last
+    done = step(cast.role.machine, cast.machine, dt, now, inputs)
+    machine = done.state
+
+    # 3 sample: the local pose of each actor's motion, at its time
+    pose = _sample(cast.role, machine.state[:, 0], machine.time[:, 0])
+
+    # 4 blend: what would jump becomes an offset of the pose that was shown, and dies out; the root's velocity goes over into the new one
+    fading = cast.fading
+    rows, duration = _turned(done.changes)
+    if len(rows):
+        jump = _jump(cast, done, rows, pose.take(rows), dt)
+        fading = fading.begun(rows, duration, jump, cast.way[rows])
+    fading = fading.advanced(dt)
+    shown = fading.on(pose)
+    way = fading.blended_way(way_gone(cast, done, rows, dt))
+    place = compose(np.stack([cast.position[:, 0], cast.position[:, 2], cast.heading], -1), way)
+    position = np.stack([place[:, 0], cast.position[:, 1], place[:, 1]], -1)
+
+    # 7 world and 9 skin are worked out for those who look (Actor.world, Actor.vertices, the web floor's frames)
+    after = replace(cast, machine=machine, shown=shown, before=cast.shown, fading=fading, position=position, heading=place[:, 2], way=way)
+    return after.rehashed(), done
+
+
+def _sample(role: Role, states: Ints, times: Floats) -> Pose:
+    """Local poses (N, …) of actors in `states` (N,) at `times` (N,) seconds: those that play the same motion at once."""
+    if (states == states[0]).all():
+        return role.clips[states[0]].sample(times)
+    pose = Pose(*(np.empty((len(states), *array.shape), np.float32) for array in role.clips[0].rest))
+    for state in np.unique(states):
+        rows = (states == state).nonzero()[0]
+        for array, part in zip(pose, role.clips[state].sample(times[rows]), strict=True):
+            array[rows] = part
+    return pose
+
+
+def _turned(changes: Changes) -> tuple[Ints, Floats]:
+    """Rows whose motion was begun in this tick, and how long (seconds) each blends: as its last change says."""
+    begun = {
+        int(actor): float(blend)
+        for actor, before, after, restart, blend in zip(
+            changes.actor, changes.from_state, changes.to_state, changes.restart, changes.blend, strict=True
+        )
+        if before != after or restart
+    }
+    return np.array(sorted(begun), np.int64), np.array([begun[row] for row in sorted(begun)], np.float64)
+
+
+def _jump(cast: Cast, done: StepResult, rows: Ints, pose: Pose, dt: float) -> tuple[Floats, Floats]:
+    """The offset, and its velocity, that carry what was shown of `rows` over into their new motions."""
+    states, times = done.state.state[rows, 0], done.state.time[rows, 0]
+    speeds = cast.role.speeds(states, done.state.parameters[rows])
+    following = _sample(cast.role, states, _time_after(cast.role, states, times + dt * speeds))
+    return inertialize.transition(cast.before.take(rows), cast.shown.take(rows), pose, following, dt)
+
+
+def _time_after(role: Role, states: Ints, times: Floats) -> Floats:
+    """Times (N,) with those of motions that loop brought back into them."""
+    duration = role.machine.duration[states]
+    return np.where(role.machine.loop[states] & (duration > 0), np.mod(times, np.where(duration > 0, duration, 1)), times)
