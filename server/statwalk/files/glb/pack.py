@@ -16,6 +16,12 @@ from statwalk.files.glb.views import Views
 SIGNATURES = {b"\x89PNG": "image/png", b"\xff\xd8\xff": "image/jpeg"}
 
 
+def stands_alone(document: Document) -> bool:
+    """Whether nothing in the document points at another file."""
+    entries = [*document["buffers"], *document["images"]]
+    return all(str(entry.get("uri", "data:")).startswith("data:") for entry in entries)
+
+
 def packed(document: Document, views: Views) -> bytes:
     """The document as a GLB: one buffer, images as buffer views. An image that cannot be had is left out, and noted."""
     for row in range(len(document["bufferViews"])):

@@ -12,7 +12,7 @@ from statwalk.files.glb.animations import Animations
 from statwalk.files.glb.document import Document, parse
 from statwalk.files.glb.meshes import place_meshes
 from statwalk.files.glb.nodes import hierarchy, rest_transforms
-from statwalk.files.glb.pack import packed
+from statwalk.files.glb.pack import packed, stands_alone
 from statwalk.files.glb.skins import read_skins
 from statwalk.files.glb.views import Views
 from statwalk.maths.pose import Pose
@@ -22,7 +22,7 @@ def read_model(data: bytes, name: str, folder: Path | None = None) -> Character:
     """The Character in the bytes of a .glb or .gltf; `folder` is where files beside a .gltf are looked for.
 
     Raises ModelError, its place a JSON pointer or a byte, for whatever is not right and cannot be repaired; `notes` of the character
-    say what was repaired. A .glb is kept as it came; a .gltf is packed into one with its buffers and images.
+    say what was repaired. A .glb is kept as it came, unless it needs other files; a .gltf is packed into one with its buffers and images.
     """
     if container.is_glb(data):
         text, binary = container.split(data)
@@ -43,7 +43,7 @@ def read_document(document: Document, name: str, binary: memoryview | None, fold
     bind_pose = Pose(*rest, drawn.weights)
     clips = Animations(document, accessors, nodes.joint_of.tolist(), drawn.weight_span, bind_pose).clips()
     accessors.check_rest()
-    model = packed(document, views) if source is None else source
+    model = source if source is not None and stands_alone(document) else packed(document, views)
     return Character(
         name=name,
         skeleton=nodes.skeleton,

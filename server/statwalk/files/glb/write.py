@@ -1,0 +1,141 @@
+"""Any character as a normal .glb: nodes, meshes, skins and animations (for those that did not come from glTF)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import orjson
+from numpy.typing import NDArray
+
+from statwalk.character import Character
+from statwalk.files.glb import container
+from statwalk.files.glb.builder import GENERATOR, INDICES, VERTICES, Builder, index_array
+from statwalk.files.glb.check import Json
+from statwalk.files.glb.materials import extensions_used, moved
+from statwalk.files.glb.write_animations import animation
+from statwalk.skin.primitive import Primitive, Skin
+
+MeshKey = tuple[int, int | None]
+
+
+def model_glb(character: Character) -> bytes:
+    """The character as a GLB that any viewer opens.
+
+    Node i of the file is the joint with node_index i. Parts whose node is no joint get a node of their own at the root: that is where
+    skinned meshes belong. Textures are left out: a character that has any came from glTF, and has its model. Clips with B-splines,
+    which glTF does not know, are written as linear keys 60 times a second.
+    """
+    builder = Builder()
+    meshes = grouped(character.parts)
+    numbers = {key: row for row, key in enumerate(meshes)}
+    nodes = joint_nodes(character)
+    for part in character.parts:
+        nodes.setdefault(part.node, {"name": f"mesh {part.mesh}"})["mesh"] = numbers[part.mesh, part.skin]
+        if part.skin is not None:
+            nodes[part.node]["skin"] = part.skin
+    below = {child for node in nodes.values() for child in node.get("children", ())}
+    materials = [moved(material, None) for material in character.materials]
+    skins = [skin_entry(builder, character, skin) for skin in character.skins]
+    root = {
+        "asset": {"version": "2.0", "generator": GENERATOR},
+        "scene": 0,
+        "scenes": [{"name": character.name, "nodes": [row for row in sorted(nodes) if row not in below]}],
+        "nodes": [nodes[row] for row in sorted(nodes)],
+        "extensionsUsed": extensions_used(materials),
+        "materials": materials,
+        "meshes": [mesh_entry(builder, character, parts) for parts in meshes.values()],
+        "skins": skins,
+        "animations": [entry for clip in character.clips.values() if (entry := animation(builder, character, clip))],
+    }
+    return container.join(orjson.dumps(builder.finished(root)), bytes(builder.binary))
+
+
+def grouped(parts: tuple[Primitive, ...]) -> dict[MeshKey, list[Primitive]]:
+    """The parts by mesh (and skin: a mesh may be rigid on one node and skinned on another), each primitive once."""
+    meshes: dict[MeshKey, list[Primitive]] = {}
+    for part in parts:
+        known = meshes.setdefault((part.mesh, part.skin), [])
+        if all(part.primitive != other.primitive for other in known):
+            known.append(part)
+    return meshes
+
+
+def joint_nodes(character: Character) -> dict[int, Json]:
+    """The joints as nodes, by their number in the file."""
+    pose, numbers = character.bind_pose, character.node_index.tolist()
+    nodes: dict[int, Json] = {}
+    for joint, (name, parent) in enumerate(zip(character.skeleton.names, character.skeleton.parent.tolist(), strict=True)):
+        node: Json = {"name": name}
+        for key, values, default in (
+            ("translation", pose.translation[joint], (0, 0, 0)),
+            ("rotation", pose.rotation[joint], (0, 0, 0, 1)),
+            ("scale", pose.scale[joint], (1, 1, 1)),
+        ):
+            if not np.array_equal(values, default):
+                node[key] = values.tolist()
+        nodes[numbers[joint]] = node
+        if parent >= 0:
+            nodes[numbers[parent]].setdefault("children", []).append(numbers[joint])
+    return nodes
+
+
+def skin_entry(builder: Builder, character: Character, skin: Skin) -> Json:
+    """A skin with its inverse bind matrices, written column by column."""
+    matrices = np.zeros((len(skin.joints), 4, 4), np.float32)
+    matrices[:, :3] = skin.inverse_bind
+    matrices[:, 3, 3] = 1
+    columns = np.ascontiguousarray(matrices.swapaxes(1, 2)).reshape(-1, 16)
+    joints = character.node_index[skin.joints].tolist()
+    return {"name": skin.name, "joints": joints, "inverseBindMatrices": builder.array(columns)}
+
+
+def mesh_entry(builder: Builder, character: Character, parts: list[Primitive]) -> Json:
+    """A mesh of its primitives, with the morph weights at rest."""
+    mesh: Json = {"primitives": [primitive_entry(builder, part) for part in parts]}
+    targets = parts[0].target_positions
+    if targets is not None:
+        first = parts[0].weight_first
+        mesh["weights"] = character.bind_pose.weights[first : first + len(targets)].tolist()
+    return mesh
+
+
+def primitive_entry(builder: Builder, part: Primitive) -> Json:
+    """A primitive with all it has."""
+    attributes = {"POSITION": builder.array(part.positions, VERTICES, bounds=True)}
+    if part.normals is not None:
+        attributes["NORMAL"] = builder.array(part.normals, VERTICES)
+    for name, values in part.attributes.items():
+        attributes[name] = builder.array(values, VERTICES)
+    if part.skin is not None and part.joints is not None and part.weights is not None:
+        attributes |= influence_sets(builder, part.joints, part.weights)
+    entry: Json = {"attributes": attributes, "mode": part.mode}
+    if part.indices is not None:
+        entry["indices"] = builder.array(index_array(part.indices, len(part.positions)), INDICES)
+    if part.material is not None:
+        entry["material"] = part.material
+    if part.target_positions is not None:
+        entry["targets"] = [target_entry(builder, part, row) for row in range(len(part.target_positions))]
+    return entry
+
+
+def influence_sets(builder: Builder, joints: NDArray[Any], weights: NDArray[np.float32]) -> dict[str, int]:
+    """JOINTS_n and WEIGHTS_n, four influences each; an unused one has joint 0 and weight 0."""
+    padding = ((0, 0), (0, -joints.shape[1] % 4))
+    whole = np.pad(weights, padding).astype(np.float32)
+    used = np.where(whole > 0, np.pad(joints, padding), 0).astype(np.uint16)
+    sets: dict[str, int] = {}
+    for row in range(whole.shape[1] // 4):
+        columns = slice(4 * row, 4 * row + 4)
+        sets[f"JOINTS_{row}"] = builder.array(np.ascontiguousarray(used[:, columns]), VERTICES)
+        sets[f"WEIGHTS_{row}"] = builder.array(np.ascontiguousarray(whole[:, columns]), VERTICES)
+    return sets
+
+
+def target_entry(builder: Builder, part: Primitive, row: int) -> Json:
+    """One morph target."""
+    assert part.target_positions is not None
+    target = {"POSITION": builder.array(part.target_positions[row], VERTICES, bounds=True)}
+    if part.target_normals is not None:
+        target["NORMAL"] = builder.array(part.target_normals[row], VERTICES)
+    return target

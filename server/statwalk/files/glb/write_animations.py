@@ -1,0 +1,59 @@
+"""Clips as glTF animations (glTF 2.0, 3.11)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.character import Character
+from statwalk.files.glb.builder import Builder
+from statwalk.files.glb.check import Json
+from statwalk.maths.pose import Pose
+from statwalk.motion.clip import Channel, Clip
+
+BAKED_RATE = 60
+LARGEST_BAKED_KEYS = 36_000
+KNOWN_TO_GLTF = ("STEP", "LINEAR", "CUBICSPLINE")
+
+
+def animation(builder: Builder, character: Character, clip: Clip) -> Json | None:
+    """The clip as an animation; None for one without channels, which glTF cannot have."""
+    if not clip.channels:
+        return None
+    baked = Baked(clip) if any(channel.interpolation not in KNOWN_TO_GLTF for channel in clip.channels) else None
+    samplers: list[Json] = []
+    channels: list[Json] = []
+    for channel in clip.channels:
+        written = channel if baked is None or channel.interpolation in KNOWN_TO_GLTF else baked.linear(channel)
+        samplers.append(sampler(builder, written))
+        target = {"node": int(character.node_index[channel.joint]), "path": channel.path}
+        channels.append({"sampler": len(samplers) - 1, "target": target})
+    return {"name": clip.name, "samplers": samplers, "channels": channels}
+
+
+def sampler(builder: Builder, channel: Channel) -> Json:
+    """The keys of one channel."""
+    values = np.ascontiguousarray(channel.values, np.float32)
+    width = 1 if channel.path == "weights" else values.shape[-1]
+    return {
+        "input": builder.array(channel.times if channel.times.dtype == np.float32 else channel.times.astype(np.float32), bounds=True),
+        "output": builder.array(values.reshape(-1, width)),
+        "interpolation": channel.interpolation,
+    }
+
+
+class Baked:
+    """A clip sampled 60 times a second (less often where it is very long)."""
+
+    def __init__(self, clip: Clip) -> None:
+        count = min(LARGEST_BAKED_KEYS, int(np.ceil(clip.duration * BAKED_RATE)) + 1)
+        self.times: NDArray[np.float32] = np.linspace(0, clip.duration, count).astype(np.float32)
+        self.poses: Pose = clip.sample(self.times)
+
+    def linear(self, channel: Channel) -> Channel:
+        """The channel as linear keys."""
+        if channel.path == "weights":
+            values = self.poses.weights[:, channel.weight_first : channel.weight_first + channel.values.shape[-1]]
+        else:
+            values = getattr(self.poses, channel.path)[:, channel.joint]
+        return Channel(channel.joint, channel.path, self.times, values, "LINEAR", channel.weight_first)
