@@ -1,0 +1,64 @@
+"""Logs: order, shared pasts, JSON lines."""
+
+import pytest
+from statwalk.errors import StageError
+from statwalk.stage.log import LogEntry, MemoryLog, dump, load
+
+
+def press(tick, name="GO"):
+    return LogEntry(tick, "press", 1, name)
+
+
+def test_entries_of_a_tick_keep_their_order():
+    log = MemoryLog([press(3, "A"), press(2, "B"), press(3, "C")])
+    assert [entry.name for entry in log.at(3)] == ["A", "C"]
+    assert [entry.name for entry in log] == ["B", "A", "C"]
+
+
+def test_a_fork_keeps_what_counts_up_to_its_tick():
+    log = MemoryLog([press(1), press(2), press(3)])
+    assert list(log.until(2)) == [press(1), press(2)]
+
+
+def test_a_fork_and_its_origin_do_not_see_each_other():
+    log = MemoryLog([press(1)])
+    fork = log.until(1)
+    fork.append(press(2, "FORK"))
+    log.append(press(2, "ORIGIN"))
+    log.append(press(1, "LATE"))
+    assert [entry.name for entry in fork] == ["GO", "FORK"]
+
+
+def test_a_fork_of_a_fork_keeps_both_pasts():
+    fork = MemoryLog([press(1), press(5)]).until(3)
+    fork.append(press(4))
+    assert list(fork.until(6)) == [press(1), press(4)]
+
+
+def test_a_fork_before_a_fork_keeps_only_the_first_past():
+    fork = MemoryLog([press(1), press(5)]).until(5)
+    assert list(fork.until(2)) == [press(1)]
+
+
+def test_lines_come_back_as_they_were():
+    log = MemoryLog([press(1), LogEntry(2, "set", 7, "pace", 1.25)])
+    header, entries = load(dump(log, {"seed": 3, "rate": 60}))
+    assert header == {"statwalk": "log", "semantics": 1, "kernels": "numpy", "seed": 3, "rate": 60}
+    assert entries == list(log)
+
+
+@pytest.mark.parametrize(
+    ("lines", "message"),
+    [
+        ([], "line 1: not a statwalk log"),
+        (['{"tick": 1}'], "line 1: not a statwalk log"),
+        (["{"], "line 1: "),
+        (["[]"], "line 1: a JSON object is needed"),
+        (['{"statwalk": "log", "semantics": 9}'], "semantics 9, this build reads 1"),
+        (['{"statwalk": "log", "semantics": 1}', '{"tick": 1}'], "line 2: an entry has tick"),
+        (['{"statwalk": "log", "semantics": 1}', '{"tick":1,"kind":"jump","actor":1,"name":"","value":null}'], "press, hold, release"),
+    ],
+)
+def test_a_bad_line_is_named(lines, message):
+    with pytest.raises(StageError, match=message.replace("(", r"\(")):
+        load(lines)
