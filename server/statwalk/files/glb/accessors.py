@@ -137,6 +137,7 @@ class Accessors:
         """Open the accessors that nothing used, so that a broken one is reported all the same."""
         for row in range(len(self.document["accessors"])):
             self.array(row)
+        self.views.check_rest()
 
 
 def shaped(values: Array, kind: str) -> Array:

@@ -63,7 +63,8 @@ def parse(text: bytes | memoryview) -> Document:
     document = Document(root)
     check_version(root)
     check_extensions(root)
-    check.mapping(root, "extensions", "")
+    for name, value in check.mapping(root, "extensions", "").items():
+        check.as_object(value, f"/extensions/{name[:60]}")
     return document
 
 

@@ -27,7 +27,8 @@ def packed(document: Document, views: Views) -> bytes:
     for row in range(len(document["bufferViews"])):
         views.open(row)
     binary = bytearray()
-    starts = [append(binary, views.buffer(row)) for row in range(len(document["buffers"]))]
+    used = sorted({view["buffer"] for view in document["bufferViews"]})
+    starts = {row: append(binary, views.buffer(row)) for row in used}
     buffer_views = [moved(view, starts) for view in document["bufferViews"]]
     images = [packed_image(document, views, row, binary, buffer_views) for row in range(len(document["images"]))]
     root: Json = {**document.root, "buffers": [{"byteLength": len(binary)}]}
@@ -51,7 +52,7 @@ def append(binary: bytearray, data: bytes | memoryview) -> int:
     return start
 
 
-def moved(view: Json, starts: list[int]) -> Json:
+def moved(view: Json, starts: dict[int, int]) -> Json:
     """The view on the one buffer that holds them all."""
     start = starts[view["buffer"]] + view.get("byteOffset", 0)
     return {**view, "buffer": 0, "byteOffset": start}

@@ -47,6 +47,12 @@ class Views:
             self.buffers[row] = self.opened(row)
         return self.buffers[row]
 
+    def check_rest(self) -> None:
+        """Open the buffers with an address that nothing used, so that a broken one is reported all the same."""
+        for row, entry in enumerate(self.document["buffers"]):
+            if "uri" in entry:
+                self.buffer(row)
+
     def opened(self, row: int) -> memoryview:
         """The bytes a buffer points at, checked to be as many as it says."""
         place = f"/buffers/{row}"
