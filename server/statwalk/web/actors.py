@@ -42,9 +42,8 @@ def list_actors(hosted: Held) -> list[ActorView]:
 @router.post("/actors", status_code=201)
 def add_actor(hosted: Held, new: NewActor, registry: Stages, response: Response) -> ActorView:
     """Adds an actor; viewers get a new hello."""
-    with hosted.turn() as stage:
-        actor = registry.place(stage, new)
-        hosted.show(stage.frame, facts=False)
+    with hosted.turn():
+        actor = registry.place(hosted, new)
         response.headers["Location"] = f"/api/stages/{hosted.id}/actors/{actor.id}"
         return view_actor(actor)
 
@@ -60,8 +59,7 @@ def get_actor(hosted: Held, actor_id: int) -> ActorView:
 def remove_actor(hosted: Held, actor_id: int) -> None:
     """Takes an actor off the stage; its past stays in the log."""
     with hosted.turn() as stage:
-        stage.remove(find(stage, actor_id))
-        hosted.show(stage.frame, facts=False)
+        hosted.remove(find(stage, actor_id))
 
 
 @router.get("/actors/{actor_id}/pose")

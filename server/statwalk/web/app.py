@@ -6,6 +6,7 @@ import asyncio
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from typing import Any
 
 from fastapi import FastAPI
 from starlette.types import ASGIApp
@@ -33,7 +34,9 @@ def create_app(settings: Settings | None = None) -> ASGIApp:
 def rooms(settings: Settings) -> FastAPI:
     """The application inside the door."""
     registry = Registry(Library(settings.folders), settings)
-    errors = {status: {"model": ProblemView, "content": {problem.MEDIA_TYPE: {}}} for status in (400, 404, 409, 413, 415, 422)}
+    errors: dict[int | str, dict[str, Any]] = {
+        status: {"model": ProblemView, "content": {problem.MEDIA_TYPE: {}}} for status in (400, 404, 409, 413, 415, 422)
+    }
     app = FastAPI(
         title="statwalk",
         description=DESCRIPTION,
@@ -44,7 +47,7 @@ def rooms(settings: Settings) -> FastAPI:
     )
     app.state.registry = registry
     for room in ROOMS:
-        app.include_router(room, responses={**errors})
+        app.include_router(room, responses=errors)
     problem.install(app)
     page.install(app, settings.page)
     if settings.main_stage:

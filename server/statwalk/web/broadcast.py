@@ -78,9 +78,9 @@ class Broadcast:
             if mailbox.overdue(now):
                 mailbox.cut(4008, "frames were not acknowledged for 5 s")
 
-    def end(self, code: int, reason: str) -> None:
-        """Sends every viewer away; from any thread."""
-        self.each(lambda mailbox: mailbox.cut(code, reason))
+    def end(self, code: int, reason: str, kind: FrameKind | None = None) -> None:
+        """Sends viewers away, all or those of one kind of frame; from any thread."""
+        self.each(lambda mailbox: mailbox.cut(code, reason) if kind in (None, mailbox.frames) else None)
 
     def each(self, act: Callable[[Mailbox], None]) -> None:
         """Has the event loop do something with every mailbox."""

@@ -4,40 +4,36 @@ from __future__ import annotations
 
 import threading
 import time
-from collections import OrderedDict
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
 from statwalk.errors import UnknownNameError
 from statwalk.stage.clock import Clock
-from statwalk.stage.frame import Frame
+from statwalk.stage.role import Role
 from statwalk.stage.stage import Actor, Stage
-from statwalk.web import messages, wire
-from statwalk.web.broadcast import Broadcast
-from statwalk.web.glbframes import GlbFrames
+from statwalk.web import messages
 from statwalk.web.library import Library
-from statwalk.web.mailbox import FrameKind, Layout, Shown
+from statwalk.web.mailbox import FrameKind, Shown
 from statwalk.web.problem import Problem
 from statwalk.web.schemas import Clock as ClockKind
 from statwalk.web.schemas import NewEvent, NewParameter
+from statwalk.web.screen import Screen
 
 BUSY_SECONDS = 20.0
 WAIT_FOR_CHANGE = 0.25
-MOST_LAYOUTS = 16
 
 
 class HostedStage:
     """`id` names it in the API; `clock_kind` says whether time moves it or only `step`."""
 
     def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, library: Library) -> None:
-        self.id, self.stage, self.clock_kind, self.library = stage_id, stage, clock_kind, library
+        self.id, self.stage, self.clock_kind = stage_id, stage, clock_kind
         self.clock = Clock(stage.rate)
         self.lock = threading.RLock()
-        self.broadcast = Broadcast()
-        self.glb = GlbFrames()
-        self.layouts: OrderedDict[tuple[tuple[str, bytes], ...], Layout] = OrderedDict()
-        self.epoch = 0
+        self.screen = Screen(library)
+        self.broadcast = self.screen.broadcast
+        self.logged = len(stage.log)
         self.touched = time.monotonic()
 
     @contextmanager
@@ -70,7 +66,7 @@ class HostedStage:
     def tick(self) -> None:
         """One step, shown to the viewers."""
         self.stage.step(1)
-        self.show(self.stage.frame)
+        self.screen.show(self.stage, facts=True)
 
     def step(self, ticks: int) -> None:
         """So many steps, each shown to the viewers."""
@@ -82,12 +78,13 @@ class HostedStage:
         """Moves the playhead, for everybody."""
         with self.turn() as stage:
             stage.seek(tick)
-            self.show(stage.frame, facts=False)
+            self.screen.show(stage, facts=False)
             self.announce()
 
     def pause(self, paused: bool) -> None:
         """Stops or starts the clock."""
         with self.turn():
+            self.clock.due(time.perf_counter())  # what passed until now belongs to the clock as it was
             self.clock.paused = paused
             self.announce()
 
@@ -99,49 +96,19 @@ class HostedStage:
 
     # --- frames
 
-    def show(self, frame: Frame, facts: bool = True) -> None:
-        """Publishes a frame, in the kinds that are watched, and what happened in its tick."""
-        if not self.broadcast.mailboxes:
-            return
-        shown = {kind: self.encode(frame, kind, self.stage) for kind in self.broadcast.kinds()}
-        happened = [messages.action(done) for done in frame.actions] + [messages.verdict(given) for given in frame.verdicts]
-        self.broadcast.publish(shown, happened if facts else ())
-
-    def encode(self, frame: Frame, kind: FrameKind, stage: Stage) -> Shown:
-        """A frame as a message; `stage` is the one it comes from, which knows the actors' names."""
-        layout = self.layout(frame, stage)
-        if kind == "glb":
-            return Shown(frame.tick, kind, layout, self.glb.frame(frame, layout.epoch))
-        return Shown(frame.tick, kind, layout, wire.encode(frame, layout.epoch, self.stage.head))
-
-    def layout(self, frame: Frame, stage: Stage) -> Layout:
-        """The layout of a frame: the same epoch for the same actors, as long as it is remembered."""
-        key = tuple((cast.role.name, cast.ids.tobytes()) for cast in frame.casts)
-        with self.lock:
-            if key not in self.layouts:
-                self.epoch += 1
-                self.layouts[key] = Layout(self.epoch, self.describe(frame, stage))
-                if len(self.layouts) > MOST_LAYOUTS:
-                    self.layouts.popitem(last=False)
-            return self.layouts[key]
-
-    def describe(self, frame: Frame, stage: Stage) -> tuple[dict[str, Any], ...]:
-        """The hello's casts."""
-
-        def name(actor: int) -> str:
-            return stage.actor(actor).name
-
-        return tuple(messages.describe_cast(cast, self.library.character_of(cast.role), name) for cast in frame.casts)
-
     def now_shown(self, kind: FrameKind) -> Shown:
         """The frame at the playhead."""
         with self.turn() as stage:
-            return self.encode(stage.frame, kind, stage)
+            return self.screen.encode(stage.frame, kind, stage, stage.head)
 
     def copy(self) -> Stage:
         """A copy of the stage with all its past, for one who wants to look around in it."""
         with self.turn() as stage:
-            return stage.fork()
+            shown = stage.tick
+            stage.seek(stage.head)
+            copy = stage.fork()
+            stage.seek(shown)
+            return copy
 
     def status(self) -> dict[str, Any]:
         """Where the stage is."""
@@ -161,30 +128,54 @@ class HostedStage:
 
     # --- inputs
 
+    def add(self, role: Role, position: Sequence[float], heading: float, name: str | None) -> Actor:
+        """An actor more; the viewers see it at once."""
+        with self.turn() as stage:
+            actor = stage.add(role, position, heading, name)
+            self.logged += 1
+            self.screen.show(stage, facts=False)
+            return actor
+
+    def remove(self, actor: Actor) -> None:
+        """An actor less."""
+        with self.turn() as stage:
+            stage.remove(actor)
+            self.logged += 1
+            self.screen.show(stage, facts=False)
+
     def concerned(self, actor: int | None) -> Sequence[Actor]:
         """The actor of that number, or all.
 
-        :raises Problem: 422, if there is none.
+        :raises UnknownNameError: if there is none of that number.
+        :raises Problem: 409, if there is none at all.
         """
-        found = [one for one in self.stage.actors if actor is None or one.id == actor]
+        found = self.stage.actors if actor is None else [self.stage.actor(actor)]
         if not found:
-            raise Problem(422, "there is no such actor", field="actor", known=[str(one.id) for one in self.stage.actors])
+            raise Problem(409, "the stage has no actors", field="actor")
         return found
 
     def post(self, new: NewEvent) -> int:
         """Logs an event for an actor, or for all that know it; its place in the log."""
         with self.turn() as stage:
             log = {"press": stage.send, "hold": stage.hold, "release": stage.release}[new.kind]
-            for one in able(self.concerned(new.actor), "event", new.event, lambda actor: actor.role.machine.events):
+            for one in able(self.concerned(new.actor), "event", new.event, event_names):
                 log(one, new.event)
-            return len(stage.log)
+                self.logged += 1
+            return self.logged
 
     def set_parameter(self, new: NewParameter) -> int:
         """Logs a parameter's value for an actor, or for all that have it; its place in the log."""
         with self.turn() as stage:
             for one in able(self.concerned(new.actor), "parameter", new.parameter, parameter_names):
                 stage.set(one, new.parameter, new.value)
-            return len(stage.log)
+                self.logged += 1
+            return self.logged
+
+
+def event_names(actor: Actor) -> Sequence[str]:
+    """The events that an actor's machine can be sent; END is not one."""
+    events: tuple[str, ...] = actor.role.machine.events
+    return events[:-1]
 
 
 def parameter_names(actor: Actor) -> list[str]:

@@ -93,13 +93,13 @@ class Inbox:
     async def choose(self, message: Live | ChooseFrames) -> None:
         """Back to the present, or another kind of frame; either way the viewer gets a frame at once."""
         mailbox = self.mailbox
-        if isinstance(message, ChooseFrames):
-            mailbox.frames = message.frames
-        else:
+        frames = message.frames if isinstance(message, ChooseFrames) else mailbox.frames
+        shown = await to_thread.run_sync(self.hosted.now_shown, frames)
+        mailbox.frames, mailbox.frame = frames, None
+        if isinstance(message, Live):
             mailbox.live, self.looked_at, self.past = True, None, None
-        mailbox.frame = None
         if mailbox.live:
-            mailbox.put_frame(await to_thread.run_sync(self.hosted.now_shown, mailbox.frames))
+            mailbox.put_frame(shown)
         else:
             self.asked.set()
 
@@ -142,7 +142,7 @@ class Inbox:
         if past is None or tick > past.head:
             past = self.past = self.hosted.copy()
         past.seek(tick)
-        return self.hosted.encode(past.frame, self.mailbox.frames, past)
+        return self.hosted.screen.encode(past.frame, self.mailbox.frames, past, self.hosted.stage.head)
 
 
 def read(raw: object) -> Message:

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 FrameKind = Literal["pose", "glb"]
+FRAME_KINDS: tuple[FrameKind, ...] = ("pose", "glb")
 CREDITS = 3
 ACKNOWLEDGE_SECONDS = 5.0
 MOST_FACTS = 16_384

@@ -7,8 +7,7 @@ from typing import Any
 
 import orjson
 
-from statwalk.machine.step import Verdict
-from statwalk.stage.frame import Action, CastFrame
+from statwalk.stage.frame import Action, CastFrame, Verdict
 from statwalk.web.mailbox import FrameKind, Layout
 
 VERSION = "statwalk.v1"
@@ -55,7 +54,9 @@ def action(done: Action) -> bytes:
 
 def verdict(given: Verdict) -> bytes:
     """What became of an event, and why."""
-    return orjson.dumps({"type": "verdict", **given._asdict()})
+    members = given._asdict()
+    members["from"], members["to"] = members.pop("from_state"), members.pop("to_state")
+    return orjson.dumps({"type": "verdict", **members})
 
 
 def reply(kind: str, **members: Any) -> bytes:

@@ -12,7 +12,7 @@ from statwalk.stage.stage import Actor, Stage
 from statwalk.web.hosted import HostedStage
 from statwalk.web.library import Library
 from statwalk.web.problem import Problem
-from statwalk.web.schemas import Accepted, Clock, NewActor, NewEvent, NewParameter, NewStage
+from statwalk.web.schemas import Accepted, NewActor, NewEvent, NewParameter, NewStage
 from statwalk.web.settings import Settings
 
 MAIN = "main"
@@ -40,12 +40,11 @@ class Registry:
             raise Problem(404, f"there is no stage {stage_id[:80]!r}", field="stage", known=self.stages)
         return hosted
 
-    def hold(self, stage: Stage, clock: Clock, stage_id: str = "") -> HostedStage:
+    def hold(self, hosted: HostedStage) -> HostedStage:
         """Takes a stage in.
 
         :raises Problem: 409, if the server holds as many as it may.
         """
-        hosted = HostedStage(stage_id or secrets.token_hex(4), stage, clock, self.library)
         with self.lock:
             if len(self.stages) >= self.settings.most_stages:
                 raise Problem(409, f"the server holds {self.settings.most_stages} stages, which is the most it may; delete one")
@@ -58,7 +57,7 @@ class Registry:
         stage = Stage()
         if self.library.default is not None:
             stage.add(self.library.role(self.library.default))
-        return self.hold(stage, "real", MAIN)
+        return self.hold(HostedStage(MAIN, stage, "real", self.library))
 
     def close(self, stage_id: str) -> None:
         """Lets a stage go; its viewers are sent away.
@@ -70,32 +69,32 @@ class Registry:
             self.stages.pop(stage_id, None)
         hosted.broadcast.end(4404, "the stage was deleted")
 
-    def place(self, stage: Stage, new: NewActor) -> Actor:
+    def place(self, hosted: HostedStage, new: NewActor) -> Actor:
         """Adds an actor to a stage.
 
         :raises Problem: 422 for an unknown machine, 409 if the stage is full.
         """
         role = self.library.role(new.machine, status=422)
-        if len(stage.actors) >= self.settings.most_actors:
-            raise Problem(409, f"the stage has {self.settings.most_actors} actors, which is the most it may have")
-        x, y, z = new.position
-        return stage.add(role, position=(x, y, z), heading=math.radians(new.heading_deg), name=new.name)
+        with hosted.turn() as stage:
+            if sum(len(cast.ids) for cast in stage.state.casts) >= self.settings.most_actors:
+                raise Problem(409, f"the stage has {self.settings.most_actors} actors, which is the most it may have")
+            return hosted.add(role, new.position, math.radians(new.heading_deg), new.name)
 
     def open(self, new: NewStage) -> HostedStage:
         """Opens a stage with its actors."""
-        stage = Stage(seed=new.seed, rate=new.rate)
+        hosted = HostedStage(secrets.token_hex(4), Stage(seed=new.seed, rate=new.rate), new.clock, self.library)
         for actor in new.actors:
-            self.place(stage, actor)
-        return self.hold(stage, new.clock)
+            self.place(hosted, actor)
+        return self.hold(hosted)
 
     def fork(self, hosted: HostedStage, tick: int | None = None) -> HostedStage:
         """A new stage that goes on from the playhead of `hosted`, or from a tick of its past, with the past but without the future."""
         with hosted.turn() as stage:
-            branch = stage.fork()
-            if tick is not None and tick != branch.tick:
-                branch.seek(tick)
-                branch = branch.fork()
-        return self.hold(branch, hosted.clock_kind)
+            branch = stage.fork() if tick is None or tick == stage.tick else hosted.copy()
+        if tick is not None and tick != branch.tick:
+            branch.seek(tick)
+            branch = branch.fork()
+        return self.hold(HostedStage(secrets.token_hex(4), branch, hosted.clock_kind, self.library))
 
     def writable(self, hosted: HostedStage, looked_at: int | None = None) -> HostedStage:
         """The stage itself while the tick looked at (or the playhead) is its newest, else a fork there: the past stays."""

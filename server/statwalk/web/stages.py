@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Query, Response
 
 from statwalk.stage.stage import Actor
 from statwalk.web.door import registry_of, stage_of
+from statwalk.web.glbframes import whole
 from statwalk.web.hosted import HostedStage
 from statwalk.web.jsonbody import BoundedRoute
 from statwalk.web.registry import Registry
@@ -17,7 +18,7 @@ from statwalk.web.schemas import ActorView, NewStage, Pause, Seek, Speed, StageV
 router = APIRouter(prefix="/api/stages", tags=["stages"], route_class=BoundedRoute)
 Held = Annotated[HostedStage, Depends(stage_of)]
 Stages = Annotated[Registry, Depends(registry_of)]
-GLB = {200: {"content": {"model/gltf-binary": {}}}}
+GLB: dict[int | str, dict[str, Any]] = {200: {"content": {"model/gltf-binary": {}}}}
 
 
 def view_actor(actor: Actor) -> ActorView:
@@ -119,7 +120,7 @@ def fork(hosted: Held, registry: Stages, response: Response) -> StageView:
 def get_log(hosted: Held) -> Response:
     """The log as JSON lines: a header, then every input; `replay` makes the same stage of it."""
     with hosted.turn() as stage:
-        return Response(stage.log.dump(), media_type="application/jsonl")
+        return Response("\n".join(stage.dump()) + "\n", media_type="application/jsonl")
 
 
 @router.get("/{stage_id}/frame.glb", response_class=Response, responses=GLB)
@@ -128,4 +129,4 @@ def get_frame(hosted: Held, tick: Annotated[Tick | None, Query()] = None) -> Res
     stage = hosted.copy()
     if tick is not None:
         stage.seek(tick)
-    return Response(hosted.glb.whole(stage.frame), media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})
+    return Response(whole(stage.frame), media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})

@@ -10,12 +10,14 @@ from anyio import to_thread
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from starlette.types import Message as AsgiMessage
 
+from statwalk.errors import StageError
 from statwalk.web import messages
 from statwalk.web.hosted import HostedStage
 from statwalk.web.inbox import Inbox
-from statwalk.web.mailbox import FrameKind, Mailbox
+from statwalk.web.mailbox import FRAME_KINDS, FrameKind, Mailbox
 from statwalk.web.problem import Problem, answer
 from statwalk.web.registry import Registry
+from statwalk.web.screen import REFUSED
 
 router = APIRouter()
 
@@ -45,9 +47,10 @@ def frame_kind(frames: str) -> FrameKind:
 
     :raises Problem: 422, if it is neither.
     """
-    if frames == "pose" or frames == "glb":
-        return frames
-    raise Problem(422, f"there are no frames of kind {frames[:20]!r}", field="frames", known=("pose", "glb"))
+    for kind in FRAME_KINDS:
+        if frames == kind:
+            return kind
+    raise Problem(422, f"there are no frames of kind {frames[:20]!r}", field="frames", known=FRAME_KINDS)
 
 
 def check_subprotocol(socket: WebSocket) -> None:
@@ -70,7 +73,10 @@ class Viewer:
 
     async def serve(self) -> None:
         """Until the viewer leaves, is cut off, or the server stops."""
-        self.mailbox.put_frame(await to_thread.run_sync(self.hosted.now_shown, self.mailbox.frames))
+        try:
+            self.mailbox.put_frame(await to_thread.run_sync(self.hosted.now_shown, self.mailbox.frames))
+        except StageError as error:
+            self.mailbox.cut(REFUSED, str(error)[:100])
         tasks = [asyncio.ensure_future(part) for part in (self.read(), self.write(), self.inbox.show_past())]
         try:
             await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
@@ -78,9 +84,9 @@ class Viewer:
             for task in tasks:
                 task.cancel()
             ended = await asyncio.gather(*tasks, return_exceptions=True)
-        for error in ended:
-            if isinstance(error, Exception) and not isinstance(error, OSError | WebSocketDisconnect):
-                raise error
+        for failure in ended:
+            if isinstance(failure, Exception) and not isinstance(failure, OSError | WebSocketDisconnect):
+                raise failure
 
     async def read(self) -> None:
         """What the viewer says, one message after the other."""
