@@ -1,0 +1,86 @@
+"""`statwalk serve` as a process: its address, its refusals, and its end with viewers connected and one stalled."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import httpx
+import pytest
+from serving import open_and_never_read
+from watcher import Watcher
+from websockets.exceptions import ConnectionClosed
+
+MAIN = "/api/stages/main"
+
+
+def command(*arguments: str) -> list[str]:
+    return [sys.executable, "-m", "statwalk.cli", "serve", *arguments]
+
+
+@contextmanager
+def served(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """The process, and the address that it prints."""
+    environment = os.environ | {"COLUMNS": "200", "PYTHONUNBUFFERED": "1"}
+    process = subprocess.Popen(command("--port", "0", *arguments), stdout=subprocess.PIPE, text=True, env=environment)
+    assert process.stdout is not None
+    try:
+        line = process.stdout.readline()
+        assert "http://127.0.0.1:" in line
+        yield process, line.split("http://")[1].split("/")[0]
+    finally:
+        process.kill()
+        process.wait()
+        process.stdout.close()
+
+
+def test_sigterm_ends_it_with_viewers_connected_and_one_stalled() -> None:
+    with served() as (process, address):
+        stalled = open_and_never_read(address, f"{MAIN}/stream?frames=glb")
+        viewers = [Watcher(address, MAIN) for _ in range(5)]
+        for viewer in viewers:
+            viewer.frame_at(viewer.frame().tick + 60)
+        asked = time.monotonic()
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(timeout=5) == 0
+        assert time.monotonic() - asked < 5
+        for viewer in viewers:
+            with pytest.raises(ConnectionClosed) as closed:
+                viewer.text("nothing")
+            assert closed.value.rcvd is not None
+            assert closed.value.rcvd.code == 1012
+        stalled.close()
+
+
+def test_the_page_and_the_default_machine_are_there() -> None:
+    with served() as (_, address):
+        page = httpx.get(f"http://{address}/")
+        main = httpx.get(f"http://{address}{MAIN}").json()
+    assert page.headers["content-type"].startswith("text/html")
+    assert (main["clock"], main["actors"][0]["machine"]) == ("real", "faq-walker")
+
+
+def refused(*arguments: str) -> str:
+    """What it says when it ends with status 2."""
+    ended = subprocess.run(command(*arguments), capture_output=True, text=True, timeout=30, env=os.environ | {"COLUMNS": "200"})
+    assert ended.returncode == 2
+    return ended.stderr
+
+
+@pytest.mark.parametrize("host", ["0.0.0.0", "::", "192.168.1.1", "evil.example", ""])
+def test_other_machines_are_not_served(host: str) -> None:
+    assert "other machines" in refused("--host", host)
+
+
+def test_a_port_in_use_is_named() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = str(taken.getsockname()[1])
+        assert port in refused("--port", port)
+
+
+def test_a_folder_without_a_machine_is_named(tmp_path: object) -> None:
+    assert str(tmp_path) in refused(str(tmp_path), "--port", "0")
