@@ -1,0 +1,41 @@
+"""KF4 quaternion interpolation (FAQ Q17): slerp along the shorter arc at constant angular speed; squad without kinks."""
+
+import numpy as np
+from scipy.spatial.transform import Rotation, Slerp
+from textcharacter import from_text, keyed
+
+BONE = "Root --- - - - -\nArm Root 2 1 0 0\n"
+ANGLES = np.array([[0.0, 0, 0], [70, 20, -50], [10, -80, 30], [-60, 10, 20]])
+TIMES = [0.0, 0.5, 1.0, 1.5]
+
+
+def turns(tmp_path, interpolation: str, moments: np.ndarray) -> Rotation:
+    arm = from_text(tmp_path, BONE, swing=(keyed(TIMES, "#rotate", "Arm", ANGLES), f"interpolation: {interpolation}"))
+    return Rotation.from_quat(arm.clip("swing").sample(moments).rotation[:, 1])
+
+
+def speeds(rotations: Rotation, dt: float) -> np.ndarray:
+    """Angular velocity vectors between successive moments, rad/s."""
+    return (rotations[:-1].inv() * rotations[1:]).as_rotvec() / dt
+
+
+def test_slerp_is_scipys(tmp_path):
+    moments = np.linspace(0, 1.5, 61)
+    expected = Slerp(TIMES, Rotation.from_euler("xyz", ANGLES, degrees=True))(moments)
+    assert (turns(tmp_path, "slerp", moments) * expected.inv()).magnitude().max() < 2e-6
+
+
+def test_slerp_has_constant_angular_speed(tmp_path):
+    speed = np.linalg.norm(speeds(turns(tmp_path, "slerp", np.linspace(0, 0.5, 21)), 0.025), axis=1)
+    np.testing.assert_allclose(speed, speed.mean(), rtol=1e-4)
+
+
+def test_squad_meets_the_keys(tmp_path):
+    expected = Rotation.from_euler("xyz", ANGLES, degrees=True)
+    assert (turns(tmp_path, "squad", np.array(TIMES)) * expected.inv()).magnitude().max() < 1e-6
+
+
+def test_squad_turns_the_corner_that_slerp_takes_sharply(tmp_path):
+    around = 0.5 + np.array([-1, 0, 1]) / 60
+    corner = {name: np.linalg.norm(np.diff(speeds(turns(tmp_path, name, around), 1 / 60), axis=0)) for name in ("slerp", "squad")}
+    assert corner["squad"] < 0.15 * corner["slerp"]
