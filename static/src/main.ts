@@ -1,2 +1,111 @@
-const app = document.getElementById("app");
-if (app) app.textContent = "statwalk";
+/** The page: one session, one picture, the panels around it, and the loop that draws when there is something new. */
+
+import "./style/base.css";
+import "./style/layout.css";
+import "./style/panels.css";
+import "./style/timeline.css";
+import { type ViewerKey, Keyboard } from "./input";
+import { Meter } from "./net/meter";
+import { Chooser } from "./panels/chooser";
+import { byId, el, onTheme, reducedMotion } from "./panels/dom";
+import { EventsPanel } from "./panels/events";
+import { GraphPanel } from "./panels/graph";
+import { HelpDialog } from "./panels/help";
+import { StateBadge, modeBar, notices, toggleMode } from "./panels/overview";
+import { StatusPanel } from "./panels/status";
+import { TablePanel } from "./panels/table";
+import { tabs } from "./panels/tabs";
+import { Timeline } from "./panels/timeline";
+import { Transport } from "./panels/transport";
+import { Player } from "./player";
+import { Session } from "./session";
+import { exposeForTests } from "./testhook";
+import { Picture } from "./view/picture";
+import { chooseQuality, rendererName } from "./view/quality";
+import { Scene } from "./view/scene";
+
+const PING_MS = 2000;
+const READ_MS = 500;
+
+function viewerKeys(session: Session, picture: Picture, transport: Transport, help: () => void): ViewerKey[] {
+  const mode = (key: string, name: "skin" | "wire" | "bones" | "tetra"): ViewerKey => ({ keys: [key], words: `show ${name}`, act: () => toggleMode(picture, name) });
+  return [
+    { keys: ["p"], words: "pause, play", act: () => transport.toggle() },
+    { keys: [","], words: "one tick back", act: () => transport.step(-1) },
+    { keys: ["."], words: "one tick forward", act: () => transport.step(1) },
+    { keys: ["l"], words: "live", act: () => session.live() },
+    { keys: ["f"], words: "frame the character", act: () => picture.frame() },
+    mode("1", "skin"),
+    mode("2", "wire"),
+    mode("3", "bones"),
+    mode("4", "tetra"),
+    { keys: ["g"], words: "pose stream, glb stream", act: () => session.stream(session.frames.value === "pose" ? "glb" : "pose") },
+    { keys: ["?"], words: "this help", act: help },
+  ];
+}
+
+/** The address names the stage, so that it can be reloaded and shared. */
+function keepAddress(session: Session): void {
+  session.hello.on((hello) => {
+    if (!hello) return;
+    const address = new URL(location.href);
+    if (hello.stage === "main") address.searchParams.delete("stage");
+    else address.searchParams.set("stage", hello.stage);
+    history.replaceState(null, "", address);
+  });
+}
+
+/** A click by pointer leaves no focus behind that would catch the character's keys. */
+function freeFocus(): void {
+  document.addEventListener("click", (click) => click.detail > 0 && click.target instanceof HTMLElement && click.target.closest("button")?.blur());
+  document.addEventListener("change", (change) => change.target instanceof HTMLSelectElement && change.target.blur());
+}
+
+function start(name: string): void {
+  const session = new Session();
+  const scene = new Scene(byId<HTMLCanvasElement>("picture"), chooseQuality(name, location.search), reducedMotion);
+  const picture = new Picture(scene, session);
+  const player = new Player(session);
+  const drawn = new Meter();
+  const transport = new Transport(byId("transport"), session, player);
+  const timeline = new Timeline(byId("lanes"), byId("tools"), session, player, scene.quality === "low" ? 100 : 33);
+  const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
+  const badge = new StateBadge(byId("badge"), session, picture);
+  const events = new EventsPanel(byId("events"), session);
+  new GraphPanel(byId("graph"), session);
+  new TablePanel(byId("table"), byId("verdict"), session);
+  new Chooser(byId("chooser"), session);
+  modeBar(byId("modes"), session, picture);
+  notices(byId("notices"), session);
+  tabs(byId("tabs"), byId("panels"));
+  const keys = viewerKeys(session, picture, transport, () => help.toggle());
+  const help = new HelpDialog(session, keys);
+  byId("help").addEventListener("click", () => help.toggle());
+  new Keyboard(session, keys, (event, down) => events.press(event, down));
+  onTheme(() => picture.recolour());
+  window.addEventListener("online", () => session.retry());
+  setInterval(() => session.ping(), PING_MS);
+  setInterval(() => status.update(performance.now()), READ_MS);
+  keepAddress(session);
+  freeFocus();
+  exposeForTests(session, picture, drawn);
+  let last = performance.now();
+  const loop = (now: number): void => {
+    const dt = Math.min(0.1, Math.max(0, (now - last) / 1000));
+    last = now;
+    player.advance(dt);
+    const phase = session.phase();
+    picture.update();
+    if (scene.draw(dt)) drawn.add(now);
+    badge.update(phase);
+    transport.update();
+    timeline.update(now);
+    requestAnimationFrame(loop);
+  };
+  requestAnimationFrame(loop);
+  session.watch(new URLSearchParams(location.search).get("stage") ?? "main");
+}
+
+const name = rendererName();
+if (name) start(name);
+else byId("loading").replaceChildren(el("p", {}, "This page draws with WebGL 2, which this browser does not offer or has turned off."));

@@ -1,0 +1,54 @@
+import { describe, expect, it } from "vitest";
+import { History } from "./history";
+import type { Verdict } from "./net/protocol";
+
+const verdict = (tick: number, event: string): Verdict => ({
+  type: "verdict", tick, actor: 1, layer: 0, event, verdict: "taken", reason: "", from: "A", to: "B",
+});
+
+describe("History", () => {
+  it("joins equal states to runs", () => {
+    const history = new History();
+    [0, 0, 0, 2, 2].forEach((state, tick) => history.see(1, tick, state));
+    expect(history.between(1, 0, 9)).toEqual([{ start: 0, end: 2, state: 0 }, { start: 3, end: 4, state: 2 }]);
+  });
+
+  it("bridges skipped frames, and leaves long holes open", () => {
+    const history = new History();
+    [0, 4, 500].forEach((tick) => history.see(1, tick, 3));
+    expect(history.between(1, 0, 999).map((run) => [run.start, run.end])).toEqual([[0, 4], [500, 500]]);
+  });
+
+  it("is not changed by looking back", () => {
+    const history = new History();
+    history.see(1, 10, 0);
+    history.see(1, 3, 5);
+    expect([history.stateAt(1, 10), history.stateAt(1, 3)]).toEqual([0, null]);
+  });
+
+  it("finds the state at a tick among many", () => {
+    const history = new History();
+    for (let tick = 0; tick < 1000; tick++) history.see(1, tick, Math.floor(tick / 10) % 3);
+    expect([0, 10, 29, 995].map((tick) => history.stateAt(1, tick))).toEqual([0, 1, 2, 0]);
+  });
+
+  it("keeps actors apart", () => {
+    const history = new History();
+    history.see(1, 0, 4);
+    expect(history.stateAt(2, 0)).toBeNull();
+  });
+
+  it("marks events but not the end of a motion", () => {
+    const history = new History();
+    history.judge(verdict(5, "JUMP"));
+    history.judge(verdict(6, "END"));
+    expect(history.marksBetween(1, 0, 9).map((mark) => mark.name)).toEqual(["JUMP"]);
+  });
+
+  it("takes what came before from the log, inputs only", () => {
+    const history = new History();
+    const entry = (tick: number, kind: string) => ({ tick, kind, actor: 1, name: "GO" });
+    history.remember([entry(1, "add"), entry(2, "press"), entry(3, "release"), entry(9, "press")], 5);
+    expect(history.marksBetween(1, 0, 99)).toEqual([{ tick: 2, actor: 1, name: "GO", kind: "logged" }]);
+  });
+});

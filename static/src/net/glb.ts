@@ -1,0 +1,102 @@
+/** A GLB message: its two chunks, and what of its JSON the page needs. The JSON keeps its layout from frame to frame, so it is read once. */
+
+export interface GlbChunks {
+  json: Uint8Array;
+  bin: Uint8Array;
+}
+
+/** One drawn primitive: where its arrays lie in the BIN chunk. */
+export interface PrimitiveLayout {
+  node: number;
+  material: number;
+  positions: ArraySlice;
+  normals: ArraySlice | null;
+  uvs: ArraySlice | null;
+  colours: ArraySlice | null;
+  indices: ArraySlice | null;
+}
+
+export interface ArraySlice {
+  offset: number;
+  count: number;
+  /** Numbers an element: 1, 2, 3, 4. */
+  size: number;
+  componentType: number;
+  normalized: boolean;
+}
+
+export interface GlbLayout {
+  primitives: PrimitiveLayout[];
+  nodes: { translation?: number[]; rotation?: number[]; scale?: number[]; name?: string; parent: number }[];
+  materialNames: (string | undefined)[];
+}
+
+interface GltfJson {
+  accessors?: { bufferView: number; byteOffset?: number; count: number; type: string; componentType: number; normalized?: boolean }[];
+  bufferViews?: { byteOffset?: number }[];
+  meshes?: { primitives: { attributes: Record<string, number>; indices?: number; material?: number }[] }[];
+  nodes?: { mesh?: number; children?: number[]; translation?: number[]; rotation?: number[]; scale?: number[]; name?: string }[];
+  materials?: { name?: string }[];
+}
+
+const JSON_CHUNK = 0x4e4f534a;
+const BIN_CHUNK = 0x004e4942;
+const SIZES: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
+
+export class GlbError extends Error {}
+
+/** The JSON and BIN chunk of `buffer`, as views. */
+export function chunksOf(buffer: ArrayBuffer): GlbChunks {
+  const view = new DataView(buffer);
+  if (buffer.byteLength < 20 || view.getUint32(8, true) !== buffer.byteLength) throw new GlbError("GLB is cut short");
+  const jsonLength = view.getUint32(12, true);
+  const binAt = 20 + jsonLength;
+  if (view.getUint32(16, true) !== JSON_CHUNK || binAt + 8 > buffer.byteLength) throw new GlbError("GLB has no JSON chunk, or no BIN chunk");
+  if (view.getUint32(binAt + 4, true) !== BIN_CHUNK) throw new GlbError("GLB's second chunk is not BIN");
+  return { json: new Uint8Array(buffer, 20, jsonLength), bin: new Uint8Array(buffer, binAt + 8, view.getUint32(binAt, true)) };
+}
+
+const TICK = /"tick"\s*:\s*"?\s*0*(\d+)/;
+
+/** The tick that the frame's extras name, or null. */
+export function tickOf(chunks: GlbChunks): number | null {
+  const found = TICK.exec(new TextDecoder().decode(chunks.json));
+  return found ? Number(found[1]) : null;
+}
+
+function slice(gltf: GltfJson, accessor: number | undefined): ArraySlice | null {
+  const found = accessor === undefined ? undefined : gltf.accessors?.[accessor];
+  if (!found) return null;
+  const view = gltf.bufferViews?.[found.bufferView];
+  const offset = (view?.byteOffset ?? 0) + (found.byteOffset ?? 0);
+  return { offset, count: found.count, size: SIZES[found.type] ?? 1, componentType: found.componentType, normalized: found.normalized ?? false };
+}
+
+function primitivesOf(gltf: GltfJson, node: number, mesh: number): PrimitiveLayout[] {
+  return (gltf.meshes?.[mesh]?.primitives ?? []).flatMap(({ attributes, indices, material }) => {
+    const positions = slice(gltf, attributes["POSITION"]);
+    if (!positions) return [];
+    const [normals, uvs] = [slice(gltf, attributes["NORMAL"]), slice(gltf, attributes["TEXCOORD_0"])];
+    return [{ node, material: material ?? -1, positions, normals, uvs, colours: slice(gltf, attributes["COLOR_0"]), indices: slice(gltf, indices) }];
+  });
+}
+
+/** The layout that the JSON chunk describes. */
+export function layoutOf(chunks: GlbChunks): GlbLayout {
+  const gltf = JSON.parse(new TextDecoder().decode(chunks.json)) as GltfJson;
+  const nodes: GlbLayout["nodes"] = (gltf.nodes ?? []).map((node) => ({ ...node, parent: -1 }));
+  (gltf.nodes ?? []).forEach((node, i) => node.children?.forEach((child) => (nodes[child]!.parent = i)));
+  const primitives = (gltf.nodes ?? []).flatMap((node, i) => (node.mesh === undefined ? [] : primitivesOf(gltf, i, node.mesh)));
+  return { primitives, nodes, materialNames: (gltf.materials ?? []).map((material) => material.name) };
+}
+
+const ARRAYS = { 5120: Int8Array, 5121: Uint8Array, 5122: Int16Array, 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array } as const;
+
+export type GlArray = Int8Array | Uint8Array | Int16Array | Uint16Array | Uint32Array | Float32Array;
+
+/** A view of a tightly packed array in the BIN chunk. Throws GlbError on a type that glTF does not know. */
+export function view(bin: Uint8Array, { offset, count, size, componentType }: ArraySlice): GlArray {
+  const Kind = ARRAYS[componentType as keyof typeof ARRAYS];
+  if (!Kind) throw new GlbError(`component type ${componentType} is not one of glTF's`);
+  return new Kind(bin.buffer as ArrayBuffer, bin.byteOffset + offset, count * size);
+}

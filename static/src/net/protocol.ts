@@ -1,0 +1,181 @@
+/** What the server says: the JSON of the socket (`statwalk.v1`) and of the REST interface under /api. */
+
+export const SUBPROTOCOL = "statwalk.v1";
+
+export type FrameKind = "pose" | "glb";
+export type EventKind = "press" | "hold" | "release";
+
+export interface ActorName {
+  id: number;
+  name: string;
+}
+
+/** Actors that share a character and a machine; `nodes[j]` is the node of model.glb that joint j moves. */
+export interface CastHello {
+  role: string;
+  character: string;
+  model: string;
+  machine: string;
+  joints: number;
+  weights: number;
+  names: string[];
+  nodes: number[];
+  parents: number[];
+  layers: string[];
+  states: string[];
+  events: string[];
+  actors: ActorName[];
+}
+
+export interface Hello {
+  type: "hello";
+  version: string;
+  stage: string;
+  epoch: number;
+  rate: number;
+  tick: number;
+  head: number;
+  first: number;
+  frames: FrameKind;
+  paused: boolean;
+  speed: number;
+  clock: "real" | "manual";
+  casts: CastHello[];
+}
+
+export interface Status {
+  type: "status";
+  tick: number;
+  head: number;
+  first: number;
+  paused: boolean;
+  speed: number;
+  viewers: number;
+}
+
+export interface Verdict {
+  type: "verdict";
+  tick: number;
+  actor: number;
+  layer: number | string;
+  event: string;
+  verdict: "taken" | "waits" | "dropped";
+  reason: string;
+  from: string | null;
+  to: string | null;
+}
+
+export interface Action {
+  type: "action";
+  seq: number;
+  tick: number;
+  actor: number;
+  name: string;
+}
+
+export interface Accepted {
+  type: "accepted";
+  ref: unknown;
+  tick: number;
+  stage: string;
+}
+
+export interface Refused {
+  type: "error";
+  ref?: unknown;
+  title?: string;
+  detail?: string;
+}
+
+export interface Forked {
+  type: "forked";
+  stage: string;
+}
+
+export interface Pong {
+  type: "pong";
+  ref: unknown;
+}
+
+export type ServerMessage = Hello | Status | Verdict | Action | Accepted | Refused | Forked | Pong;
+
+export type ClientMessage =
+  | { type: "ack"; tick: number }
+  | { type: "event"; kind: EventKind; actor: number; event: string; ref: string; tick?: number }
+  | { type: "set"; actor: number; parameter: string; value: number }
+  | { type: "look"; tick: number }
+  | { type: "live" }
+  | { type: "frames"; frames: FrameKind }
+  | { type: "ping"; ref: number };
+
+/** One filled cell of the expanded table; `source` says whether it was written or came from a default. */
+export interface Cell {
+  to: string | null;
+  when?: string;
+  blend?: number;
+  restart?: boolean;
+  action?: string | null;
+  source?: string;
+}
+
+export interface KeyBinding {
+  press?: string | null;
+  hold?: string | boolean | null;
+  release?: string | null;
+}
+
+export interface Edge {
+  from: string;
+  to: string;
+  events: string[];
+}
+
+export interface StateInfo {
+  name: string;
+  motion: string;
+  loop: boolean;
+  duration: number;
+}
+
+export interface MachineInfo {
+  name: string;
+  title?: string | null;
+  description?: string | null;
+  character: string;
+  initial: string;
+  idle?: string | null;
+  states: StateInfo[];
+  events: string[];
+  table: Record<string, Record<string, Cell | null>>;
+  keys: Record<string, KeyBinding>;
+  edges: Edge[];
+}
+
+export interface MachineSummary {
+  name: string;
+  title?: string | null;
+  character: string;
+}
+
+export interface StageInfo {
+  id: string;
+  actors: { id: number; name: string; machine: string; state: string }[];
+}
+
+export interface LogEntry {
+  tick: number;
+  kind: string;
+  actor: number;
+  name?: string;
+}
+
+/** The message in `text`, or null where it is none of ours. */
+export function parseMessage(text: string): ServerMessage | null {
+  try {
+    const value: unknown = JSON.parse(text);
+    const known = typeof value === "object" && value !== null && typeof (value as { type?: unknown }).type === "string";
+    return known ? (value as ServerMessage) : null;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,59 @@
+/** Building the page's elements. Names come from machine files and models, which nobody has vetted: text only, never markup. */
+
+type Attributes = Record<string, string | number | boolean | undefined>;
+type Child = Node | string | null;
+
+function set(element: Element, attributes: Attributes, children: readonly Child[]): void {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value !== undefined && value !== false) element.setAttribute(name, value === true ? "" : String(value));
+  }
+  element.append(...children.filter((child): child is Node | string => child !== null));
+}
+
+/** An HTML element; `class` and the other attributes by name. */
+export function el<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  set(element, attributes, children);
+  return element;
+}
+
+/** An SVG element. */
+export function svg<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): SVGElementTagNameMap[K] {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  set(element, attributes, children);
+  return element;
+}
+
+/** The element of the page with this id. */
+export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
+  const element = document.getElementById(id);
+  if (!element) throw new Error(`the page has no #${id}`);
+  return element as T;
+}
+
+/** Sets the text only where it is another one: the page lays out less. */
+export function say(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** A value of a CSS custom property of the page, as the theme has it now. */
+export function token(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+export function reducedMotion(): boolean {
+  return window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
+
+/** Calls `change` when the system turns dark or light. */
+export function onTheme(change: () => void): void {
+  change();
+  window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => requestAnimationFrame(change));
+}
+
+/** Restarts the CSS animation of `name` on an element: something fired. */
+export function flash(element: Element, name: string): void {
+  element.classList.remove(name);
+  void (element as HTMLElement).getBoundingClientRect();
+  element.classList.add(name);
+}

@@ -1,0 +1,105 @@
+/** The state graph: the live state glows, a transition lights up as it fires. */
+
+import type { MachineInfo, Verdict } from "../net/protocol";
+import type { Session } from "../session";
+import { flash, svg } from "./dom";
+import { type Layout, type PlacedEdge, type PlacedState, STATE_HEIGHT, layoutGraph } from "./graphlayout";
+
+const edgeKey = (from: string, to: string): string => JSON.stringify([from, to]);
+
+function arrowHead(): SVGElement {
+  const tip = svg("path", { d: "M0 0L8 4L0 8Z" });
+  const marker = svg("marker", { id: "arrow", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: "auto", class: "tip" }, tip);
+  const hot = marker.cloneNode(true) as SVGElement;
+  hot.setAttribute("id", "arrow-hot");
+  hot.setAttribute("class", "tip hot");
+  return svg("defs", {}, marker, hot);
+}
+
+function shortList(events: readonly string[]): string {
+  return events.length > 2 ? `${events[0]} +${events.length - 1}` : events.join(", ");
+}
+
+function drawEdge(edge: PlacedEdge): SVGGElement {
+  const atEnd = edge.events.every((event) => event === "END");
+  const title = svg("title", {}, `${edge.from} → ${edge.to}: ${edge.events.join(", ")}`);
+  const paths = ["reach", "line"].map((name) => svg("path", { class: name, d: edge.path }));
+  const label = svg("text", { x: edge.x, y: edge.y + 3, "text-anchor": "middle" }, shortList(edge.events));
+  return svg("g", { class: atEnd ? "edge at-end" : "edge" }, title, ...paths, label);
+}
+
+function drawState({ name, x, y, width }: PlacedState, machine: MachineInfo): SVGGElement {
+  const motion = machine.states.find((state) => state.name === name);
+  const facts = motion ? `${motion.motion}, ${motion.duration.toFixed(2)} s${motion.loop ? ", loops" : ""}` : "";
+  const box = svg("rect", { x: x - width / 2, y: y - STATE_HEIGHT / 2, width, height: STATE_HEIGHT, rx: 8 });
+  const text = svg("text", { x, y: y + 4, "text-anchor": "middle" }, name.length > 19 ? `${name.slice(0, 18)}…` : name);
+  return svg("g", { class: name === machine.initial ? "state initial" : "state" }, svg("title", {}, `${name}: ${facts}`), box, text);
+}
+
+export class GraphPanel {
+  private readonly canvas = svg("svg", { role: "img", "aria-label": "state graph", preserveAspectRatio: "xMidYMid meet" });
+  private states = new Map<string, SVGGElement>();
+  private edges = new Map<string, SVGGElement>();
+  private leaving = new Map<string, SVGGElement[]>();
+  private aspect = 0;
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly session: Session,
+  ) {
+    host.append(this.canvas);
+    session.machine.on(() => this.draw());
+    session.state.on(() => this.mark());
+    session.verdicts.on((verdict) => this.fire(verdict));
+    new ResizeObserver(() => this.fit()).observe(host);
+  }
+
+  private fit(): void {
+    const { width, height } = this.host.getBoundingClientRect();
+    const aspect = width && height ? width / height : 0;
+    if (!aspect || Math.abs(aspect - this.aspect) < this.aspect * 0.15) return;
+    this.aspect = aspect;
+    this.draw();
+  }
+
+  private draw(): void {
+    const machine = this.session.machine.value;
+    if (!machine || !this.aspect) return;
+    const names = machine.states.map((state) => state.name);
+    const layout = layoutGraph(names, machine.edges, this.aspect);
+    this.place(layout);
+    this.edges = new Map(layout.edges.map((edge) => [edgeKey(edge.from, edge.to), drawEdge(edge)]));
+    this.states = new Map(layout.states.map((state) => [state.name, drawState(state, machine)]));
+    this.leaving = new Map(names.map((name) => [name, layout.edges.filter(({ from }) => from === name).map(({ to }) => this.edges.get(edgeKey(name, to))!)]));
+    this.canvas.replaceChildren(arrowHead(), ...this.edges.values(), ...this.states.values());
+    this.mark();
+  }
+
+  /** The whole picture, but never larger than life. */
+  private place({ width, height }: Layout): void {
+    const box = this.host.getBoundingClientRect();
+    const [w, h] = [Math.max(width, box.width), Math.max(height, box.height)];
+    this.canvas.setAttribute("viewBox", `${(width - w) / 2} ${(height - h) / 2} ${w} ${h}`);
+  }
+
+  private mark(): void {
+    const live = this.session.stateName(this.session.state.value);
+    for (const [name, group] of this.states) group.classList.toggle("live", name === live);
+    for (const group of this.edges.values()) group.classList.remove("near");
+    for (const group of this.leaving.get(live) ?? []) {
+      group.classList.add("near");
+      // Later in the document is drawn on top: labels of the live state lie over the other arrows.
+      this.states.values().next().value?.before(group);
+    }
+  }
+
+  private fire({ verdict, from, to }: Verdict): void {
+    if (verdict !== "taken" || from === null || to === null) return;
+    const group = this.edges.get(edgeKey(from, to));
+    if (!group) return;
+    flash(group, "fired");
+    group.parentElement?.querySelectorAll(".last").forEach((old) => old.classList.remove("last"));
+    group.classList.add("last");
+  }
+}
+

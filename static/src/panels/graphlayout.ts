@@ -1,0 +1,130 @@
+/** Where the states of a machine stand and how the arrows between them run: dagre's layout, in whichever direction fits the panel. */
+
+import * as dagre from "@dagrejs/dagre";
+import type { Edge } from "../net/protocol";
+
+export interface PlacedState {
+  name: string;
+  x: number;
+  y: number;
+  width: number;
+}
+
+export interface PlacedEdge extends Edge {
+  /** An SVG path. */
+  path: string;
+  /** Where a label may stand. */
+  x: number;
+  y: number;
+}
+
+export interface Layout {
+  width: number;
+  height: number;
+  states: PlacedState[];
+  edges: PlacedEdge[];
+}
+
+/** dagre's places, before the arrows are drawn. */
+interface Plan {
+  width: number;
+  height: number;
+  states: PlacedState[];
+  edges: readonly Edge[];
+  routes: Point[][];
+}
+
+type Point = { x: number; y: number };
+
+export const STATE_HEIGHT = 28;
+const CHARACTER_WIDTH = 7.8;
+
+export function stateWidth(name: string): number {
+  return Math.max(44, Math.min(160, name.length * CHARACTER_WIDTH + 18));
+}
+
+function f(value: number): string {
+  return value.toFixed(1);
+}
+
+/** A smooth curve through the layout's points: quadratic corners between the middles of its legs. */
+export function curve(points: readonly Point[]): string {
+  const [first, ...rest] = points;
+  if (!first || !rest.length) return "";
+  let path = `M${f(first.x)} ${f(first.y)}`;
+  for (let i = 0; i < rest.length - 1; i++) {
+    const [at, next] = [rest[i]!, rest[i + 1]!];
+    const end = i === rest.length - 2 ? next : { x: (at.x + next.x) / 2, y: (at.y + next.y) / 2 };
+    path += `Q${f(at.x)} ${f(at.y)} ${f(end.x)} ${f(end.y)}`;
+  }
+  return rest.length === 1 ? `${path}L${f(rest[0]!.x)} ${f(rest[0]!.y)}` : path;
+}
+
+/** An arrow from a state to itself: a small loop over its right shoulder. */
+function loop({ x, y, width }: PlacedState): Pick<PlacedEdge, "path" | "x" | "y"> {
+  const [right, top] = [x + width / 2, y - STATE_HEIGHT / 2];
+  const path = `M${f(right - 18)} ${f(top)}C${f(right - 20)} ${f(top - 18)} ${f(right + 18)} ${f(top - 14)} ${f(right)} ${f(y - 4)}`;
+  return { path, x: right + 4, y: top - 8 };
+}
+
+interface Way {
+  rankdir: "TB" | "LR";
+  ranker: "network-simplex" | "tight-tree" | "longest-path";
+}
+
+const WAYS: readonly Way[] = (["TB", "LR"] as const).flatMap((rankdir) =>
+  (["network-simplex", "tight-tree", "longest-path"] as const).map((ranker) => ({ rankdir, ranker })),
+);
+
+function layOut(states: readonly string[], edges: readonly Edge[], { rankdir, ranker }: Way): Plan {
+  const graph = new dagre.graphlib.Graph();
+  graph.setGraph({ rankdir, ranker, nodesep: rankdir === "TB" ? 18 : 14, ranksep: rankdir === "TB" ? 26 : 24, edgesep: 8, marginx: 14, marginy: 18 });
+  graph.setDefaultEdgeLabel(() => ({}));
+  for (const name of states) graph.setNode(name, { width: stateWidth(name), height: STATE_HEIGHT });
+  for (const { from, to } of edges) if (from !== to) graph.setEdge(from, to);
+  dagre.layout(graph);
+  const placed = states.map((name) => {
+    const { x, y } = graph.node(name) as Point;
+    return { name, x, y, width: stateWidth(name) };
+  });
+  const { width = 0, height = 0 } = graph.graph() as { width?: number; height?: number };
+  const routes = edges.map(({ from, to }) => (from === to ? [] : (graph.edge(from, to) as { points: Point[] }).points));
+  return { width, height, states: placed, edges, routes };
+}
+
+const MOST_STRETCH = 2;
+
+/** Uses the room that is left over in one direction: places move apart, boxes keep their size; then the arrows are drawn. */
+function stretch({ width, height, states, edges, routes }: Plan, aspect: number): Layout {
+  const wide = Math.min(MOST_STRETCH, Math.max(1, (height * aspect) / Math.max(width, 1)));
+  const high = Math.min(MOST_STRETCH, Math.max(1, width / aspect / Math.max(height, 1)));
+  const move = <T extends Point>(point: T): T => ({ ...point, x: point.x * wide, y: point.y * high });
+  const placed = states.map(move);
+  const where = new Map(placed.map((state) => [state.name, state]));
+  const drawn = edges.map((edge, i) => ({ ...edge, ...(edge.from === edge.to ? loop(where.get(edge.from)!) : route(routes[i]!.map(move), where.get(edge.from)!, where.get(edge.to)!)) }));
+  return { width: width * wide, height: height * high, states: placed, edges: drawn };
+}
+
+/** Where the line from the middle of a box towards `to` leaves the box. */
+function border({ x, y, width }: PlacedState, to: Point): Point {
+  const [dx, dy] = [to.x - x, to.y - y];
+  const out = Math.min(width / 2 / Math.max(Math.abs(dx), 1e-6), STATE_HEIGHT / 2 / Math.max(Math.abs(dy), 1e-6), 1);
+  return { x: x + dx * out, y: y + dy * out };
+}
+
+/** An arrow along `points`, its ends moved onto the boxes it joins. */
+function route(points: readonly Point[], from: PlacedState, to: PlacedState): Pick<PlacedEdge, "path" | "x" | "y"> {
+  const inner = points.slice(1, -1);
+  const ends = [border(from, inner[0] ?? to), border(to, inner.at(-1) ?? from)] as const;
+  const middle = inner[Math.floor(inner.length / 2)] ?? { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
+  return { path: curve([ends[0], ...inner, ends[1]]), x: middle.x, y: middle.y };
+}
+
+/** The layout that is larger when it is fitted into `aspect` (width over height). Edges to unknown states are left out. */
+export function layoutGraph(states: readonly string[], edges: readonly Edge[], aspect: number): Layout {
+  const known = new Set(states);
+  const drawable = edges.filter(({ from, to }) => known.has(from) && known.has(to));
+  const candidates = WAYS.map((way) => layOut(states, drawable, way));
+  const scale = ({ width, height }: Plan): number => Math.min(aspect / Math.max(width, 1), 1 / Math.max(height, 1));
+  return stretch(candidates.reduce((best, next) => (scale(next) > scale(best) * 1.02 ? next : best)), aspect);
+}

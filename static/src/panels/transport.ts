@@ -1,0 +1,85 @@
+/** Pause, step, speed, tick counter, live. Pausing and speed are the stage's, for all who watch; looking back is this page's own. */
+
+import * as api from "../net/api";
+import type { Player } from "../player";
+import type { Session } from "../session";
+import { el, say } from "./dom";
+import { type IconName, icon } from "./icons";
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
+
+function button(name: IconName, label: string, key: string, act: () => void): HTMLButtonElement {
+  const made = el("button", { type: "button", class: "plain square", "aria-label": label, title: `${label} (${key})` }, icon(name));
+  made.addEventListener("click", act);
+  return made;
+}
+
+function clock(ticks: number, rate: number): string {
+  const seconds = ticks / rate;
+  return `${String(Math.floor(seconds / 60)).padStart(2, "0")}:${(seconds % 60).toFixed(2).padStart(5, "0")}`;
+}
+
+export class Transport {
+  private readonly play = button("pause", "pause", "P", () => this.toggle());
+  private readonly speed = el("select", { "aria-label": "speed", title: "speed of the stage" });
+  private readonly counter = el("output", { class: "tick", "aria-label": "tick" });
+  private readonly time = el("span", { class: "time" });
+  private readonly liveButton = el("button", { type: "button", class: "live-button", title: "back to the present (L)" }, el("i", { class: "dot" }), "live");
+
+  constructor(
+    host: HTMLElement,
+    private readonly session: Session,
+    private readonly player: Player,
+  ) {
+    const back = button("back", "one tick back", ",", () => this.step(-1));
+    const forward = button("forward", "one tick forward", ".", () => this.step(1));
+    this.liveButton.addEventListener("click", () => session.live());
+    this.speed.addEventListener("change", () => void this.session.command((stage) => api.speed(stage, Number(this.speed.value))));
+    host.append(back, this.play, forward, this.speed, el("span", { id: "tools" }), el("span", { class: "space" }), this.time, el("label", { class: "counter" }, "tick ", this.counter), this.liveButton);
+    session.status.on(({ speed }) => this.showSpeed(speed));
+    for (const signal of [session.status, session.looking, player.replaying]) signal.on(() => this.show());
+  }
+
+  /** Plays or pauses: the replay while looking back, else the stage. */
+  toggle(): void {
+    if (this.session.looking.value !== null) return this.player.toggle();
+    const paused = !this.session.status.value.paused;
+    void this.session.command((stage) => api.pause(stage, paused));
+  }
+
+  /** One tick on or back; past the head the stage itself makes the step, and stands still for it. */
+  step(ticks: 1 | -1): void {
+    if (this.session.looking.value !== null || ticks < 0) {
+      if (this.player.step(ticks)) return;
+      this.session.live();
+    }
+    const paused = this.session.status.value.paused;
+    void this.session.command(async (stage) => {
+      if (!paused) await api.pause(stage, true);
+      await api.step(stage, 1);
+    });
+  }
+
+  private showSpeed(speed: number): void {
+    const speeds = SPEEDS.includes(speed) ? SPEEDS : [...SPEEDS, speed].sort((a, b) => a - b);
+    this.speed.replaceChildren(...speeds.map((value) => el("option", { value, selected: value === speed }, `${value}×`)));
+    this.speed.value = String(speed);
+  }
+
+  private show(): void {
+    const past = this.session.looking.value !== null;
+    const running = past ? this.player.replaying.value : !this.session.status.value.paused;
+    this.play.replaceChildren(icon(running ? "pause" : "play"));
+    const label = running ? "pause" : past ? "replay from here" : "play";
+    this.play.setAttribute("aria-label", label);
+    this.play.title = `${label} (P)`;
+    this.liveButton.setAttribute("aria-pressed", String(!past));
+  }
+
+  /** Once a drawn frame: the counter. */
+  update(): void {
+    const rate = this.session.hello.value?.rate ?? 60;
+    say(this.counter, String(this.session.tick));
+    say(this.time, clock(this.session.tick, rate));
+  }
+}

@@ -1,0 +1,238 @@
+/** What the page knows of the stage it watches, and what it can ask of it. The panels and the picture read from here. */
+
+import * as api from "./net/api";
+import { Connection, type Link } from "./net/connection";
+import { type GlbChunks, chunksOf, tickOf } from "./net/glb";
+import { Meter, RoundTrip } from "./net/meter";
+import type { CastHello, EventKind, FrameKind, Hello, MachineInfo, ServerMessage, Status, Verdict } from "./net/protocol";
+import { type PoseFrame, isGlb, readPoseFrame } from "./net/wire";
+import { History } from "./history";
+import { Bell, Signal } from "./store";
+
+export interface Place {
+  cast: number;
+  row: number;
+}
+
+export class Session {
+  readonly link = new Signal<{ state: Link; detail: string }>({ state: "connecting", detail: "" });
+  readonly hello = new Signal<Hello | null>(null);
+  readonly machine = new Signal<MachineInfo | null>(null);
+  readonly status = new Signal<Pick<Status, "paused" | "speed" | "viewers">>({ paused: false, speed: 1, viewers: 1 });
+  readonly actor = new Signal<number | null>(null);
+  /** The state of the watched actor, an index into its cast's states. */
+  readonly state = new Signal<number | null>(null);
+  readonly frames = new Signal<FrameKind>("pose");
+  /** The tick this page looks at, or null while it follows the stage. */
+  readonly looking = new Signal<number | null>(null);
+  readonly verdicts = new Bell<Verdict>();
+  readonly notices = new Bell<string>();
+  readonly history = new History();
+  readonly received = new Meter();
+  readonly trip = new RoundTrip();
+  /** The newest frame that was not drawn yet. */
+  pose: PoseFrame | null = null;
+  glb: GlbChunks | null = null;
+  tick = 0;
+  head = 0;
+  first = 0;
+  hash = "";
+  stage = "";
+  private asked: number | null = null;
+  private lastPhase: number | null = null;
+  private refs = 1;
+  private readonly connection: Connection;
+
+  constructor() {
+    this.connection = new Connection({
+      link: (state, detail) => this.link.set({ state, detail }),
+      message: (message) => this.hear(message),
+      frame: (buffer) => this.take(buffer),
+      failed: () => void this.findStage(),
+    });
+  }
+
+  /** Leaves the stage it was at and watches `stage`. */
+  watch(stage: string): void {
+    this.stage = stage;
+    this.history.clear();
+    this.looking.set(null);
+    this.state.set(null);
+    this.pose = this.glb = this.asked = null;
+    this.connection.connect(stage, this.frames.value);
+  }
+
+  retry(): void {
+    this.connection.retryNow();
+  }
+
+  get cast(): CastHello | null {
+    const place = this.place();
+    return (place && this.hello.value?.casts[place.cast]) ?? null;
+  }
+
+  /** Where the watched actor stands in the frames. */
+  place(actor: number | null = this.actor.value): Place | null {
+    const casts = this.hello.value?.casts ?? [];
+    for (let cast = 0; cast < casts.length; cast++) {
+      const row = casts[cast]!.actors.findIndex(({ id }) => id === actor);
+      if (row >= 0) return { cast, row };
+    }
+    return null;
+  }
+
+  /** The name of a state of the watched actor. */
+  stateName(index: number | null): string {
+    return (index !== null && this.cast?.states[index]) || "";
+  }
+
+  /** How far the watched actor's motion is, 0…1; null where the stream does not say. */
+  phase(): number | null {
+    return this.frames.value === "pose" ? this.lastPhase : null;
+  }
+
+  private take(buffer: ArrayBuffer): number | null {
+    this.received.add(performance.now(), buffer.byteLength);
+    return isGlb(buffer) ? this.takeGlb(buffer) : this.takePose(buffer);
+  }
+
+  private takePose(buffer: ArrayBuffer): number {
+    const frame = readPoseFrame(buffer);
+    if (frame.epoch !== this.hello.value?.epoch) return frame.tick;
+    this.pose = frame;
+    this.hash = frame.hash;
+    this.moved(frame.tick, frame.head);
+    frame.casts.forEach((cast, c) => {
+      const actors = this.hello.value?.casts[c]?.actors ?? [];
+      actors.forEach(({ id }, row) => this.history.see(id, frame.tick, cast.state[row * cast.layers] ?? 0));
+    });
+    const place = this.place();
+    const cast = place && frame.casts[place.cast];
+    if (cast) this.state.set(cast.state[place.row * cast.layers] ?? null);
+    this.lastPhase = cast ? (cast.phase[place.row * cast.layers] ?? null) : null;
+    return frame.tick;
+  }
+
+  private takeGlb(buffer: ArrayBuffer): number | null {
+    this.glb = chunksOf(buffer);
+    const tick = tickOf(this.glb);
+    if (tick === null) return null;
+    this.moved(tick, this.looking.value === null ? tick : this.head);
+    const actor = this.actor.value;
+    if (actor === null) return tick;
+    // The GLB carries no states: the last one known goes on until a verdict says otherwise.
+    if (this.looking.value === null && this.state.value !== null) this.history.see(actor, tick, this.state.value);
+    else this.state.set(this.history.stateAt(actor, tick));
+    return tick;
+  }
+
+  private moved(tick: number, head: number): void {
+    this.tick = tick;
+    this.head = Math.max(this.head, head);
+    const wanted = this.looking.value;
+    if (tick !== this.asked) return;
+    this.asked = null;
+    if (wanted !== null && wanted !== tick) this.ask(wanted);
+  }
+
+  private hear(message: ServerMessage): void {
+    if (message.type === "hello") this.greet(message);
+    else if (message.type === "status") this.report(message);
+    else if (message.type === "verdict") this.judge(message);
+    else if (message.type === "forked") this.fork(message.stage);
+    else if (message.type === "pong") this.trip.answer(message.ref, performance.now());
+    else if (message.type === "error" && !this.trip.answer(message.ref, performance.now())) this.notices.ring(message.detail ?? message.title ?? "refused");
+  }
+
+  private greet(hello: Hello): void {
+    const restarted = hello.head < this.head || hello.stage !== this.hello.value?.stage;
+    if (restarted) this.history.clear();
+    this.stage = hello.stage;
+    Object.assign(this, { tick: hello.tick, head: hello.head, first: hello.first });
+    this.status.set({ paused: hello.paused, speed: hello.speed, viewers: this.status.value.viewers });
+    this.hello.set(hello);
+    if (!this.place()) this.actor.set(hello.casts[0]?.actors[0]?.id ?? null);
+    if (this.looking.value !== null) restarted ? this.live() : this.ask(this.looking.value);
+    void this.learn(hello, restarted);
+  }
+
+  private async learn(hello: Hello, restarted: boolean): Promise<void> {
+    await this.loadMachine();
+    if (!restarted) return;
+    await api.log(hello.stage).then((entries) => this.history.remember(entries, hello.tick), () => undefined);
+  }
+
+  /** Fetches the machine of the watched actor, unless it is there. */
+  async loadMachine(): Promise<void> {
+    const name = this.cast?.machine;
+    if (name === undefined || name === this.machine.value?.name) return;
+    await api.machine(name).then((machine) => this.machine.set(machine), (error: Error) => this.notices.ring(error.message));
+  }
+
+  private report({ head, first, paused, speed, viewers }: Status): void {
+    Object.assign(this, { head: Math.max(head, this.head), first });
+    const old = this.status.value;
+    if (old.paused !== paused || old.speed !== speed || old.viewers !== viewers) this.status.set({ paused, speed, viewers });
+  }
+
+  private judge(verdict: Verdict): void {
+    this.history.judge(verdict);
+    if (verdict.actor !== this.actor.value) return;
+    const to = verdict.verdict === "taken" && verdict.to !== null ? (this.cast?.states.indexOf(verdict.to) ?? -1) : -1;
+    if (this.frames.value === "glb" && this.looking.value === null && to >= 0) this.state.set(to);
+    this.verdicts.ring(verdict);
+  }
+
+  private fork(stage: string): void {
+    this.notices.ring(`An event in the past: this is now a fork, stage ${stage}.`);
+    this.watch(stage);
+  }
+
+  private async findStage(): Promise<void> {
+    const gone = await api.stage(this.stage).then(() => false, (error: unknown) => error instanceof api.ApiError && error.status === 404);
+    if (!gone || this.stage === "main") return;
+    this.notices.ring(`Stage ${this.stage} is gone: back to main.`);
+    this.watch("main");
+  }
+
+  /** Sends an event of the watched actor's machine; in the past it makes a fork. */
+  event(kind: EventKind, event: string): void {
+    const actor = this.actor.value;
+    if (actor === null) return;
+    const past = this.looking.value === null ? {} : { tick: this.looking.value };
+    this.connection.send({ type: "event", kind, actor, event, ref: `event ${this.refs++}`, ...past });
+  }
+
+  ping(): void {
+    this.connection.send({ type: "ping", ref: this.trip.ask(performance.now()) });
+  }
+
+  /** Shows tick `tick` on this page alone. One question is under way at a time; the newest wish wins. */
+  look(tick: number): void {
+    const within = Math.round(Math.min(this.head, Math.max(this.first, tick)));
+    this.looking.set(within);
+    if (this.asked === null) this.ask(within);
+  }
+
+  private ask(tick: number): void {
+    this.asked = this.connection.send({ type: "look", tick }) ? tick : null;
+  }
+
+  live(): void {
+    this.asked = null;
+    this.looking.set(null);
+    this.connection.send({ type: "live" });
+  }
+
+  stream(frames: FrameKind): void {
+    if (frames === this.frames.value) return;
+    this.pose = this.glb = null;
+    this.frames.set(frames);
+    this.connection.send({ type: "frames", frames });
+  }
+
+  /** Runs a REST request on the stage; a refusal is shown. */
+  async command(request: (stage: string) => Promise<unknown>): Promise<void> {
+    await request(this.stage).catch((error: Error) => this.notices.ring(error.message));
+  }
+}

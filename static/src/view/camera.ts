@@ -1,0 +1,79 @@
+/** The camera: frames a character, follows it softly, and leaves the user's own angle and distance alone. */
+
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+
+/** Seconds after which two thirds of a way are caught up. */
+const LAG_S = 0.18;
+/** In heights of the character: a longer way is a cut (a scrub), not a walk. */
+const CUT_HEIGHTS = 0.8;
+const AZIMUTH = 0.52;
+const ELEVATION = 0.14;
+
+export class FollowCamera {
+  readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 500);
+  readonly controls: OrbitControls;
+  private readonly goal = new THREE.Vector3();
+  private readonly followed = new THREE.Vector3();
+  private readonly centre = new THREE.Vector3(0, 0.9, 0);
+  private height = 1.8;
+  private radius = 1;
+
+  constructor(
+    element: HTMLElement,
+    private readonly still: () => boolean,
+  ) {
+    this.controls = new OrbitControls(this.camera, element);
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.12;
+    this.controls.maxPolarAngle = Math.PI * 0.55;
+  }
+
+  /** What is to be framed: the box of the character around its own root, in metres. */
+  subject(box: THREE.Box3): void {
+    const size = box.getSize(new THREE.Vector3());
+    box.getCenter(this.centre);
+    this.height = Math.max(size.y, 1e-3);
+    this.radius = Math.max(size.length() / 2, 1e-3);
+    this.controls.minDistance = this.radius * 0.4;
+    this.controls.maxDistance = this.radius * 14;
+    this.camera.near = this.radius / 60;
+    this.camera.far = this.radius * 80;
+  }
+
+  /** Puts the whole character into the picture, from the front, a little from the side and from above. */
+  frame(): void {
+    this.followed.copy(this.goal);
+    const target = this.controls.target.copy(this.goal).add(this.centre);
+    const half = THREE.MathUtils.degToRad(this.camera.fov / 2);
+    const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
+    const distance = (this.radius / Math.sin(narrow)) * 1.06;
+    const away = new THREE.Vector3(Math.sin(AZIMUTH) * Math.cos(ELEVATION), Math.sin(ELEVATION), Math.cos(AZIMUTH) * Math.cos(ELEVATION));
+    this.camera.position.copy(target).addScaledVector(away, distance);
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+  }
+
+  /** The root of the followed character stands at `position`. */
+  aim(position: THREE.Vector3): void {
+    this.goal.copy(position);
+  }
+
+  /** Moves on by `dt` seconds; says whether the picture changed. */
+  update(dt: number): boolean {
+    const way = this.goal.distanceTo(this.followed);
+    const cut = way > this.height * CUT_HEIGHTS || this.still();
+    const step = this.goal.clone().sub(this.followed).multiplyScalar(cut ? 1 : 1 - Math.exp(-dt / LAG_S));
+    if (way > 1e-5) {
+      this.followed.add(step);
+      this.controls.target.add(step);
+      this.camera.position.add(step);
+    }
+    return this.controls.update() || way > 1e-5;
+  }
+
+  resize(width: number, height: number): void {
+    this.camera.aspect = width / Math.max(height, 1);
+    this.camera.updateProjectionMatrix();
+  }
+}

@@ -1,0 +1,79 @@
+/** A character's model.glb: loaded once, then one clone for every actor that plays it. */
+
+import * as THREE from "three";
+import { GLTFLoader, type GLTFParser } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { clone } from "three/examples/jsm/utils/SkeletonUtils.js";
+
+export interface Model {
+  url: string;
+  scene: THREE.Group;
+  /** The object of every node of the file, by index. */
+  nodes: THREE.Object3D[];
+  /** Morph targets of every node, by index (0 for most). */
+  targets: number[];
+  /** Materials by the file's index, as far as the file uses them. */
+  materials: Map<number, THREE.Material>;
+  materialCount: number;
+  /** Nodes that a skin names as joints; empty for a model without skins. */
+  skinJoints: Set<number>;
+}
+
+interface GltfJson {
+  nodes?: { mesh?: number }[];
+  meshes?: { primitives: { targets?: unknown[] }[] }[];
+  skins?: { joints: number[] }[];
+  materials?: unknown[];
+}
+
+function targetCounts(json: GltfJson): number[] {
+  const ofMesh = (json.meshes ?? []).map((mesh) => mesh.primitives[0]?.targets?.length ?? 0);
+  return (json.nodes ?? []).map((node) => (node.mesh === undefined ? 0 : (ofMesh[node.mesh] ?? 0)));
+}
+
+function materialsByIndex(parser: GLTFParser): Map<number, THREE.Material> {
+  const found = new Map<number, THREE.Material>();
+  for (const [object, place] of parser.associations) {
+    if (object instanceof THREE.Material && place.materials !== undefined) found.set(place.materials, object);
+  }
+  return found;
+}
+
+/** Loads and parses the model at `url`; rejects with the loader's reason. */
+export async function loadModel(url: string): Promise<Model> {
+  const gltf = await new GLTFLoader().loadAsync(url);
+  const json = gltf.parser.json as GltfJson;
+  const count = json.nodes?.length ?? 0;
+  const nodes = (await Promise.all(Array.from({ length: count }, (_, i) => gltf.parser.getDependency("node", i)))) as THREE.Object3D[];
+  const skinJoints = new Set((json.skins ?? []).flatMap((skin) => skin.joints));
+  const materials = { materials: materialsByIndex(gltf.parser), materialCount: json.materials?.length ?? 0 };
+  return { url, scene: gltf.scene, nodes, targets: targetCounts(json), skinJoints, ...materials };
+}
+
+/** A clone of the model's scene, and the clones of its nodes by index (null where a node is in no scene). */
+export function instance(model: Model): { scene: THREE.Object3D; nodes: (THREE.Object3D | null)[] } {
+  const scene = clone(model.scene);
+  const pairs = new Map<THREE.Object3D, THREE.Object3D>();
+  const pair = (a: THREE.Object3D, b: THREE.Object3D): void => {
+    const open: [THREE.Object3D, THREE.Object3D][] = [[a, b]];
+    for (let next = open.pop(); next; next = open.pop()) {
+      pairs.set(next[0], next[1]);
+      next[0].children.forEach((child, i) => open.push([child, next![1].children[i]!]));
+    }
+  };
+  pair(model.scene, scene);
+  return { scene, nodes: model.nodes.map((node) => pairs.get(node) ?? null) };
+}
+
+/** Models by address, each fetched once. */
+export class Models {
+  private loads = new Map<string, Promise<Model>>();
+
+  get(url: string): Promise<Model> {
+    const known = this.loads.get(url);
+    if (known) return known;
+    const load = loadModel(url);
+    this.loads.set(url, load);
+    load.catch(() => this.loads.delete(url));
+    return load;
+  }
+}

@@ -1,0 +1,36 @@
+/** The FAQ's tetrahedron (RD2): base at a bone's start, apex at its end. */
+
+import * as THREE from "three";
+
+/** Unit form: apex on +Z, base in the plane z = 0, radius 0.353553. */
+export const UNIT: readonly [number, number, number][] = [
+  [0, 0, 1],
+  [0.353553, 0, 0],
+  [-0.176776, 0.306186, 0],
+  [-0.176776, -0.306186, 0],
+];
+
+const FACES = [0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2];
+/** A long bone keeps a slim foot. */
+const THICKNESS = 0.42;
+
+/** Flat-shaded: every face has its own corners. */
+export function tetrahedronGeometry(): THREE.BufferGeometry {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(FACES.flatMap((corner) => [...UNIT[corner]!]), 3));
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+const forward = new THREE.Vector3(0, 0, 1);
+const direction = new THREE.Vector3();
+const turn = new THREE.Quaternion();
+const size = new THREE.Vector3();
+
+/** The matrix that puts the unit tetrahedron's base at `start` and its apex at `end`. */
+export function place(out: THREE.Matrix4, start: THREE.Vector3, end: THREE.Vector3): THREE.Matrix4 {
+  const length = direction.subVectors(end, start).length();
+  if (length < 1e-9) return out.makeScale(0, 0, 0).setPosition(start);
+  turn.setFromUnitVectors(forward, direction.divideScalar(length));
+  return out.compose(start, turn, size.set(length * THICKNESS, length * THICKNESS, length));
+}
