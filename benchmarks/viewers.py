@@ -1,6 +1,7 @@
 """What viewers cost: server CPU per viewer at 60 Hz, and the frames that each of them gets. `python benchmarks/viewers.py 1 50 200`."""
 
 import asyncio
+import re
 import resource
 import subprocess
 import sys
@@ -18,7 +19,15 @@ def cpu_seconds(process: int) -> float:
     return (int(fields[11]) + int(fields[12])) / 100
 
 
+def tick_of(message: bytes) -> int:
+    """The tick of a frame of either kind."""
+    if message[:4] == b"STW1":
+        return int.from_bytes(message[8:12], "little")
+    return int(re.search(rb'"tick": *(\d+)', message)[1])  # type: ignore[index]
+
+
 async def watch(address: str, kind: str, counts: list[int], sizes: list[int], row: int) -> None:
+    """One viewer: counts its frames and acknowledges them."""
     async with connect(f"ws://{address}/api/stages/main/stream?frames={kind}", max_size=None, compression=None) as socket:
         async for message in socket:
             if isinstance(message, bytes):
@@ -31,6 +40,7 @@ async def watch(address: str, kind: str, counts: list[int], sizes: list[int], ro
 
 
 async def measure(process: int, address: str, viewers: int, kind: str) -> None:
+    """So many viewers for five seconds."""
     counts, sizes = [0] * viewers, [0] * viewers
     tasks = [asyncio.create_task(watch(address, kind, counts, sizes, row)) for row in range(viewers)]
     await asyncio.sleep(2)
@@ -49,6 +59,7 @@ async def measure(process: int, address: str, viewers: int, kind: str) -> None:
 
 
 def main(numbers: list[str]) -> None:
+    """A server of its own, watched by so many."""
     resource.setrlimit(resource.RLIMIT_NOFILE, (4096, 4096))
     command = [sys.executable, "-m", "statwalk.cli", "serve", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 
+from uvicorn._types import ASGISendEvent
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
 
 UNWRITABLE_SECONDS = 5.0
@@ -15,9 +16,10 @@ GOODBYE_SECONDS = 1.0
 
 
 class ViewerProtocol(WebSocketsSansIOProtocol):
-    """Cuts a connection that was not writable for 5 s, or that does not end within 1 s of the server's stop."""
+    """Cuts a connection that was not writable for 5 s, or that does not end within 1 s of a goodbye."""
 
     abort_timer: asyncio.TimerHandle | None = None
+    leaving = False
 
     def abort_after(self, seconds: float) -> None:
         """Starts the timer that ends the connection without a goodbye, unless it runs."""
@@ -30,6 +32,12 @@ class ViewerProtocol(WebSocketsSansIOProtocol):
             self.abort_timer.cancel()
             self.abort_timer = None
 
+    def leave(self) -> None:
+        """A goodbye was said; the peer has a second to take it."""
+        self.keep()
+        self.leaving = True
+        self.abort_after(GOODBYE_SECONDS)
+
     def pause_writing(self) -> None:
         """The peer's buffers and ours are full."""
         super().pause_writing()
@@ -38,16 +46,27 @@ class ViewerProtocol(WebSocketsSansIOProtocol):
     def resume_writing(self) -> None:
         """The peer reads again."""
         super().resume_writing()
-        self.keep()
+        if not self.leaving:
+            self.keep()
+
+    async def send(self, message: ASGISendEvent) -> None:
+        """What the application sends; its close is waited for no longer than a second."""
+        await super().send(message)
+        if message["type"] == "websocket.close":
+            self.leave()
+
+    def keepalive_timeout(self) -> None:
+        """The peer does not answer pings."""
+        super().keepalive_timeout()
+        self.leave()
 
     def shutdown(self) -> None:
         """The server stops: close code 1012, and no waiting for those that cannot take it."""
-        self.keep()
         if self.transport.is_closing() or not self.writable.is_set():
             self.transport.abort()
             return
-        self.abort_after(GOODBYE_SECONDS)
         super().shutdown()
+        self.leave()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """The connection is over."""
