@@ -1,1 +1,40 @@
-"""Set by its owner."""
+"""The command `statwalk`: one file per verb, imported only when it is asked for."""
+
+from __future__ import annotations
+
+import sys
+from importlib import import_module
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+
+from statwalk.errors import StatwalkError
+
+VERBS = ("serve", "play", "verify", "new", "pose")
+
+
+def command(wanted: list[str]) -> typer.Typer:
+    """The command with the verbs `wanted`; each module has a function of its verb's name and its EXAMPLES."""
+    app = typer.Typer(
+        help="Animates characters from state tables: proved, streamed to a browser, tested without one.",
+        no_args_is_help=True,
+        add_completion=False,
+        pretty_exceptions_enable=False,
+        rich_markup_mode="rich",
+    )
+    app.callback()(lambda: None)  # keeps the verb a word of its own where only one is registered
+    for verb in wanted:
+        module = import_module(f"statwalk.cli.{verb}")
+        app.command(verb, epilog=module.EXAMPLES)(getattr(module, verb))
+    return app
+
+
+def main() -> None:
+    """Runs the verb that was asked for; what a user's input can cause ends with one line and status 2."""
+    asked = sys.argv[1:2]
+    try:
+        command(asked if asked and asked[0] in VERBS else list(VERBS))()
+    except StatwalkError as error:
+        Console(stderr=True, highlight=False).print(f"[bold red]statwalk:[/] {escape(str(error))}", soft_wrap=True)
+        sys.exit(2)

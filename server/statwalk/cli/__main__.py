@@ -1,0 +1,5 @@
+"""`python -m statwalk.cli` is `statwalk`."""
+
+from statwalk.cli import main
+
+main()
