@@ -11,10 +11,10 @@ from skeleton import NAMES, PARENT, SIDES, rest_translation
 from surface import Indices, edges_of, gradient, relaxed, spaced, surface_net, triangles
 from weights import soft_weights, strongest
 
-HALF_WIDTH = spaced([(0.12, 0.020), (0.50, 0.023), (0.80, 0.0130)], 0.0)
+HALF_WIDTH = spaced([(0.12, 0.020), (0.44, 0.0225), (0.66, 0.0130)], 0.0)
 LINES = (
     np.concatenate([-HALF_WIDTH[:0:-1], HALF_WIDTH]),
-    spaced([(0.12, 0.0135), (0.90, 0.027), (1.40, 0.023), (1.80, 0.0160)], -0.03),
+    spaced([(0.12, 0.0140), (0.80, 0.0280), (1.00, 0.0165), (1.38, 0.0245), (1.80, 0.0160)], -0.03),
     spaced([(0.26, 0.0175)], -0.22),
 )
 

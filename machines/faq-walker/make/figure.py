@@ -6,7 +6,7 @@ from feet import HEEL_RADIUS, HEEL_Z, TOE_RADIUS, TOE_Z
 from shapes import Field, common, ellipsoid, limb, mirrored, rod, union
 from skeleton import ANKLE_HEIGHT, HAND, HIP, ROOT_HEIGHT, SHIN, SHOULDER, THIGH, WRIST
 
-ARM_SPREAD, LEG_SPREAD = np.radians(48.0), np.radians(5.0)  # binding pose
+ARM_SPREAD, LEG_SPREAD = np.radians(32.0), np.radians(5.0)  # binding pose
 SHOULDER_Y = 1.45
 FRONT = np.array([0.0, 0.0, 1.0])
 ARM_WAY = np.array([np.sin(ARM_SPREAD), -np.cos(ARM_SPREAD), 0.0])
@@ -23,16 +23,16 @@ TORSO = limb(
     FRONT,
     [
         (0.885, 0.105, 0.070, 0.085, -0.005),
-        (0.930, 0.148, 0.090, 0.108, -0.008),
-        (0.980, 0.153, 0.094, 0.108, -0.004),
-        (1.040, 0.140, 0.092, 0.090, 0.004),
-        (1.110, 0.127, 0.088, 0.078, 0.010),
-        (1.190, 0.133, 0.095, 0.084, 0.008),
-        (1.270, 0.149, 0.106, 0.097, 0.002),
-        (1.340, 0.160, 0.108, 0.104, -0.004),
-        (1.400, 0.158, 0.090, 0.096, -0.010),
-        (1.440, 0.120, 0.062, 0.076, -0.016),
-        (1.470, 0.070, 0.050, 0.058, -0.018),
+        (0.930, 0.146, 0.088, 0.106, -0.008),
+        (0.980, 0.149, 0.094, 0.106, -0.004),
+        (1.040, 0.141, 0.094, 0.092, 0.004),
+        (1.110, 0.134, 0.092, 0.082, 0.009),
+        (1.190, 0.140, 0.097, 0.086, 0.007),
+        (1.270, 0.154, 0.105, 0.098, 0.002),
+        (1.340, 0.164, 0.106, 0.106, -0.004),
+        (1.395, 0.160, 0.092, 0.100, -0.010),
+        (1.435, 0.125, 0.066, 0.082, -0.016),
+        (1.470, 0.070, 0.050, 0.060, -0.018),
     ],
     power=2.3,
 )
@@ -59,9 +59,9 @@ ARM = limb(
     ARM_WAY,
     FRONT,
     [
-        (-0.015, 0.052, 0.056, 0.056, -0.004),
-        (0.05, 0.055, 0.057, 0.058, -0.003),
-        (0.13, 0.047, 0.050, 0.049, -0.001),
+        (0.000, 0.039, 0.050, 0.053, -0.004),
+        (0.05, 0.047, 0.053, 0.055, -0.003),
+        (0.13, 0.045, 0.049, 0.048, -0.001),
         (0.22, 0.042, 0.045, 0.042, 0.000),
         (0.29, 0.038, 0.039, 0.039, 0.000),
         (0.35, 0.040, 0.040, 0.040, 0.002),
@@ -70,15 +70,17 @@ ARM = limb(
         (0.56, 0.021, 0.027, 0.027, 0.000),
     ],
 )
-NECK = rod((0, 1.43, -0.022), (0, 1.57, 0.006), 0.060, 0.049)
-SKULL = ellipsoid((0, 1.667, -0.002), (0.073, 0.084, 0.094))
-JAW = ellipsoid((0, 1.603, 0.026), (0.054, 0.074, 0.062))
-NOSE = rod((0, 1.648, 0.088), (0, 1.618, 0.099), 0.009, 0.013)
-EAR = ellipsoid((0.073, 1.632, -0.004), (0.011, 0.027, 0.018))
+NECK = rod((0, 1.43, -0.026), (0, 1.57, -0.006), 0.060, 0.047)
+SKULL = ellipsoid((0, 1.660, -0.004), (0.077, 0.086, 0.097))
+JAW = ellipsoid((0, 1.600, 0.024), (0.057, 0.074, 0.066))
+CHIN = ellipsoid((0, 1.548, 0.064), (0.030, 0.024, 0.026))
+NOSE = rod((0, 1.646, 0.088), (0, 1.612, 0.101), 0.008, 0.013)
+EAR = ellipsoid((0.076, 1.628, -0.006), (0.011, 0.028, 0.019))
 BROW = ellipsoid((0, 1.668, 0.076), (0.052, 0.014, 0.018))
 SEAT = ellipsoid((0.075, 0.925, -0.060), (0.078, 0.085, 0.068))
-CHEST = ellipsoid((0.072, 1.305, 0.062), (0.082, 0.070, 0.052))
-SLOPE = rod((0.03, 1.475, -0.022), (0.185, 1.447, -0.006), 0.046, 0.046)
+SLOPE = rod((0.03, 1.474, -0.022), (0.176, 1.436, -0.006), 0.044, 0.042)
+HAIR = ellipsoid((0, 1.668, -0.010), (0.085, 0.092, 0.103))
+QUIFF = ellipsoid((0.012, 1.735, 0.045), (0.060, 0.030, 0.048))
 HAND_SIDE = np.cross(FRONT, ARM_WAY)  # away from the palm
 
 
@@ -146,9 +148,18 @@ def _side(points: Array) -> Array:
     return np.minimum(leg, arm_field(points))
 
 
+def hairline(points: Array) -> Array:
+    """Positive above and behind the line where the hair begins (metres)."""
+    x, y, z = points[..., 0], points[..., 1], points[..., 2]
+    front = 0.80 * (y - 1.716) - 0.60 * (z - 0.072) - 0.9 * np.maximum(np.abs(x) - 0.045, 0.0) * np.clip(z / 0.03, 0, 1)
+    return union(front, y - 1.585 + 0.2 * np.abs(x), 0.02)
+
+
 def _head(points: Array) -> Array:
-    face = union(union(SKULL(points), JAW(points), 0.05), NOSE(points), 0.022)
-    return union(union(face, BROW(points), 0.03), mirrored(EAR)(points), 0.012)
+    face = union(union(SKULL(points), union(JAW(points), CHIN(points), 0.03), 0.05), NOSE(points), 0.022)
+    face = union(union(face, BROW(points), 0.03), mirrored(EAR)(points), 0.012)
+    hair = common(union(HAIR(points), QUIFF(points), 0.03), -hairline(points), 0.016)
+    return union(face, hair, 0.008)
 
 
 def arm_field(points: Array) -> Array:
@@ -158,13 +169,13 @@ def arm_field(points: Array) -> Array:
 
 def trunk_field(points: Array) -> Array:
     """The field of chest, back and shoulder slopes."""
-    return union(union(TORSO(points), mirrored(SLOPE)(points), 0.05), mirrored(CHEST)(points), 0.05)
+    return union(TORSO(points), mirrored(SLOPE)(points), 0.05)
 
 
 def figure(points: Array) -> Array:
     """The whole body's field."""
-    trunk = union(trunk_field(points), union(NECK(points), _head(points), 0.03), 0.045)
-    return union(trunk, mirrored(_side)(points), 0.045)
+    trunk = union(trunk_field(points), union(NECK(points), _head(points), 0.020), 0.045)
+    return union(trunk, mirrored(_side)(points), 0.055)
 
 
 __all__ = ["HAND", "figure"]

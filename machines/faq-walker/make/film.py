@@ -9,6 +9,7 @@ from curves import Array
 from numpy.typing import NDArray
 
 Image = NDArray[np.float64]
+Indices = NDArray[np.int64]
 LIGHT = np.array([0.35, 0.75, 0.55])
 PAPER = np.array([0.93, 0.93, 0.92])
 
@@ -28,45 +29,47 @@ VIEWS = {
 }
 
 
-def draw(points: Array, normals: Array, faces: NDArray[np.int64], colours: Array, view: Array, box: tuple[float, ...], scale: float) -> Image:
-    """One picture (H, W, 3) of triangles; `box` is left, bottom, width, height in metres of the view plane, `scale` pixels a metre."""
+def draw(points: Array, normals: Array, faces: Indices, colours: Array, view: Array, box: tuple[float, ...], scale: float) -> Image:
+    """One picture (H, W, 3) of triangles of one colour each; `box`: left, bottom, width, height in the view plane; `scale`: pixels a metre."""
     width, height = int(box[2] * scale), int(box[3] * scale)
     seen = points @ view.T
     xy = np.stack([(seen[:, 0] - box[0]) * scale, height - (seen[:, 1] - box[1]) * scale], axis=-1)
-    light = LIGHT / np.linalg.norm(LIGHT)
-    shade = 0.50 + 0.42 * np.clip(normals @ view.T @ light, -0.3, 1) + 0.12 * (normals @ view.T)[:, 2]
     image = np.broadcast_to(PAPER, (height, width, 3)).copy()
     ground = int(height + box[1] * scale)
     if 0 <= ground < height:
         image[ground:] *= 0.9
-    depth, picked = np.full(height * width, -np.inf), np.full(height * width, -1)
-    _fill(xy[faces], seen[faces, 2].mean(1), (width, height), depth, picked)
-    hit = picked >= 0
-    image.reshape(-1, 3)[hit] = np.clip(colours[faces[picked[hit]]].mean(1) * shade[faces[picked[hit]]].mean(1)[:, None], 0, 1)
+    picked, share = _fill(xy[faces], seen[faces, 2], (width, height))
+    hit = np.flatnonzero(picked >= 0)
+    face, weights = picked[hit], share[hit]
+    normal = (normals[faces[face]] * weights[:, :, None]).sum(1) @ view.T
+    light = LIGHT / np.linalg.norm(LIGHT)
+    shade = 0.50 + 0.42 * np.clip(normal @ light, -0.3, 1) + 0.12 * normal[:, 2]
+    image.reshape(-1, 3)[hit] = np.clip(colours[face] * shade[:, None], 0, 1)
     return image
 
 
-def _fill(corners: Array, near: Array, size: tuple[int, int], depth: Array, picked: NDArray[np.int64]) -> None:
-    """Every pixel centre in a triangle takes the nearest one: all triangles at once, offset by offset of their boxes."""
+def _fill(corners: Array, near: Array, size: tuple[int, int]) -> tuple[Indices, Array]:
+    """Nearest triangle (P,) or -1 at every pixel's centre, and the shares (P, 3) of its corners; offset by offset of the boxes."""
     width, height = size
+    depth, picked, share = np.full(height * width, -np.inf), np.full(height * width, -1), np.zeros((height * width, 3))
     low = np.floor(corners.min(1)).astype(int)
     span = (np.ceil(corners.max(1)).astype(int) - low).max(1)
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     area = _cross(b - a, c - a)
-    for dx in range(span.max() + 1):
-        for dy in range(span.max() + 1):
-            some = np.flatnonzero((span >= max(dx, dy)) & (np.abs(area) > 1e-9))
-            pixel = low[some] + (dx, dy)
-            p = pixel + 0.5
-            w0, w1 = _cross(b[some] - p, c[some] - p) / area[some], _cross(c[some] - p, a[some] - p) / area[some]
-            ok = (w0 >= -0.02) & (w1 >= -0.02) & (w0 + w1 <= 1.02) & (pixel >= 0).all(1) & (pixel < (width, height)).all(1)
-            flat, order = pixel[ok, 1] * width + pixel[ok, 0], np.argsort(near[some[ok]])
-            flat, chosen = flat[order], some[ok][order]
-            better = near[chosen] > depth[flat]
-            flat, chosen = flat[better], chosen[better]
-            depth[flat] = near[chosen]
-            picked[flat] = chosen
-            depth[flat], picked[flat] = near[chosen], chosen
+    for dx, dy in np.ndindex(span.max() + 1, span.max() + 1):
+        some = np.flatnonzero((span >= max(dx, dy)) & (np.abs(area) > 1e-9))
+        pixel = low[some] + (dx, dy)
+        p = pixel + 0.5
+        w0, w1 = _cross(b[some] - p, c[some] - p) / area[some], _cross(c[some] - p, a[some] - p) / area[some]
+        weights = np.stack([w0, w1, 1 - w0 - w1], axis=1)
+        ok = (weights >= -0.01).all(1) & (pixel >= 0).all(1) & (pixel < (width, height)).all(1)
+        z = (near[some] * weights).sum(1)[ok]
+        order = np.argsort(z)
+        flat, chosen, z, weights = (pixel[ok, 1] * width + pixel[ok, 0])[order], some[ok][order], z[order], weights[ok][order]
+        better = z > depth[flat]
+        flat = flat[better]
+        depth[flat], picked[flat], share[flat] = z[better], chosen[better], weights[better]
+    return picked, share
 
 
 def _cross(u: Array, v: Array) -> Array:

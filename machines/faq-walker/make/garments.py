@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 from curves import Array
-from figure import ANKLE_AT, ARM_WAY, SHOULDER_AT, SOLE_Y
+from figure import ANKLE_AT, ARM_WAY, SHOULDER_AT, SOLE_Y, hairline
 from skeleton import WRIST
 from surface import Indices
 
@@ -31,11 +31,11 @@ def _cuff(p: Array) -> Array:
 
 
 def _collar(p: Array) -> Array:
-    return p[:, 1] - (1.487 - 0.30 * p[:, 2] - 0.02)
+    return p[:, 1] - 1.478 + 0.35 * p[:, 2] - 0.9 * np.maximum(np.abs(p[:, 0]) - 0.045, 0.0)
 
 
 def _belt(p: Array) -> Array:
-    return np.where(np.abs(p[:, 0]) < 0.25, 0.965 + 0.02 * p[:, 2] - p[:, 1], -1.0)
+    return np.where(np.abs(p[:, 0]) < 0.25, 0.982 + 0.03 * p[:, 2] - p[:, 1], -1.0)
 
 
 def _ankle(p: Array) -> Array:
@@ -46,11 +46,6 @@ def _sole(p: Array) -> Array:
     return SOLE_Y + 0.024 + np.maximum(0, p[:, 2] - 0.11) * 0.28 - p[:, 1]
 
 
-def _hairline(p: Array) -> Array:
-    fringe = 1.700 - p[:, 1] + 0.9 * np.maximum(p[:, 2] - 0.02, -0.03) - 0.25 * np.maximum(-p[:, 2] - 0.03, 0.0)
-    return -fringe
-
-
 # in order: where the line's value is positive, the material takes over
 CUTS: list[tuple[str, Line]] = [
     ("skin", _collar),
@@ -58,7 +53,7 @@ CUTS: list[tuple[str, Line]] = [
     ("trousers", _belt),
     ("shoes", _ankle),
     ("soles", _sole),
-    ("hair", _hairline),
+    ("hair", hairline),
 ]
 
 

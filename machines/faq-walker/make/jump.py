@@ -14,19 +14,19 @@ from stand import FOOT_X, FOOT_Z, TOES_OUT
 from walk import AHEAD, OFF, CYCLE, pitch_of, walk_body, walk_plant
 
 GRAVITY = 9.81
-TAKE_OFF, FLIGHT, SINK = 0.55, 32 / 60, 0.40  # seconds
+TAKE_OFF, FLIGHT, SINK = 0.55, 31 / 60, 0.40  # seconds
 TOUCH, END = TAKE_OFF + FLIGHT, TAKE_OFF + FLIGHT + SINK
-UP, FORWARD = 2.45, 1.55  # metres a second at take-off
-HIGH, FAR = 1.005, 0.735  # pelvis at take-off
+UP, FORWARD = 2.45, 1.45  # metres a second at take-off
+HIGH, FAR = 0.940, 0.665  # pelvis at take-off
 TOUCH_HEIGHT = HIGH + UP * FLIGHT - GRAVITY / 2 * FLIGHT**2
 TOUCH_FAR = FAR + FORWARD * FLIGHT
-STOP_FAR = TOUCH_FAR + 0.185  # pelvis at the end
+STOP_FAR = TOUCH_FAR + 0.170  # pelvis at the end
 LANDING_Z = STOP_FAR - BACK + FOOT_Z
 
 
 def _height() -> Body:
     down = through(
-        [(0, value(walk_body, "y", 0)), (0.12, 0.895), (0.26, 0.805), (0.355, 0.768), (0.43, 0.800), (TAKE_OFF, HIGH)],
+        [(0, value(walk_body, "y", 0)), (0.12, 0.893), (0.26, 0.800), (0.395, 0.752), (0.47, 0.796), (TAKE_OFF, HIGH)],
         slope(walk_body, "y", 0),
         UP,
     )
@@ -43,8 +43,8 @@ def _height() -> Body:
 
 
 def _way() -> Body:
-    run = through([(0, 0), (0.18, 0.225), (0.36, 0.452), (TAKE_OFF, FAR)], slope(walk_body, "z", 0), FORWARD)
-    brake = through([(TOUCH, TOUCH_FAR), (TOUCH + 0.12, TOUCH_FAR + 0.125), (TOUCH + 0.26, STOP_FAR + 0.006), (END, STOP_FAR)], FORWARD)
+    run = through([(0, 0), (0.18, 0.218), (0.36, 0.412), (TAKE_OFF, FAR)], slope(walk_body, "z", 0), FORWARD)
+    brake = through([(TOUCH, TOUCH_FAR), (TOUCH + 0.12, TOUCH_FAR + 0.118), (TOUCH + 0.26, STOP_FAR + 0.006), (END, STOP_FAR)], FORWARD)
 
     def way(t: Array) -> Array:
         flying = FAR + FORWARD * (t - TAKE_OFF)
@@ -53,6 +53,9 @@ def _way() -> Body:
     return lambda t: {"z": way(t)}
 
 
+# a foot in the air: seconds after take-off, ankle ahead of the pelvis and above it
+TUCK = [(0.06, -0.26, -0.795), (0.16, -0.20, -0.70), (0.28, 0.0, -0.61), (0.41, 0.19, -0.762)]
+
 # keys over the whole leap; the last is the crouch
 ANGLES: dict[str, list[tuple[float, float]]] = {
     "lean": [(0, 3), (0.34, 32), (0.46, 20), (0.55, 5), (0.68, 4), (0.86, 16), (1.02, 15), (1.20, 33)],
@@ -60,8 +63,8 @@ ANGLES: dict[str, list[tuple[float, float]]] = {
     "low_pitch": [(0, 0), (0.33, 10), (0.55, -4), (0.66, -5), (0.90, 6), (1.06, 4), (1.26, 11)],
     "up_pitch": [(0, 0), (0.32, 12), (0.54, -4), (0.68, -7), (0.92, 7), (1.08, 3), (1.28, 12)],
     "head_pitch": [(0, 2), (0.28, 12), (0.50, -6), (0.66, -6), (0.90, 10), (1.06, 12), (1.28, 9)],
-    "Left.swing": [(0, -20), (0.10, -26), (0.29, -46), (0.36, -38), (0.55, 104), (0.66, 132), (0.86, 74), (1.06, 36), (1.24, 22)],
-    "Right.swing": [(0, 15), (0.10, -8), (0.30, -42), (0.37, -34), (0.57, 96), (0.69, 122), (0.88, 66), (1.08, 30), (1.26, 14)],
+    "Left.swing": [(0, -20), (0.10, -26), (0.29, -44), (0.36, -34), (0.46, 20), (0.55, 74), (0.68, 116), (0.86, 78), (1.06, 36), (1.24, 22)],
+    "Right.swing": [(0, 15), (0.10, -8), (0.31, -40), (0.38, -29), (0.48, 20), (0.57, 68), (0.70, 106), (0.88, 70), (1.08, 30), (1.26, 14)],
     "Left.abduct": [(0, 7), (0.30, 14), (0.55, 14), (0.75, 30), (0.95, 40), (1.10, 30), (1.26, 19)],
     "Right.abduct": [(0, 7), (0.32, 15), (0.57, 16), (0.77, 34), (0.97, 46), (1.12, 34), (1.28, 22)],
     "Left.elbow": [(0, 14), (0.20, 30), (0.33, 34), (0.47, 56), (0.60, 30), (0.74, 22), (0.95, 28), (1.12, 34), (1.26, 44)],
@@ -102,7 +105,7 @@ class Flight:
         self.off = (OFF - 0.5) * CYCLE
         late = self.late
         steps = [(0.0, 0.0), (0.25, 0.0)] if side == "Left" else [(0.0, -30.0), (0.15, -42.0), (0.25, -6.0), (0.29, 3.0), (0.33, 0.0)]
-        leap = [(0.40, 0), (0.46, -10), (TAKE_OFF, -54), (0.62 + late, -66), (0.78 + late, -38), (0.95, -24), (TOUCH - 0.02, -31), (TOUCH + 0.10, 0)]
+        leap = [(0.40, 0), (0.46, -6), (TAKE_OFF, -40), (0.60 + late, -62), (0.78 + late, -38), (0.95, -24), (TOUCH - 0.02, -31), (TOUCH + 0.10, 0)]
         self.keys = eased([*steps, *leap, (END, 0.0)])
 
     def pitch(self, t: Array) -> Array:
@@ -131,11 +134,11 @@ class Flight:
             ankle[step] = self._between(t[step], self.first, self.push, [(0.21, 0.12, 0.185)])
         flying, landed = (t > TAKE_OFF) & (t < TOUCH), t >= TOUCH
         late = self.late
-        tucked = [
-            (0.66 + late, FAR + 0.11 * FORWARD - 0.20, 0.52),
-            (0.82 + late, FAR + 0.27 * FORWARD - 0.02, 0.66),
-            (0.98 + late, TOUCH_FAR - 0.103 * FORWARD + 0.20, 0.335),
-        ]
+        way, height = _way(), _height()
+        tucked = []
+        for after, ahead, below in TUCK:
+            time = np.array([TAKE_OFF + after + (late if after < 0.4 else 0.0)])
+            tucked.append((float(time[0]), float(way(time)["z"][0]) + ahead, float(height(time)["y"][0]) + below))
         ankle[flying] = self._between(t[flying], self.push, self.landing, tucked)
         ankle[landed] = rolled(self.landing, pitch[landed])
         yaw = self.first.yaw + (self.landing.yaw - self.first.yaw) * ramp(t, TAKE_OFF, TOUCH)

@@ -10,7 +10,9 @@ from skeleton import HIP, INDEX, NAMES, ROOT_HEIGHT, SHIN, SIDES, THIGH
 from statwalk.maths import quat
 
 X, Y, Z = np.eye(3)
-STRAIGHT = 0.9995  # a leg never locks its knee
+STRAIGHT = 0.9995  # no leg is longer than this share of its bones
+SLOPE = np.radians(6.0)  # shoulders hang a little
+REACH, SOFTNESS = 0.8485, 0.003  # metres: the pelvis comes down before a leg gets longer than this, so no knee locks or snaps
 
 # The handles. `pelvis_yaw` turns the hips and not the path; `head_*` are set against the path, so the head stays level.
 BODY = (
@@ -57,10 +59,24 @@ def _bone_turn(hinge: Array, along: Array) -> Array:
     return quat.from_matrix(np.stack([hinge, -along, np.cross(hinge, -along)], axis=-1))
 
 
+def _hip(side: str, pelvis: Array, root: Array) -> Array:
+    return root + quat.rotate(pelvis, np.broadcast_to(np.array([SIDES[side] * HIP, 0.0, 0.0]), root.shape))
+
+
+def _lowered(c: Controls, pelvis: Array, root: Array) -> Array:
+    """The root, where a leg would have to stretch brought down (a smooth minimum of the wish and what each leg allows)."""
+    heights = [np.zeros(len(root))]
+    for side in SIDES:
+        hip, ankle = _hip(side, pelvis, root), c.feet[side].ankle
+        level = (hip[:, 0] - ankle[:, 0]) ** 2 + (hip[:, 2] - ankle[:, 2]) ** 2
+        heights.append(ankle[:, 1] + np.sqrt(np.maximum(REACH**2 - level, 0.01)) - hip[:, 1])
+    down = -SOFTNESS * np.log(np.exp(-np.array(heights) / SOFTNESS).sum(0))
+    return root + np.stack([np.zeros_like(down), down, np.zeros_like(down)], axis=-1)
+
+
 def _leg(c: Controls, side: str, pelvis: Array, root: Array, out: dict[str, Array]) -> None:
     sign, foot = SIDES[side], c.feet[side]
-    hip = root + quat.rotate(pelvis, np.broadcast_to(np.array([sign * HIP, 0.0, 0.0]), root.shape))
-    way = foot.ankle - hip
+    way = foot.ankle - _hip(side, pelvis, root)
     reach = np.minimum(np.linalg.norm(way, axis=-1), STRAIGHT * (THIGH + SHIN))[:, None]
     along = _unit(way)
     outward = sign * (c.get(f"{side}.knee_out") + np.radians(3.0))
@@ -81,8 +97,8 @@ def _leg(c: Controls, side: str, pelvis: Array, root: Array, out: dict[str, Arra
 
 def _arm(c: Controls, side: str, out: dict[str, Array]) -> None:
     sign = SIDES[side]
-    out[f"{side}.shoulder"] = product(turn(Y, -sign * c.get(f"{side}.reach")), turn(Z, sign * c.get(f"{side}.raise")))
-    lift = product(turn(X, -c.get(f"{side}.swing")), turn(Z, sign * c.get(f"{side}.abduct")))
+    out[f"{side}.shoulder"] = product(turn(Y, -sign * c.get(f"{side}.reach")), turn(Z, sign * (c.get(f"{side}.raise") - SLOPE)))
+    lift = product(turn(X, -c.get(f"{side}.swing")), turn(Z, sign * (c.get(f"{side}.abduct") + SLOPE)))
     out[f"{side}.upperarm"] = quat.mul(lift, turn(Y, -sign * c.get(f"{side}.twist")))
     out[f"{side}.lowerarm"] = product(turn(X, -c.get(f"{side}.elbow")), turn(Y, -sign * c.get(f"{side}.forearm")))
     out[f"{side}.hand"] = product(turn(X, -c.get(f"{side}.wrist")), turn(Z, sign * c.get(f"{side}.wrist_side")))
@@ -103,8 +119,10 @@ def solve(c: Controls) -> tuple[Array, Array]:
     chest = product(out["Root"], out["Lowerback"], out["Upperback"])
     out["Head"] = product(quat.conjugate(chest), path, _spine(c, "head"))
     root = np.stack([c.get("x"), c.get("y"), c.get("z")], axis=-1)
+    pelvis = quat.mul(out["Root"], hips)
+    root = _lowered(c, pelvis, root)
     for side in SIDES:
-        _leg(c, side, quat.mul(out["Root"], hips), root, out)
+        _leg(c, side, pelvis, root, out)
         _arm(c, side, out)
     return np.stack([_steady(out[name]) for name in NAMES], axis=1), root
 

@@ -8,7 +8,7 @@ from skeleton import SIDES
 
 SPAN = 8.0  # seconds: one shift of weight and back, two breaths
 BREATH = 4.0
-HEIGHT = 0.9570
+HEIGHT = 0.9575
 FOOT_X, FOOT_Z, TOES_OUT = 0.105, -0.032, np.radians(7.0)
 FOREVER = 1e3
 

@@ -39,11 +39,9 @@ def skinned(body: Body, matrices: Array) -> tuple[Array, Array]:
 
 
 def surface_of(body: Body) -> tuple[NDArray[np.int64], Array]:
-    """All triangles, and a colour for each corner's vertex, as for a screen (a vertex of two materials takes the later one)."""
-    colours = np.zeros((len(body.points), 3))
-    for name, faces in body.parts.items():
-        colours[faces] = np.array(MATERIALS[name][0]) ** (1 / 2.2)
-    return np.concatenate(list(body.parts.values())), colours
+    """All triangles (T, 3) and their colours (T, 3) as for a screen."""
+    colours = [np.tile(np.array(MATERIALS[name][0]) ** (1 / 2.2), (len(faces), 1)) for name, faces in body.parts.items()]
+    return np.concatenate(list(body.parts.values())), np.concatenate(colours)
 
 
 def strip(body: Body, motion: Motion, times: Array, view: str, follow: bool = True) -> film.Image:

@@ -64,9 +64,9 @@ def _arm(side: str, p: Array, size: float) -> dict[str, Array]:
         "reach": 1.0 + 4.0 * (SHOULDER_CURVE(p + 0.02) + 5) / 17,
         "swing": 3.0 + 1.12 * size * (swing + 3.0),
         "abduct": 7.0 - 1.2 * ahead,
-        "twist": 16.0 + 8.0 * ahead,
+        "twist": 10.0 + 6.0 * ahead,
         "elbow": 2.0 + size * ELBOW_CURVE(p - 0.03),
-        "forearm": 12.0 + 6.0 * ahead,
+        "forearm": 14.0 + 5.0 * ahead,
         "wrist": 6.0 + 5.0 * (SHOULDER_CURVE(p - 0.13) + 5) / 17,
         "wrist_side": -3.0 + 0.0 * p,
     }
