@@ -55,3 +55,7 @@ def test_index_of_an_unknown_name_lists_those_that_exist():
     assert skeleton.index("Head") == 1
     with pytest.raises(UnknownNameError, match="Root, Head"):
         skeleton.index("Tail")
+
+
+def test_index_of_a_name_that_a_model_uses_twice_is_the_first():
+    assert Skeleton(("Root", "Bone", "Bone"), np.array([-1, 0, 1], np.int32)).index("Bone") == 1

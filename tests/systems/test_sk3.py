@@ -42,10 +42,11 @@ def test_recoil_moves_a_bone_and_what_hangs_on_it(tmp_path):
     np.testing.assert_allclose(place(tree, pose, "Twig"), [1.5, 4, 0], atol=1e-6)
 
 
-def test_length_and_recoil_at_different_times_add_up(tmp_path):
+@pytest.mark.parametrize(("time", "height"), [(0.0, 0), (1.0, 2), (2.0, 4)])
+def test_length_and_recoil_at_different_times_add_up(tmp_path, time, height):
     keys = "#time 0\n#length Trunk 0\n#time 1\n#translate Branch 0 0 1\n#time 2\n#length Trunk 4"
     tree = from_text(tmp_path, TREE, both=(keys, "interpolation: linear"))
-    np.testing.assert_allclose(place(tree, tree.clip("both").sample(1.0), "Branch"), [0, 2, 1], atol=1e-6)
+    np.testing.assert_allclose(place(tree, tree.clip("both").sample(time), "Branch"), [0, height, 1], atol=1e-6)
 
 
 def test_units_are_scaled_to_metres(tmp_path):
