@@ -4,8 +4,9 @@ After Bollo, *Inertialization* (GDC 2018): only the new motion is evaluated, and
 *shown*, so an interrupted transition is no special case. An offset is a row of D = 9J + W numbers for each actor: translations
 (metres), rotations (rotation vectors in the parent's space, radians), scales, morph weights.
 
-The offset keeps the velocity it had and comes to rest after `duration` seconds with the least peak acceleration there is: full
-acceleration one way, then the other (Bollo's quintic needs half as much again; what the eye would take for a jump is acceleration).
+The offset keeps the velocity it had and comes to rest after `duration` seconds along a cubic: of all ways to do so, the one with
+the least acceleration (∫a² dt). Measured over every transition of faq-walker it changes position and velocity less from tick to
+tick than Bollo's quintic (whose peak speed is 1.875 x₀/T, against 1.5) and than the least peak acceleration (full one way, then the other).
 """
 
 from __future__ import annotations
@@ -50,21 +51,11 @@ def transition(before: Pose, shown: Pose, new: Pose, following: Pose, dt: float)
 
 
 def decay(start: Floats, rate: Floats, elapsed: Floats, duration: Floats) -> Floats:
-    """The offsets (N, D), `elapsed` (N,) seconds after they were `start` and changed by `rate` per second; 0 from `duration` (N,) on.
-
-    With acceleration a until u and −a after it: x(T) = x'(T) = 0 gives T²a² + 4(x₀ + v₀T/2)a − v₀² = 0, of whose roots the larger counts.
-    """
+    """The offsets (N, D), `elapsed` (N,) seconds after they were `start` and changed by `rate` per second; 0 from `duration` (N,) on."""
     total = duration.astype(np.float32)[:, None]
-    passed = np.minimum(elapsed.astype(np.float32)[:, None], total)
-    drift = rate * total
-    reach = 2 * start + drift
-    acceleration = -(reach + np.copysign(np.sqrt(reach * reach + drift * drift), reach)) / (total * total)
-    is_still = acceleration == 0
-    switch = 0.5 * (total - rate / np.where(is_still, 1, acceleration))
-    left = total - passed
-    braking: Floats = -0.5 * acceleration * left * left
-    speeding: Floats = start + (rate + 0.5 * acceleration * passed) * passed
-    return np.where(passed < switch, speeding, braking)
+    left = 1 - np.minimum(elapsed.astype(np.float32)[:, None] / total, 1)
+    offset: Floats = (start * (3 - 2 * left) + rate * (total * (1 - left))) * (left * left)
+    return offset
 
 
 def _on_the_branch_of(offset: Floats, near: Floats, pose: Pose) -> Floats:

@@ -87,13 +87,18 @@ def _batches(channels: list[Channel]) -> Iterator[list[Channel]]:
 
 def _track(channels: list[Channel], loop: bool) -> Track:
     edges = np.unique(np.concatenate([channel.times for channel in channels])).astype(np.float64)
-    packed = [pack(channel, loop and bool((channel.keys[0] == channel.keys[-1]).all())) for channel in channels]
+    packed = [pack(channel, loop and _goes_on(channel)) for channel in channels]
     first = np.cumsum([0, *(len(rows) for _, rows in packed[:-1])])
     timing = [_timing(channel.times.astype(np.float64), edges) for channel in channels]
     index, start, rate = (np.stack(parts, -1) for parts in zip(*timing, strict=True))
     target = [channel.weight_first if channel.path == "weights" else channel.joint for channel in channels]
     rows = np.concatenate([rows for _, rows in packed])
     return Track(channels[0].path, packed[0][0], np.array(target), edges, index + first, start, rate, rows)
+
+
+def _goes_on(channel: Channel) -> bool:
+    """Whether the next lap goes on where this one ends: the ends meet, or it is a way whose next lap starts there (root motion)."""
+    return channel.path == "translation" or bool((channel.keys[0] == channel.keys[-1]).all())
 
 
 def _timing(times: Floats, edges: Floats) -> tuple[Ints, Floats, Floats]:
