@@ -64,6 +64,14 @@ def test_bspline_through_a_loop_is_the_periodic_cubic_spline():
     np.testing.assert_allclose(curves.bspline(segments, 0.4), expected(np.arange(8) + 0.4), atol=1e-12)
 
 
+def test_a_lap_that_ends_further_on_goes_on_smoothly():
+    keys, way = RNG.normal(size=(6, 3)), np.array([0.0, 0, 9])
+    laps = np.concatenate([keys, keys[:1] + way])
+    one = windows(curves.bspline_through(laps, loop=True))
+    two = windows(curves.bspline_through(np.concatenate([laps[:-1], laps + way]), loop=True))
+    np.testing.assert_allclose(curves.bspline(two, 0.4), np.concatenate([curves.bspline(one, 0.4) + i * way for i in range(2)]), atol=1e-12)
+
+
 def test_float32_stays():
     assert curves.bspline_through(np.eye(3, dtype=np.float32)).dtype == np.float32
 

@@ -55,10 +55,12 @@ def bspline(controls: Floats, f: ArrayLike) -> Floats:
 def ends(keys: Floats, loop: bool = False) -> Floats:
     """Controls (K+2, …, n) for K keys (K, …, n): one more at each end, so that the curve begins and ends on the end keys.
 
-    With `loop` the last key is the first one again (as in a cycle whose duration is its last key), and the curve closes smoothly.
+    With `loop` the last key is the first one again (as in a cycle whose duration is its last key), or the first one a lap further
+    on (as the way of a walk), and the curve goes on into the next lap smoothly.
     """
     if loop:
-        return np.concatenate([keys[-2:-1], keys, keys[1:2]])
+        lap = keys[-1:] - keys[:1]
+        return np.concatenate([keys[-2:-1] - lap, keys, keys[1:2] + lap])
     return np.concatenate([2 * keys[:1] - keys[1:2], keys, 2 * keys[-1:] - keys[-2:-1]])
 
 
