@@ -178,7 +178,7 @@ export class Session {
   private judge(verdict: Verdict): void {
     this.history.judge(verdict);
     if (verdict.actor !== this.actor.value) return;
-    const to = verdict.verdict === "taken" && verdict.to !== null ? (this.cast?.states.indexOf(verdict.to) ?? -1) : -1;
+    const to = verdict.verdict === "taken" && verdict.to ? (this.cast?.states.indexOf(verdict.to) ?? -1) : -1;
     if (this.frames.value === "glb" && this.looking.value === null && to >= 0) this.state.set(to);
     this.verdicts.ring(verdict);
   }

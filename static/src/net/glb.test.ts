@@ -42,6 +42,11 @@ describe("glb", () => {
     expect([...view(chunks.bin, primitive.indices!)]).toEqual([0, 1, 2]);
   });
 
+  it("reads an array with gaps", () => {
+    const every2nd = { offset: 72, count: 2, size: 1, componentType: 5123, normalized: false, stride: 4 };
+    expect([...view(chunks.bin, every2nd)]).toEqual([0, 2]);
+  });
+
   it("hangs the nodes under their parents", () => {
     const { nodes, primitives } = layoutOf(chunks);
     expect([primitives[0]!.node, nodes[1]!.parent, nodes[1]!.translation]).toEqual([1, 0, [1, 2, 3]]);

@@ -14,6 +14,8 @@ export interface PrimitiveLayout {
   uvs: ArraySlice | null;
   colours: ArraySlice | null;
   indices: ArraySlice | null;
+  /** glTF's primitive mode: 4 triangles, 5 strip, 6 fan; below that lines and points. */
+  mode: number;
 }
 
 export interface ArraySlice {
@@ -23,6 +25,8 @@ export interface ArraySlice {
   size: number;
   componentType: number;
   normalized: boolean;
+  /** Bytes from element to element, 0 where they are packed. */
+  stride: number;
 }
 
 export interface GlbLayout {
@@ -33,8 +37,8 @@ export interface GlbLayout {
 
 interface GltfJson {
   accessors?: { bufferView: number; byteOffset?: number; count: number; type: string; componentType: number; normalized?: boolean }[];
-  bufferViews?: { byteOffset?: number }[];
-  meshes?: { primitives: { attributes: Record<string, number>; indices?: number; material?: number }[] }[];
+  bufferViews?: { byteOffset?: number; byteStride?: number }[];
+  meshes?: { primitives: { attributes: Record<string, number>; indices?: number; material?: number; mode?: number }[] }[];
   nodes?: { mesh?: number; children?: number[]; translation?: number[]; rotation?: number[]; scale?: number[]; name?: string }[];
   materials?: { name?: string }[];
 }
@@ -57,10 +61,11 @@ export function chunksOf(buffer: ArrayBuffer): GlbChunks {
 }
 
 const TICK = /"tick"\s*:\s*"?\s*0*(\d+)/;
+const ASSET_BYTES = 1024;
 
-/** The tick that the frame's extras name, or null. */
+/** The tick that the extras of the frame's asset name (it stands first), or null. */
 export function tickOf(chunks: GlbChunks): number | null {
-  const found = TICK.exec(new TextDecoder().decode(chunks.json));
+  const found = TICK.exec(new TextDecoder().decode(chunks.json.subarray(0, ASSET_BYTES)));
   return found ? Number(found[1]) : null;
 }
 
@@ -69,15 +74,17 @@ function slice(gltf: GltfJson, accessor: number | undefined): ArraySlice | null 
   if (!found) return null;
   const view = gltf.bufferViews?.[found.bufferView];
   const offset = (view?.byteOffset ?? 0) + (found.byteOffset ?? 0);
-  return { offset, count: found.count, size: SIZES[found.type] ?? 1, componentType: found.componentType, normalized: found.normalized ?? false };
+  const { count, type, componentType, normalized = false } = found;
+  return { offset, count, size: SIZES[type] ?? 1, componentType, normalized, stride: view?.byteStride ?? 0 };
 }
 
 function primitivesOf(gltf: GltfJson, node: number, mesh: number): PrimitiveLayout[] {
-  return (gltf.meshes?.[mesh]?.primitives ?? []).flatMap(({ attributes, indices, material }) => {
+  return (gltf.meshes?.[mesh]?.primitives ?? []).flatMap(({ attributes, indices, material, mode = 4 }) => {
     const positions = slice(gltf, attributes["POSITION"]);
     if (!positions) return [];
     const [normals, uvs] = [slice(gltf, attributes["NORMAL"]), slice(gltf, attributes["TEXCOORD_0"])];
-    return [{ node, material: material ?? -1, positions, normals, uvs, colours: slice(gltf, attributes["COLOR_0"]), indices: slice(gltf, indices) }];
+    const colours = slice(gltf, attributes["COLOR_0"]);
+    return [{ node, material: material ?? -1, positions, normals, uvs, colours, indices: slice(gltf, indices), mode }];
   });
 }
 
@@ -94,9 +101,13 @@ const ARRAYS = { 5120: Int8Array, 5121: Uint8Array, 5122: Int16Array, 5123: Uint
 
 export type GlArray = Int8Array | Uint8Array | Int16Array | Uint16Array | Uint32Array | Float32Array;
 
-/** A view of a tightly packed array in the BIN chunk. Throws GlbError on a type that glTF does not know. */
-export function view(bin: Uint8Array, { offset, count, size, componentType }: ArraySlice): GlArray {
+/** An array in the BIN chunk: a view where it is packed, a copy where it is not. Throws GlbError on a type that glTF does not know. */
+export function view(bin: Uint8Array, { offset, count, size, componentType, stride }: ArraySlice): GlArray {
   const Kind = ARRAYS[componentType as keyof typeof ARRAYS];
   if (!Kind) throw new GlbError(`component type ${componentType} is not one of glTF's`);
-  return new Kind(bin.buffer as ArrayBuffer, bin.byteOffset + offset, count * size);
+  const element = size * Kind.BYTES_PER_ELEMENT;
+  if (!stride || stride === element) return new Kind(bin.buffer as ArrayBuffer, bin.byteOffset + offset, count * size);
+  const bytes = new Uint8Array(count * element);
+  for (let i = 0; i < count; i++) bytes.set(bin.subarray(offset + i * stride, offset + i * stride + element), i * element);
+  return new Kind(bytes.buffer);
 }

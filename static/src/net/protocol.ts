@@ -62,6 +62,7 @@ export interface Verdict {
   verdict: "taken" | "waits" | "dropped";
   reason: string;
   from: string | null;
+  /** The state it led to; null or empty where the state stayed. */
   to: string | null;
 }
 

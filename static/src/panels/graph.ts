@@ -94,8 +94,8 @@ export class GraphPanel {
   }
 
   private fire({ verdict, from, to }: Verdict): void {
-    if (verdict !== "taken" || from === null || to === null) return;
-    const group = this.edges.get(edgeKey(from, to));
+    if (verdict !== "taken" || !from) return;
+    const group = this.edges.get(edgeKey(from, to || from));
     if (!group) return;
     flash(group, "fired");
     group.parentElement?.querySelectorAll(".last").forEach((old) => old.classList.remove("last"));

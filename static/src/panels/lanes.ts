@@ -30,6 +30,8 @@ export interface LaneInk {
   text: string;
   quiet: string;
   accent: string;
+  /** Where nothing was seen. */
+  empty: string;
   font: string;
 }
 
@@ -37,6 +39,8 @@ export const STATE_LANE = { top: 10, height: 20 };
 export const EVENT_LANE = { top: 34, height: 14 };
 
 export function drawRuns(pen: CanvasRenderingContext2D, runs: readonly Run[], span: Span, width: number, ink: LaneInk, name: (state: number) => string): void {
+  pen.fillStyle = ink.empty;
+  pen.fillRect(0, STATE_LANE.top, width, STATE_LANE.height);
   pen.font = ink.font;
   pen.textBaseline = "middle";
   for (const run of runs) {

@@ -25,6 +25,8 @@ describe("verdictLine", () => {
 
   it("tells what was taken", () => expect(verdictLine(base)).toBe("JUMP: WALK → JUMP"));
 
+  it("tells a stay", () => expect(verdictLine({ ...base, to: "" })).toBe("JUMP: stays in WALK"));
+
   it("tells why it was dropped", () => {
     expect(verdictLine({ ...base, verdict: "dropped", to: null, reason: "blank cell" })).toBe("JUMP: dropped in WALK, blank cell");
   });

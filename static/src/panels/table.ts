@@ -44,7 +44,8 @@ function drawCell(state: string, event: string, cell: Cell | null | undefined, k
 
 /** What became of an event, in one line. */
 export function verdictLine({ verdict, event, from, to, reason }: Verdict): string {
-  const way = verdict === "taken" && to ? `${from ?? ""} → ${to}` : `${verdict} in ${from ?? "?"}`;
+  const taken = to ? `${from ?? ""} → ${to}` : `stays in ${from ?? "?"}`;
+  const way = verdict === "taken" ? taken : `${verdict} in ${from ?? "?"}`;
   return reason && verdict !== "taken" ? `${event}: ${way}, ${reason}` : `${event}: ${way}`;
 }
 

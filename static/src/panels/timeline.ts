@@ -47,7 +47,7 @@ export class Timeline {
 
   private takeTheme(): void {
     const dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
-    this.ink = { dark, text: token("--ink"), quiet: token("--ink-2"), accent: token("--accent"), font: `500 11px ${token("--font")}` };
+    this.ink = { dark, text: token("--ink"), quiet: token("--ink-2"), accent: token("--accent"), empty: token("--raise"), font: `500 11px ${token("--font")}` };
     this.drawn = "";
   }
 

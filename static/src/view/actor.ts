@@ -18,16 +18,11 @@ function meshesOf(node: THREE.Object3D): THREE.Mesh[] {
   return [...own, ...inner].filter((mesh) => mesh.morphTargetInfluences !== undefined);
 }
 
-/** Where each node's morph weights lie in a row of the frame: joints in order, each with as many as its mesh has targets. */
-function morphSlices(joints: (THREE.Object3D | null)[], counts: number[]): MorphSlice[] {
-  const slices: MorphSlice[] = [];
-  let first = 0;
-  joints.forEach((joint, j) => {
-    const count = counts[j] ?? 0;
-    if (joint && count) slices.push({ meshes: meshesOf(joint), first, count });
-    first += count;
-  });
-  return slices;
+/** Where each node's morph weights lie in a row of the frame: in the order of the file's nodes, as many as the node's mesh has targets. */
+function morphSlices(nodes: (THREE.Object3D | null)[], targets: number[]): MorphSlice[] {
+  let next = 0;
+  const firsts = targets.map((count) => (next += count) - count);
+  return nodes.flatMap((node, i) => (node && targets[i] ? [{ meshes: meshesOf(node), first: firsts[i]!, count: targets[i] }] : []));
 }
 
 export class ActorView {
@@ -47,8 +42,7 @@ export class ActorView {
     const { scene, nodes } = instance(model);
     this.root.add(scene);
     this.joints = cast.nodes.map((node) => nodes[node] ?? null);
-    const counts = cast.nodes.map((node) => model.targets[node] ?? 0);
-    this.morphs = morphSlices(this.joints, counts);
+    this.morphs = morphSlices(nodes, model.targets);
     for (const joint of this.joints) if (joint) joint.matrixAutoUpdate = false;
     scene.traverse((object) => this.prepare(object, shadows));
   }

@@ -1,7 +1,10 @@
 /** The glb stream: each message is a complete GLB that the server has skinned; after the first, only positions and normals are taken. */
 
 import * as THREE from "three";
+import { toTrianglesDrawMode } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { type ArraySlice, type GlbChunks, type GlbLayout, type PrimitiveLayout, layoutOf, view } from "../net/glb";
+
+const TRIANGLES = 4;
 
 /** The material for a primitive of the stream, from the model that was loaded with its textures. */
 export type MaterialChooser = (index: number, name: string | undefined) => THREE.Material | undefined;
@@ -15,8 +18,16 @@ function geometryOf(bin: Uint8Array, layout: PrimitiveLayout): THREE.BufferGeome
   const named = { position: layout.positions, normal: layout.normals, uv: layout.uvs, color: layout.colours };
   for (const [name, slice] of Object.entries(named)) if (slice) geometry.setAttribute(name, attribute(bin, slice));
   if (layout.indices) geometry.setIndex(attribute(bin, layout.indices));
-  if (!layout.normals) geometry.computeVertexNormals();
-  return geometry;
+  return layout.mode > TRIANGLES ? toTrianglesDrawMode(geometry, layout.mode === 5 ? THREE.TriangleStripDrawMode : THREE.TriangleFanDrawMode) : geometry;
+}
+
+/** The material as this primitive needs it: flat without normals, coloured by vertex where it has colours. */
+function fitted(material: THREE.Material, { normals, colours }: PrimitiveLayout): THREE.Material {
+  const flatShading = normals === null;
+  const vertexColors = colours !== null;
+  const own = material as THREE.MeshStandardMaterial;
+  if ((own.flatShading ?? flatShading) === flatShading && own.vertexColors === vertexColors) return material;
+  return Object.assign(material.clone(), { flatShading, vertexColors });
 }
 
 function worldOf(layout: GlbLayout, node: number): THREE.Matrix4 {
@@ -57,9 +68,11 @@ export class GlbStage {
     this.clear();
     this.layout = layoutOf(chunks);
     this.shape = shape;
+    this.layout.primitives = this.layout.primitives.filter(({ mode }) => mode >= TRIANGLES);
     for (const primitive of this.layout.primitives) {
       const name = this.layout.materialNames[primitive.material];
-      const mesh = new THREE.Mesh(geometryOf(chunks.bin, primitive), this.material(primitive.material, name) ?? this.plain);
+      const material = fitted(this.material(primitive.material, name) ?? this.plain, primitive);
+      const mesh = new THREE.Mesh(geometryOf(chunks.bin, primitive), material);
       mesh.applyMatrix4(worldOf(this.layout, primitive.node));
       Object.assign(mesh, { frustumCulled: false, castShadow: this.shadows, receiveShadow: this.shadows });
       this.meshes.push(mesh);

@@ -43,7 +43,7 @@ const LINE_FRAGMENT = /* glsl */ `
   uniform float strength;
   void main() {
     float far = length(ground - centre) / (unit * ${REACH_M.toFixed(1)});
-    gl_FragColor = vec4(ink, 0.5 * pow(max(0.0, 1.0 - far), 2.2) * strength);
+    gl_FragColor = vec4(ink, 0.75 * pow(max(0.0, 1.0 - far), 2.2) * strength);
     #include <colorspace_fragment>
   }`;
 

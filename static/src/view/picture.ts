@@ -26,6 +26,11 @@ interface Shown {
   spot: THREE.Mesh;
 }
 
+/** The camera is set anew for another actor or another model, not for a fork or a reconnection. */
+function subjectKey(view: ActorView): string {
+  return `${view.id} ${view.model.url}`;
+}
+
 export class Picture {
   readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false });
   /** Becomes true when the watched actor was drawn for the first time, false when others come. */
@@ -36,6 +41,7 @@ export class Picture {
   private shown = new Map<number, Shown>();
   private generation = 0;
   private framed = "";
+  private built = "";
 
   constructor(
     readonly scene: Scene,
@@ -45,12 +51,15 @@ export class Picture {
     scene.world.add(this.glb.root);
     session.hello.on((hello) => hello && void this.cast(hello));
     session.frames.on(() => this.switchStream());
-    session.actor.on(() => (this.framed = ""));
     this.modes.on(() => this.restyle());
   }
 
   /** Loads what the hello names and puts every actor on the stage. */
   private async cast(hello: Hello): Promise<void> {
+    // A hello comes with every change of stream, too; the same epoch means the same actors.
+    const cast = `${hello.stage}/${hello.epoch}`;
+    if (cast === this.built) return;
+    this.built = cast;
     const generation = ++this.generation;
     this.loading.set("loading the character");
     try {
@@ -58,6 +67,7 @@ export class Picture {
       if (generation === this.generation) this.build(hello, models);
       this.loading.set("");
     } catch (error) {
+      this.built = "";
       this.loading.set(`The character could not be loaded: ${error instanceof Error ? error.message : String(error)}`);
     }
   }
@@ -69,7 +79,6 @@ export class Picture {
     }
     this.shown.clear();
     this.glb.clear();
-    this.framed = "";
     hello.casts.forEach((cast, c) => {
       for (const { id } of cast.actors) this.add(new ActorView(id, cast, models[c]!, this.scene.quality === "high"));
     });
@@ -131,7 +140,7 @@ export class Picture {
   private followWatched(): void {
     const watched = this.shown.get(this.session.actor.value ?? -1);
     if (watched) this.scene.follow(watched.view.root.position);
-    if (watched && this.framed !== watched.view.model.url) this.frame();
+    if (watched && this.framed !== subjectKey(watched.view)) this.frame();
     this.scene.invalidate();
     this.ready.set(watched !== undefined);
   }
@@ -147,7 +156,7 @@ export class Picture {
     for (const { spot } of this.shown.values()) spot.scale.setScalar(Math.max(0.2 * height, 0.32 * span));
     this.scene.view.subject(box);
     this.scene.view.frame();
-    this.framed = watched.view.model.url;
+    this.framed = subjectKey(watched.view);
     this.scene.invalidate();
   }
 

@@ -13,9 +13,9 @@ export class Scene {
   readonly world = new THREE.Scene();
   readonly view: FollowCamera;
   readonly ground: Ground;
-  private readonly key = new THREE.DirectionalLight(0xfff3e6, 2.6);
+  private readonly key = new THREE.DirectionalLight(0xfff3e6, 2.8);
   private readonly rim = new THREE.DirectionalLight(0xbcd2ff, 0.9);
-  private readonly sky = new THREE.HemisphereLight(0xe8f0ff, 0x6b6157, 1.5);
+  private readonly sky = new THREE.HemisphereLight(0xe8f0ff, 0x6b6157, 2.1);
   private readonly floor = new THREE.Mesh(new THREE.PlaneGeometry(60, 60).rotateX(-Math.PI / 2), new THREE.ShadowMaterial({ opacity: 0.34 }));
   private height = 1.8;
   private dirty = true;
