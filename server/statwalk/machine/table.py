@@ -1,0 +1,105 @@
+"""The state table as text: states down, events across, `|` between cells (or CSV); each cell names the next state (FAQ Q19)."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from statwalk.errors import MachineError
+from statwalk.machine.definition import ANY, CellDefinition
+
+NAME = re.compile(r"[^\W\d][\w.-]*")
+CELL = re.compile(r"(?P<state>[^\W\d][\w.-]*)(?P<restart>!?)(?:\s+at\s+(?P<moment>\S+))?")
+MOST_CELLS = 100_000
+
+
+@dataclass(frozen=True)
+class Table:
+    """The table as written: `rows` with the header first, and what is under each (state, event)."""
+
+    events: dict[str, int]
+    """column names in their order, without `*`, with the line of the header"""
+    states: dict[str, int]
+    """row names and their lines"""
+    cells: dict[tuple[str, str], CellDefinition]
+    rows: tuple[tuple[str, ...], ...]
+
+
+def read_cell(text: str, file: str, line: int) -> CellDefinition:
+    """The meaning of `STATE`, `STATE!`, `STATE at end` or `-`; raises MachineError for anything else."""
+    place = f"line {line}"
+    if text == "-":
+        return CellDefinition("", line, off=True)
+    match = CELL.fullmatch(text)
+    if match is None:
+        raise MachineError(f"{text[:40]!r} is no cell; a cell is STATE, STATE! or -, then perhaps `at end`", file=file, place=place)
+    moment = match["moment"]
+    if moment not in (None, "end"):
+        raise MachineError(f"`at {moment[:40]}`: markers are not supported yet, only `at end`", file=file, place=place)
+    return CellDefinition(match["state"], line, restart=bool(match["restart"]), when="end" if moment else None)
+
+
+def read_table(text: str, file: str, first_line: int = 1) -> Table:
+    """The table in lines of cells with `|` between them; `first_line` is that of the text in its file."""
+    lines = ((number, line.strip()) for number, line in enumerate(text.splitlines(), first_line))
+    return assemble(((number, bars(line)) for number, line in lines if line and not is_rule(line)), file)
+
+
+def read_csv(text: str, file: str) -> Table:
+    """The table as comma-separated values."""
+    reader = csv.reader(text.splitlines())
+    try:
+        rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader if any(cell.strip() for cell in row)]
+    except csv.Error as error:
+        raise MachineError(f"this is not CSV: {error}", file=file, place=f"line {reader.line_num}") from None
+    return assemble(iter(rows), file)
+
+
+def bars(line: str) -> list[str]:
+    """The cells of a line; bars around the whole line are left out."""
+    inner = line[1:].removesuffix("|") if line.startswith("|") else line
+    return [cell.strip() for cell in inner.split("|")]
+
+
+def is_rule(line: str) -> bool:
+    """Whether this is the line of dashes below a header."""
+    return len(line) > 2 and "-" in line and not line.strip("|-+: ")  # a lone dash is a cell
+
+
+def assemble(lines: Iterator[tuple[int, list[str]]], file: str) -> Table:
+    """The table of the header and the rows that follow it; raises MachineError with the line of what is wrong."""
+    header_line, header = next(lines, (0, []))
+    if not header:
+        raise MachineError("the table is empty; its first line is `state | EVENT | EVENT | …`", file=file)
+    events = distinct(header[1:], "event", file, header_line)
+    states: dict[str, int] = {}
+    cells: dict[tuple[str, str], CellDefinition] = {}
+    rows = [tuple(header)]
+    for line, row in lines:
+        state, count = row[0], len(row)
+        if count != len(header):
+            raise MachineError(f"the row {state[:40]} has {count} cells, the header {len(header)}", file=file, place=f"line {line}")
+        if state in states:
+            raise MachineError(f"the row {state[:40]} was already given in line {states[state]}", file=file, place=f"line {line}")
+        states |= distinct([state], "state", file, line)
+        rows.append(tuple(row))
+        cells |= {(state, event): read_cell(text, file, line) for event, text in zip(header[1:], row[1:], strict=True) if text}
+        if len(rows) * len(header) > MOST_CELLS:
+            raise MachineError(f"the table has more than {MOST_CELLS:,} cells", file=file, place=f"line {line}")
+    return Table({event: header_line for event in events if event != ANY}, states, cells, tuple(rows))
+
+
+def distinct(names: Iterable[str], kind: str, file: str, line: int) -> dict[str, int]:
+    """The names with their line; raises MachineError for a repeated name, or for what is no name."""
+    found: dict[str, int] = {}
+    for name in names:
+        if name != ANY and not NAME.fullmatch(name):
+            raise MachineError(
+                f"{name[:40]!r} cannot name a {kind}: a letter, then letters, digits, _ . -", file=file, place=f"line {line}"
+            )
+        if name in found:
+            raise MachineError(f"the {kind} {name[:40]} stands there twice", file=file, place=f"line {line}")
+        found[name] = line
+    return found
