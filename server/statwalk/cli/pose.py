@@ -64,11 +64,13 @@ def pose(
     loop: Annotated[bool, typer.Option("--loop", help="Time wraps at the clip's end.")] = False,
 ) -> None:
     """Writes one pose of a character: world and local transforms, joint names, vertices and normals."""
+    if not np.isfinite(time):
+        raise typer.BadParameter(f"--time is {time}; it must be a finite number of seconds")
     try:
         character = character_of(file)
         sampled = character.clip(clip).sample(time, loop=loop) if clip else character.bind_pose
         found = numbers(character, sampled)
-        np.savez(out.with_suffix(".npz"), allow_pickle=False, **found)
+        np.savez(out.with_suffix(".npz"), **found)
     except (StatwalkError, OSError) as error:
         errors.print(f"[bold red]statwalk pose:[/] {error}")
         raise typer.Exit(2) from None

@@ -34,6 +34,9 @@ def model_glb(character: Character) -> bytes:
         nodes.setdefault(part.node, {"name": f"mesh {part.mesh}"})["mesh"] = numbers[part.mesh, part.skin]
         if part.skin is not None:
             nodes[part.node]["skin"] = part.skin
+        if part.target_positions is not None:
+            last = part.weight_first + len(part.target_positions)
+            nodes[part.node]["weights"] = character.bind_pose.weights[part.weight_first : last].tolist()
     below = {child for node in nodes.values() for child in node.get("children", ())}
     materials = [moved(material, None) for material in character.materials]
     skins = [skin_entry(builder, character, skin) for skin in character.skins]
@@ -44,7 +47,7 @@ def model_glb(character: Character) -> bytes:
         "nodes": [nodes[row] for row in sorted(nodes)],
         "extensionsUsed": extensions_used(materials),
         "materials": materials,
-        "meshes": [mesh_entry(builder, character, parts) for parts in meshes.values()],
+        "meshes": [{"primitives": [primitive_entry(builder, part) for part in parts]} for parts in meshes.values()],
         "skins": skins,
         "animations": [entry for clip in character.clips.values() if (entry := animation(builder, character, clip))],
     }
@@ -88,16 +91,6 @@ def skin_entry(builder: Builder, character: Character, skin: Skin) -> Json:
     columns = np.ascontiguousarray(matrices.swapaxes(1, 2)).reshape(-1, 16)
     joints = character.node_index[skin.joints].tolist()
     return {"name": skin.name, "joints": joints, "inverseBindMatrices": builder.array(columns)}
-
-
-def mesh_entry(builder: Builder, character: Character, parts: list[Primitive]) -> Json:
-    """A mesh of its primitives, with the morph weights at rest."""
-    mesh: Json = {"primitives": [primitive_entry(builder, part) for part in parts]}
-    targets = parts[0].target_positions
-    if targets is not None:
-        first = parts[0].weight_first
-        mesh["weights"] = character.bind_pose.weights[first : first + len(targets)].tolist()
-    return mesh
 
 
 def primitive_entry(builder: Builder, part: Primitive) -> Json:

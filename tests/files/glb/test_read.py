@@ -1,0 +1,135 @@
+import json
+
+import numpy as np
+import pytest
+from statwalk.errors import ModelError
+from statwalk.files.glb import read_model
+from tinymodel import ROTATIONS, changed, document, glb, gltf, model
+
+
+def test_every_node_is_a_joint():
+    character = read_model(model(), "tiny")
+    assert character.skeleton.names == ("hip", "knee", "skin")
+    assert character.skeleton.parent.tolist() == [-1, 0, -1]
+
+
+def test_node_index_maps_back_when_children_come_first():
+    root, binary = document()
+    root["nodes"] = [{"name": "child"}, {"name": "parent", "children": [0]}]
+    root["scenes"] = [{"nodes": [1]}]
+    del root["skins"], root["animations"]
+    character = read_model(glb(root, binary), "tiny")
+    assert [(name, int(node)) for name, node in zip(character.skeleton.names, character.node_index, strict=True)] == [
+        ("parent", 1),
+        ("child", 0),
+    ]
+
+
+def test_unnamed_and_repeated_names_are_made_unique():
+    root, binary = document()
+    root["nodes"] = [{}, {"name": "a"}, {"name": "a"}, {"name": "a 2"}, {"name": "node 0"}]
+    del root["skins"], root["animations"], root["scenes"], root["scene"]
+    assert read_model(glb(root, binary), "tiny").skeleton.names == ("node 0 2", "a", "a 3", "a 2", "node 0")
+
+
+def test_unnamed_and_repeated_clips_are_made_unique():
+    root, binary = document()
+    bend = root["animations"][0]
+    root["animations"] = [{**bend, "name": "Walk"}, {**bend, "name": ""}, {**bend, "name": "Walk"}]
+    assert list(read_model(glb(root, binary), "tiny").clips) == ["Walk", "clip 1", "Walk 2"]
+
+
+def test_a_matrix_is_taken_apart():
+    mirrored_turn = [0, -2, 0, 0, -3, 0, 0, 0, 0, 0, 4, 0, 5, 6, 7, 1]
+    pose = read_model(changed("/nodes/1/matrix", mirrored_turn), "tiny").bind_pose
+    character = read_model(changed("/nodes/1/matrix", mirrored_turn), "tiny")
+    assert character.world(pose)[1] == pytest.approx(np.reshape(mirrored_turn, (4, 4)).T, abs=1e-6)
+
+
+def test_hierarchies_may_be_thousands_deep():
+    root, binary = document()
+    depth = 4000
+    root["nodes"] = [{"children": [row + 1], "translation": [0, 1, 0]} for row in range(depth - 1)] + [{"translation": [0, 1, 0]}]
+    root["scenes"] = [{"nodes": [0]}]
+    del root["skins"], root["animations"]
+    character = read_model(glb(root, binary), "deep")
+    assert character.world(character.bind_pose)[-1, 1, 3] == depth
+
+
+def test_rotation_keys_are_brought_to_unit_length():
+    pose = read_model(model(), "tiny").clips["Bend"].sample(1.0)
+    assert pose.rotation[1] == pytest.approx(ROTATIONS[1] / 2)
+
+
+def test_missing_inverse_bind_matrices_are_identities():
+    skin = read_model(changed("/skins/0/inverseBindMatrices", None), "tiny").skins[0]
+    assert np.array_equal(skin.inverse_bind, np.broadcast_to(np.eye(4)[:3], (2, 3, 4)))
+
+
+def test_a_wrong_skeleton_hint_changes_nothing():
+    right, hinted = read_model(model(), "tiny"), read_model(changed("/skins/0/skeleton", 2), "tiny")
+    assert np.array_equal(right.vertices(right.bind_pose)[0].positions, hinted.vertices(hinted.bind_pose)[0].positions)
+
+
+def test_the_skinned_node_itself_does_not_move_its_mesh():
+    still, moved = read_model(model(), "tiny"), read_model(changed("/nodes/2/translation", [9, 9, 9]), "tiny")
+    assert np.array_equal(still.vertices(still.bind_pose)[0].positions, moved.vertices(moved.bind_pose)[0].positions)
+
+
+def test_a_mesh_outside_the_scene_is_not_drawn():
+    assert read_model(changed("/scenes/0/nodes", [0]), "tiny").parts == ()
+
+
+def test_a_glb_keeps_its_bytes():
+    assert read_model(model(), "tiny").model_glb == model()
+
+
+def test_a_gltf_reads_like_the_glb():
+    left, right = read_model(model(), "tiny"), read_model(gltf(), "tiny")
+    assert np.array_equal(left.vertices(left.bind_pose)[0].positions, right.vertices(right.bind_pose)[0].positions)
+
+
+def test_a_gltf_is_packed_into_a_glb_that_reads_the_same():
+    character = read_model(gltf(), "tiny")
+    again = read_model(character.model_glb, "tiny")
+    assert np.array_equal(character.clips["Bend"].sample(0.5).rotation, again.clips["Bend"].sample(0.5).rotation)
+
+
+def test_unknown_extensions_and_materials_pass_through_the_packing():
+    root = json.loads(gltf())
+    root |= {"extensionsUsed": ["XX_odd"], "extensions": {"XX_odd": {"deep": [1]}}, "materials": [{"name": "m", "extras": {"k": 2}}]}
+    size = int.from_bytes((packed := read_model(json.dumps(root).encode(), "tiny").model_glb)[12:16], "little")
+    found = json.loads(packed[20 : 20 + size])
+    assert (found["extensions"], found["materials"]) == (root["extensions"], root["materials"])
+
+
+def test_files_beside_the_model_are_read(tmp_path):
+    (tmp_path / "body data.bin").write_bytes(bytes(document()[1]))
+    assert len(read_model(gltf("body%20data.bin"), "tiny", tmp_path).parts) == 1
+
+
+@pytest.mark.parametrize(
+    "uri", ["../secret.bin", "/etc/passwd", "file:///etc/passwd", "http://localhost/x", "%2e%2e/secret.bin", "a\\b", "."]
+)
+def test_no_other_place_is_read(tmp_path, uri):
+    (tmp_path / "secret.bin").write_bytes(bytes(document()[1]))
+    (tmp_path / "inside").mkdir()
+    with pytest.raises(ModelError) as caught:
+        read_model(gltf(uri), "tiny", tmp_path / "inside")
+    assert caught.value.place == "/buffers/0/uri"
+
+
+def test_a_link_that_leads_out_of_the_folder_is_not_followed(tmp_path):
+    (tmp_path / "secret.bin").write_bytes(bytes(document()[1]))
+    (tmp_path / "inside").mkdir()
+    (tmp_path / "inside" / "link.bin").symlink_to(tmp_path / "secret.bin")
+    with pytest.raises(ModelError):
+        read_model(gltf("link.bin"), "tiny", tmp_path / "inside")
+
+
+def test_an_image_that_cannot_be_had_is_noted_and_replaced():
+    root = json.loads(gltf())
+    root |= {"images": [{"uri": "../../etc/passwd"}], "textures": [{"source": 0}]}
+    character = read_model(json.dumps(root).encode(), "tiny")
+    assert any("image is left out" in note for note in character.notes)
+    assert b"passwd" not in character.model_glb
