@@ -1,4 +1,4 @@
-"""The low pose after a landing, held while it breathes, and getting up from it with a small overshoot."""
+"""The low pose in which a landing ends, and getting up from it with a small overshoot."""
 
 import numpy as np
 from curves import Array, Curve, eased, ramp, through
@@ -7,7 +7,7 @@ from motion import Body, Feet, Motion, added, held, mixed, replaced, sides, valu
 from stand import stand_body, stand_plant
 
 LOW, BACK = 0.690, -0.075  # pelvis height, and how far behind its standing place it is
-HOLD, RISE = 0.60, 0.70
+RISE = 0.70
 
 POSE = {
     "x": 0.004,
@@ -39,15 +39,8 @@ POSE = {
 
 
 def crouch_body(t: Array) -> dict[str, Array]:
-    """The low pose with a small breath; it rests at both ends, so that it can be held for long."""
-    body = {name: np.full_like(t, value) for name, value in POSE.items()}
-    breath = (1 - np.cos(2 * np.pi * t / HOLD)) / 2
-    body["y"] = body["y"] - 0.006 * breath
-    body["up_pitch"] = body["up_pitch"] + 1.2 * breath
-    for side, size in (("Left", 2.0), ("Right", 2.6)):
-        body[f"{side}.swing"] = body[f"{side}.swing"] - size * breath
-        body[f"{side}.elbow"] = body[f"{side}.elbow"] + 1.4 * size * breath
-    return body
+    """The low pose, at all times."""
+    return {name: np.full_like(t, value) for name, value in POSE.items()}
 
 
 def standing_feet(pitch: Curve) -> Feet:
@@ -62,7 +55,7 @@ def standing_feet(pitch: Curve) -> Feet:
 def rise_body() -> Body:
     """Hips first, then the chest, the arms last; up on the toes a little too far, and down."""
     weight = {"body": (0.0, 0.46), "arms": (0.08, 0.56)}
-    low, high = held(crouch_body, 0.0), held(stand_body, 0.0)
+    low, high = crouch_body, held(stand_body, 0.0)
     over = {
         "lean": eased([(0.0, 0.0), (0.10, 4.0), (0.26, 0.0), (0.46, -1.8), (0.66, 0.0)]),
         "low_pitch": eased([(0.16, 0.0), (0.46, -2.0), (0.68, 0.0)]),
@@ -89,5 +82,4 @@ def _tiptoe(t: Array) -> Array:
     return np.radians(eased([(0.24, 0.0), (0.42, -9.0), (0.58, 0.0)])(t))
 
 
-CROUCH = Motion("crouch", HOLD, crouch_body, standing_feet(np.zeros_like), loop=True)
 STAND_UP = Motion("stand-up", RISE, rise_body(), standing_feet(_tiptoe))

@@ -1,4 +1,4 @@
-"""One leap, written as a whole and cut into jump, fly and land, so that positions and speeds meet at the cuts.
+"""One leap, written as a whole and cut into jump, fly, land and crouch, so that positions and speeds meet at the cuts.
 
 It begins with the walk's left heel strike: the right foot comes beside the left, the body sinks with the arms behind it,
 pushes off, flies as a stone flies, touches down with the toes and sinks into the crouch.
@@ -8,19 +8,19 @@ import numpy as np
 from curves import Array, eased, ramp, through
 from crouch import BACK, LOW, POSE
 from feet import STEP, Plant, Track, rolled
-from motion import Body, Feet, Motion, mixed, replaced, sides, slope, value
+from motion import Body, Feet, Motion, added, mixed, replaced, sides, slope, value
 from scipy.interpolate import CubicSpline
 from stand import FOOT_X, FOOT_Z, TOES_OUT
 from walk import AHEAD, OFF, CYCLE, pitch_of, walk_body, walk_plant
 
 GRAVITY = 9.81
-TAKE_OFF, FLIGHT, SINK = 0.55, 31 / 60, 0.40  # seconds
+TAKE_OFF, FLIGHT, ABSORB, SINK, HOLD = 0.55, 30 / 60, 6 / 60, 0.42, 0.75  # seconds; the last three from touch-down
 TOUCH, END = TAKE_OFF + FLIGHT, TAKE_OFF + FLIGHT + SINK
 UP, FORWARD = 2.45, 1.45  # metres a second at take-off
 HIGH, FAR = 0.940, 0.665  # pelvis at take-off
 TOUCH_HEIGHT = HIGH + UP * FLIGHT - GRAVITY / 2 * FLIGHT**2
 TOUCH_FAR = FAR + FORWARD * FLIGHT
-STOP_FAR = TOUCH_FAR + 0.170  # pelvis at the end
+STOP_FAR = TOUCH_FAR + 0.130  # pelvis at the end
 LANDING_Z = STOP_FAR - BACK + FOOT_Z
 
 
@@ -31,7 +31,7 @@ def _height() -> Body:
         UP,
     )
     sink = through(
-        [(TOUCH, TOUCH_HEIGHT), (TOUCH + 0.17, LOW - 0.030), (TOUCH + 0.22, LOW - 0.034), (END, LOW)], UP - GRAVITY * FLIGHT
+        [(TOUCH, TOUCH_HEIGHT), (TOUCH + 0.05, TOUCH_HEIGHT - 0.105), (TOUCH + ABSORB, 0.768), (TOUCH + 0.27, LOW - 0.018), (END, LOW)], UP - GRAVITY * FLIGHT
     )
 
     def height(t: Array) -> Array:
@@ -44,7 +44,7 @@ def _height() -> Body:
 
 def _way() -> Body:
     run = through([(0, 0), (0.18, 0.218), (0.36, 0.412), (TAKE_OFF, FAR)], slope(walk_body, "z", 0), FORWARD)
-    brake = through([(TOUCH, TOUCH_FAR), (TOUCH + 0.12, TOUCH_FAR + 0.118), (TOUCH + 0.26, STOP_FAR + 0.006), (END, STOP_FAR)], FORWARD)
+    brake = through([(TOUCH, TOUCH_FAR), (TOUCH + 0.09, TOUCH_FAR + 0.098), (TOUCH + 0.16, STOP_FAR - 0.004), (TOUCH + 0.28, STOP_FAR), (END, STOP_FAR)], FORWARD)
 
     def way(t: Array) -> Array:
         flying = FAR + FORWARD * (t - TAKE_OFF)
@@ -54,7 +54,7 @@ def _way() -> Body:
 
 
 # a foot in the air: seconds after take-off, ankle ahead of the pelvis and above it
-TUCK = [(0.06, -0.26, -0.795), (0.16, -0.20, -0.70), (0.28, 0.0, -0.61), (0.41, 0.19, -0.762)]
+TUCK = [(0.06, -0.26, -0.795), (0.16, -0.20, -0.70), (0.28, 0.0, -0.61), (0.40, 0.125, -0.720)]
 
 # keys over the whole leap; the last is the crouch
 ANGLES: dict[str, list[tuple[float, float]]] = {
@@ -105,7 +105,7 @@ class Flight:
         self.off = (OFF - 0.5) * CYCLE
         late = self.late
         steps = [(0.0, 0.0), (0.25, 0.0)] if side == "Left" else [(0.0, -30.0), (0.15, -42.0), (0.25, -6.0), (0.29, 3.0), (0.33, 0.0)]
-        leap = [(0.40, 0), (0.46, -6), (TAKE_OFF, -40), (0.60 + late, -62), (0.78 + late, -38), (0.95, -24), (TOUCH - 0.02, -31), (TOUCH + 0.10, 0)]
+        leap = [(0.40, 0), (0.46, -6), (TAKE_OFF, -40), (0.60 + late, -62), (0.78 + late, -38), (0.95, -24), (TOUCH - 0.05, -36), (TOUCH + 0.10, 0)]
         self.keys = eased([*steps, *leap, (END, 0.0)])
 
     def pitch(self, t: Array) -> Array:
@@ -150,8 +150,17 @@ def leap_feet() -> Feet:
     return sides(Flight)
 
 
-_BODY, _FEET = leap_body(), leap_feet()
+def _breathing(body: Body) -> Body:
+    """The crouch breathes while it lasts, and rests at its end."""
+
+    def breath(t: Array) -> Array:
+        return (ramp(t, END - 0.10, END + 0.12) - ramp(t, END + 0.12, TOUCH + HOLD)) * (t > END - 0.10)
+
+    return added(body, {"y": lambda t: -0.005 * breath(t), "up_pitch": lambda t: 1.2 * breath(t), "Left.elbow": lambda t: 2.0 * breath(t)})
+
+
+_BODY, _FEET = _breathing(leap_body()), leap_feet()
 JUMP = Motion("jump", TAKE_OFF, _BODY, _FEET)
 FLY = Motion("fly", FLIGHT, _BODY, _FEET, start=TAKE_OFF)
-LAND = Motion("land", SINK, _BODY, _FEET, start=TOUCH)
-LEAP = Motion("leap", END, _BODY, _FEET)
+LAND = Motion("land", ABSORB, _BODY, _FEET, start=TOUCH)
+CROUCH = Motion("crouch", HOLD - ABSORB, _BODY, _FEET, start=TOUCH + ABSORB)

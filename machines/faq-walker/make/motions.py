@@ -1,7 +1,7 @@
 """All motions of the figure, in the order of the file."""
 
-from crouch import CROUCH, STAND_UP
-from jump import FLY, JUMP, LAND
+from crouch import STAND_UP
+from jump import CROUCH, FLY, JUMP, LAND
 from motion import Motion
 from stand import STAND
 from start_stop import COME_TO_STOP, START_WALK

@@ -23,9 +23,9 @@ SHOULDER_CURVE, ELBOW_CURVE = cyclic(SHOULDER), cyclic(ELBOW)
 
 # toes up +, degrees; uneven keys since a foot lies flat for a quarter of the cycle
 PITCH = cyclic_eased(
-    [(0.0, 20), (0.05, 9), (0.115, 0), (0.36, 0), (0.44, -4), (0.52, -16), (0.62, -46), (0.68, -54), (0.76, -40), (0.87, 4), (0.95, 20)]
+    [(0.0, 20), (0.05, 9), (0.115, 0), (0.36, 0), (0.44, -4), (0.52, -18), (0.62, -52), (0.67, -57), (0.76, -40), (0.87, 4), (0.95, 20)]
 )
-SWING = [Arc(0.20, 0.155, 0.222), Arc(0.42, 0.415, 0.212, -0.004), Arc(0.68, 0.755, 0.148)]
+SWING = [Arc(0.20, 0.155, 0.222), Arc(0.42, 0.415, 0.212, -0.004), Arc(0.68, 0.785, 0.142)]
 
 
 def walk_body(t: Array) -> dict[str, Array]:
