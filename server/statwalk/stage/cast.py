@@ -84,7 +84,7 @@ class Cast:
         """With a parameter of one actor set."""
         parameters = self.machine.parameters.copy()
         parameters[row, parameter] = value
-        return replace(self, machine=replace(self.machine, parameters=parameters))
+        return replace(self, machine=self.machine._replace(parameters=parameters))
 
     def rehashed(self) -> Cast:
         """With the hash that follows from the state now."""

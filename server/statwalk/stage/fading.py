@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.arrays import Bools, Floats, Ints
 from statwalk.maths.easing import smoothstep
 from statwalk.maths.pose import Pose
 from statwalk.motion import inertialize
@@ -44,14 +44,15 @@ class Fading(NamedTuple):
         return self._replace(elapsed=np.minimum(self.elapsed + dt, self.duration))
 
     @property
-    def is_under_way(self) -> Floats:
+    def is_under_way(self) -> Bools:
         """(N,) bool."""
         return self.elapsed[:, 0] < self.duration[:, 0]
 
     @property
     def left(self) -> Floats:
         """(N, L) 1…0 of the transition."""
-        return 1 - self.elapsed / np.where(self.duration > 0, self.duration, 1) - (self.duration == 0)
+        passed: Floats = np.where(self.duration > 0, self.elapsed / np.where(self.duration > 0, self.duration, 1), 1)
+        return 1 - passed
 
     def on(self, pose: Pose) -> Pose:
         """The poses (N, …) with what is left of the offsets on top."""

@@ -102,7 +102,7 @@ def _given(cast: Cast, entries: Sequence[LogEntry]) -> tuple[Cast, Inputs]:
 
 def _actions(stepped: Iterable[tuple[Cast, StepResult]], count: int, now: int) -> tuple[Action, ...]:
     """The actions of a tick, numbered on; the actors' ids in place of their rows."""
-    taken = [(int(cast.ids[actor]), name) for cast, done in stepped for _, actor, name in done.actions]
+    taken = [(int(cast.ids[action.actor]), action.name) for cast, done in stepped for action in done.actions]
     return tuple(Action(count + number, now, actor, name) for number, (actor, name) in enumerate(taken, 1))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -11,7 +11,6 @@ from statwalk.character import Character
 from statwalk.errors import MachineError, UnknownNameError
 from statwalk.machine.build import Machine, MotionFacts, build
 from statwalk.machine.definition import MachineDefinition
-from statwalk.maths.arrays import Floats, Ints
 from statwalk.motion.clip import Clip
 from statwalk.motion.root import STANDING, RootTrack, extract
 from statwalk.rig.evaluate import world_from_local
@@ -35,7 +34,7 @@ class Role:
     @classmethod
     def build(cls, name: str, character: Character, definition: MachineDefinition, root_joint: str | None = None) -> Role:
         """The role that `definition` describes; raises MachineError where it names a clip or joint that the character has not."""
-        motions = {clip.name: MotionFacts(clip.duration, clip.loop, clip.markers) for clip in character.clips.values()}
+        motions = {key: MotionFacts(clip.duration, clip.loop, clip.markers) for key, clip in character.clips.items()}
         machine = build(definition, motions)
         joint = _root(character, root_joint)
         rooted = [_rooted(character, machine, state, joint) for state in range(len(machine.states))]
@@ -60,13 +59,6 @@ class Role:
             raise UnknownNameError("parameter", name, known)
         return known.index(name)
 
-    def speeds(self, state: Ints, parameters: Floats) -> Floats:
-        """Playback speed (N,) of actors in states (N,) with parameters (N, P)."""
-        own, source = self.machine.speed[state], self.machine.speed_parameter[state]
-        if not len(self.machine.parameters):
-            return own
-        return np.where(source >= 0, np.take_along_axis(parameters, source[:, None].astype(np.int64).clip(0), 1)[:, 0], own)
-
 
 def _root(character: Character, root_joint: str | None) -> int | None:
     if root_joint is None:
@@ -79,9 +71,16 @@ def _root(character: Character, root_joint: str | None) -> int | None:
 
 def _rooted(character: Character, machine: Machine, state: int, joint: int | None) -> tuple[Clip, RootTrack]:
     """A state's clip without its root motion, and that motion."""
-    clip = character.clips[machine.motions[machine.motion[state]]]
+    clip = replace(character.clips[machine.motions[machine.motion[state]]], loop=bool(machine.loop[state]))
     if joint is None:
-        return clip, STANDING
+        return _packed(clip), STANDING
     parent = int(character.skeleton.parent[joint])
     frame = None if parent < 0 else world_from_local(character.skeleton, character.bind_pose)[parent].astype(np.float64)
-    return extract(clip, joint, bool(machine.loop[state]), frame)
+    in_place, root = extract(clip, joint, clip.loop, frame)
+    return _packed(in_place), root
+
+
+def _packed(clip: Clip) -> Clip:
+    """The clip with its tracks made, so that what is wrong with its keys is said now and not in a tick."""
+    clip.sample(0.0)
+    return clip

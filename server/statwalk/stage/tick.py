@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from statwalk.machine.step import Changes, Inputs, StepResult, step
+from statwalk.machine.step import Changes, Inputs, StepResult, speeds, step
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.pose import Pose
 from statwalk.motion import inertialize
@@ -36,7 +36,7 @@ def tick(cast: Cast, inputs: Inputs, dt: float, now: int) -> tuple[Cast, StepRes
         fading = fading.begun(rows, duration, jump, cast.way[rows])
     fading = fading.advanced(dt)
     shown = fading.on(pose)
-    way = fading.blended_way(way_gone(cast, done, rows, dt))
+    way = fading.blended_way(way_gone(cast, done, rows))
     place = compose(np.stack([cast.position[:, 0], cast.position[:, 2], cast.heading], -1), way)
     position = np.stack([place[:, 0], cast.position[:, 1], place[:, 1]], -1)
 
@@ -48,7 +48,8 @@ def tick(cast: Cast, inputs: Inputs, dt: float, now: int) -> tuple[Cast, StepRes
 def _sample(role: Role, states: Ints, times: Floats) -> Pose:
     """Local poses (N, …) of actors in `states` (N,) at `times` (N,) seconds: those that play the same motion at once."""
     if (states == states[0]).all():
-        return role.clips[states[0]].sample(times)
+        only: Pose = role.clips[states[0]].sample(times)
+        return only
     pose = Pose(*(np.empty((len(states), *array.shape), np.float32) for array in role.clips[0].rest))
     for state in np.unique(states):
         rows = (states == state).nonzero()[0]
@@ -58,22 +59,16 @@ def _sample(role: Role, states: Ints, times: Floats) -> Pose:
 
 
 def _turned(changes: Changes) -> tuple[Ints, Floats]:
-    """Rows whose motion was begun in this tick, and how long (seconds) each blends: as its last change says."""
-    begun = {
-        int(actor): float(blend)
-        for actor, before, after, restart, blend in zip(
-            changes.actor, changes.from_state, changes.to_state, changes.restart, changes.blend, strict=True
-        )
-        if before != after or restart
-    }
-    return np.array(sorted(begun), np.int64), np.array([begun[row] for row in sorted(begun)], np.float64)
+    """Rows (n,) whose motion began in this tick, and for how many seconds (n,) each blends: as its last change says."""
+    rows, last = np.unique(changes.actor[::-1], return_index=True)
+    return rows, changes.blend[::-1][last].astype(np.float64)
 
 
 def _jump(cast: Cast, done: StepResult, rows: Ints, pose: Pose, dt: float) -> tuple[Floats, Floats]:
     """The offset, and its velocity, that carry what was shown of `rows` over into their new motions."""
     states, times = done.state.state[rows, 0], done.state.time[rows, 0]
-    speeds = cast.role.speeds(states, done.state.parameters[rows])
-    following = _sample(cast.role, states, _time_after(cast.role, states, times + dt * speeds))
+    speed = speeds(cast.role.machine, done.state)[rows, 0]
+    following = _sample(cast.role, states, _time_after(cast.role, states, times + dt * speed))
     return inertialize.transition(cast.before.take(rows), cast.shown.take(rows), pose, following, dt)
 
 
