@@ -22,8 +22,8 @@ def test_world_takes_many_poses_at_once(tiny):
 
 def test_vertices_at_rest_by_hand(tiny):
     part = tiny.vertices(tiny.bind_pose)[0]
-    lifted = POSITIONS + [0, 0, 0.5]  # the morph target at its rest weight
-    raised = lifted + [[0, 0, 0], [0, 0.5, 0], [0, 0.75, 0]]  # knee's share of its height of 1
+    lifted = POSITIONS + np.array([0, 0, 0.5])  # the morph target at its rest weight
+    raised = lifted + np.array([[0, 0, 0], [0, 0.5, 0], [0, 0.75, 0]])  # knee's share of its height of 1
     assert (part.node, part.mesh, part.primitive) == (2, 0, 0)
     assert part.positions == pytest.approx(raised)
 

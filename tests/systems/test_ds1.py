@@ -23,7 +23,7 @@ def arm(tmp_path: Path) -> Character:
 def test_each_part_is_where_its_bone_is(arm: Character) -> None:
     upper, fore = arm.vertices(arm.bind_pose)
     assert np.array_equal(upper.positions, POSITIONS)
-    assert np.array_equal(fore.positions, POSITIONS + [1, 0, 0])
+    assert np.array_equal(fore.positions, POSITIONS + np.array([1, 0, 0]))
 
 
 def test_a_part_follows_its_bone_and_leaves_the_others(arm: Character) -> None:

@@ -69,9 +69,10 @@ def test_what_is_wrong_is_refused_where_it_is(pointer, value, place):
     assert caught.value.place == place
 
 
-@pytest.mark.parametrize(
-    "text", [b"[]", b"{", b'{"a":NaN}', b'{"a":1e999}', b'{"a":"\xe9"}', b'{"a":' + b"[" * 100_000 + b"]" * 100_000 + b"}"]
-)
+NO_JSON = [b"[]", b"{", b'{"a":NaN}', b'{"a":1e999}', b'{"a":"\xe9"}', b'{"a":' + b"[" * 100_000 + b"]" * 100_000 + b"}"]
+
+
+@pytest.mark.parametrize("text", NO_JSON, ids=["list", "cut", "NaN", "infinite", "Latin-1", "deep"])
 def test_what_is_no_json_is_refused(text):
     with pytest.raises(ModelError):
         read_model(text, "tiny")
