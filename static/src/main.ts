@@ -2,6 +2,11 @@
 
 import "./style/base.css";
 import "./style/layout.css";
+import "./style/view.css";
+import "./style/graph.css";
+import "./style/table.css";
+import "./style/events.css";
+import "./style/help.css";
 import "./style/panels.css";
 import "./style/timeline.css";
 import { type ViewerKey, Keyboard } from "./input";

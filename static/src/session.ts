@@ -180,7 +180,8 @@ export class Session {
     if (verdict.actor !== this.actor.value) return;
     const to = verdict.verdict === "taken" && verdict.to ? (this.cast?.states.indexOf(verdict.to) ?? -1) : -1;
     if (this.frames.value === "glb" && this.looking.value === null && to >= 0) this.state.set(to);
-    this.verdicts.ring(verdict);
+    // Who looks back sees the past: what fires now is for later.
+    if (this.looking.value === null) this.verdicts.ring(verdict);
   }
 
   private fork(stage: string): void {

@@ -4,6 +4,8 @@
  * ready        the watched actor was drawn, in the stream that is chosen
  * stage() tick() head() hash() state() looking() link() frames() quality()
  *              as the page shows them now; state() is a name, looking() null while live
+ * posed() shown()
+ *              the tick of the frame that the scene shows, and the stream it came by ("pose", "glb")
  * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
  * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres (pose stream)
  * pixels()     draws the characters alone: { covered: share of the picture 0…1, box: [left, top, right, bottom] 0…1,
@@ -102,6 +104,8 @@ export function exposeForTests(session: Session, picture: Picture, drawn: Meter)
     looking: () => session.looking.value,
     link: () => session.link.value.state,
     frames: () => session.frames.value,
+    posed: () => picture.posed,
+    shown: () => picture.stream,
     quality: () => picture.scene.quality,
     stats,
     joints: () => jointsByName(picture),

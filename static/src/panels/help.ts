@@ -24,7 +24,7 @@ const POINTER: [string, string][] = [
 ];
 
 export class HelpDialog {
-  private readonly dialog = el("dialog", { class: "help", "aria-label": "keys" });
+  private readonly dialog = el("dialog", { class: "help", "aria-label": "keys", tabindex: -1 });
 
   constructor(
     private readonly session: Session,
@@ -38,6 +38,7 @@ export class HelpDialog {
     if (this.dialog.open) return this.dialog.close();
     this.fill();
     this.dialog.showModal();
+    this.dialog.focus();
   }
 
   private fill(): void {

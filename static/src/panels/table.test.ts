@@ -7,8 +7,8 @@ describe("cellText", () => {
     [null, "", ""],
     [{ to: null }, "–", ""],
     [{ to: "WALK", when: "now" }, "WALK", ""],
-    [{ to: "TLFT", when: "end", restart: true }, "TLFT!", "at end"],
-    [{ to: "JUMP", when: "marker left-down" }, "JUMP", "at left-down"],
+    [{ to: "TLFT", when: "end", restart: true }, "TLFT!", "⇥"],
+    [{ to: "JUMP", when: "marker left-down" }, "JUMP", "⇥ left-down"],
   ])("%j", (cell, to, how) => expect(cellText(cell)).toEqual({ to, how }));
 });
 

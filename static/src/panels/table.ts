@@ -4,11 +4,11 @@ import type { Cell, MachineInfo, Verdict } from "../net/protocol";
 import type { Session } from "../session";
 import { el, flash, say } from "./dom";
 
-/** What stands in a cell, as the machine file writes it: `WALK!`, `TLFT at end`, `-`, or nothing. */
+/** What stands in a cell: `WALK!` restarts, `TLFT ⇥` waits for the end, `⇥ left-down` for a marker, `–` means nothing; or nothing at all. */
 export function cellText(cell: Cell | null | undefined): { to: string; how: string } {
   if (!cell) return { to: "", how: "" };
   if (cell.to === null || cell.to === "-") return { to: "–", how: "" };
-  const how = cell.when && cell.when !== "now" ? `at ${cell.when.replace(/^marker /, "")}` : "";
+  const how = cell.when && cell.when !== "now" ? `⇥ ${cell.when.replace(/^(end|marker )/, "")}`.trim() : "";
   return { to: cell.restart ? `${cell.to}!` : cell.to, how };
 }
 

@@ -1,7 +1,7 @@
 /** Brings the session's frames into the scene: actors of the pose stream or the server's own skin, and the overlays. */
 
 import * as THREE from "three";
-import type { Hello } from "../net/protocol";
+import type { FrameKind, Hello } from "../net/protocol";
 import type { Session } from "../session";
 import { Signal } from "../store";
 import { token } from "../panels/dom";
@@ -40,6 +40,9 @@ export class Picture {
   private readonly glb: GlbStage;
   private shown = new Map<number, Shown>();
   private generation = 0;
+  /** The tick that the scene shows, and the stream it came by. */
+  posed = -1;
+  stream: FrameKind = "pose";
   private framed = "";
   private built = "";
 
@@ -106,6 +109,7 @@ export class Picture {
     const frame = this.session.pose!;
     if (frame.epoch !== this.session.hello.value?.epoch) return;
     this.session.pose = null;
+    Object.assign(this, { posed: frame.tick, stream: "pose" });
     this.session.hello.value.casts.forEach((cast, c) => cast.actors.forEach(({ id }, row) => this.shown.get(id)?.view.apply(frame.casts[c]!, row)));
     for (const shown of this.shown.values()) this.settle(shown);
     this.followWatched();
@@ -121,6 +125,7 @@ export class Picture {
 
   private showGlb(): void {
     const fresh = this.glb.apply(this.session.glb!);
+    Object.assign(this, { posed: this.session.tick, stream: "glb" });
     this.session.glb = null;
     if (fresh) this.restyle();
     for (const { view, spot } of this.shown.values()) {

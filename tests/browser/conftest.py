@@ -1,0 +1,131 @@
+"""A real server in a process of its own, and a real browser that looks at its page.
+
+Playwright's synchronous interface keeps an event loop running; these tests come last (see tests/conftest.py).
+"""
+
+import re
+import shutil
+import socket
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
+from where import GLTF, ROOT
+
+CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
+REPORT_VIOLATIONS = (
+    "window.violations = []; addEventListener('securitypolicyviolation', e => violations.push(e.violatedDirective + ' ' + e.blockedURI))"
+)
+SIZE = {"width": 960, "height": 640}
+
+
+class Server:
+    """`statwalk serve` on a port of its own; `start` again after `stop` takes the same port."""
+
+    def __init__(self, *folders: Path) -> None:
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            self.port = free.getsockname()[1]
+        self.url = f"http://127.0.0.1:{self.port}"
+        self.command = [sys.executable, "-m", "statwalk.cli", "serve", "--port", str(self.port), *map(str, folders)]
+        self.process: subprocess.Popen[str] | None = None
+
+    def start(self) -> None:
+        """Returns when the server has printed its address."""
+        self.process = subprocess.Popen(self.command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd=ROOT)
+        assert self.process.stdout is not None
+        printed = []
+        for line in self.process.stdout:
+            printed.append(line)
+            if re.search(rf":{self.port}\b", line):
+                return
+        pytest.fail("the server did not start:\n" + "".join(printed))
+
+    def stop(self) -> None:
+        if self.process is None:
+            return
+        self.process.terminate()
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+        self.process.wait(10)
+        self.process = None
+
+
+@pytest.fixture(scope="session")
+def server() -> Iterator[Server]:
+    """The server as `statwalk serve` starts it."""
+    running = Server()
+    running.start()
+    yield running
+    running.stop()
+
+
+@pytest.fixture(scope="session")
+def robot_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """A server whose first machine was made from a real model by `statwalk new`."""
+    folder = tmp_path_factory.mktemp("made") / "robot"
+    made = [sys.executable, "-m", "statwalk.cli", "new", str(GLTF / "RobotExpressive.glb"), str(folder)]
+    subprocess.run(made, check=True, capture_output=True, cwd=ROOT)
+    running = Server(folder)
+    running.start()
+    yield running
+    running.stop()
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """Chromium: the machine's own, else Playwright's."""
+    path = next((found for name in CHROMIUMS if (found := shutil.which(name))), None)
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=path, args=["--enable-unsafe-swiftshader"])
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture
+def allowed() -> list[str]:
+    """Parts of console errors that a test expects; it adds to the list."""
+    return []
+
+
+@pytest.fixture
+def page(browser: Browser, allowed: list[str]) -> Iterator[Page]:
+    """A page of its own, in whose life nothing went wrong: no error, no dialog, no breach of the content security policy."""
+    context = browser.new_context(viewport=SIZE, reduced_motion="reduce")
+    shown = context.new_page()
+    shown.set_default_timeout(20_000)
+    shown.add_init_script(REPORT_VIOLATIONS)
+    wrong: list[str] = []
+
+    def heard(message: ConsoleMessage) -> None:
+        if message.type == "error" and not any(part in message.text for part in allowed):
+            wrong.append(message.text)
+
+    shown.on("console", heard)
+    shown.on("pageerror", lambda error: wrong.append(str(error)))
+    shown.on("dialog", lambda dialog: (wrong.append(f"dialog {dialog.message}"), dialog.dismiss()))
+    yield shown
+    wrong += shown.evaluate("window.violations ?? []")
+    context.close()
+    assert wrong == []
+
+
+@pytest.fixture
+def opened(page: Page) -> Callable[[str], Page]:
+    """Opens an address and waits until the character was drawn."""
+
+    def open_at(url: str) -> Page:
+        page.goto(url)
+        page.wait_for_function("window.__viewer?.ready")
+        return page
+
+    return open_at
+
+
+@pytest.fixture
+def viewer(server: Server, opened: Callable[[str], Page]) -> Page:
+    """The page as it opens, with its character."""
+    return opened(server.url)

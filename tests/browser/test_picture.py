@@ -1,0 +1,53 @@
+"""What one sees: the character, by either stream, and the bones in it."""
+
+from playwright.sync_api import Page
+
+MOST_COLOUR = 14
+MOST_AREA = 0.004
+MOST_BOX = 0.03
+
+
+def test_the_character_is_there(viewer: Page) -> None:
+    drawn = viewer.evaluate("__viewer.pixels()")
+    left, top, right, bottom = drawn["box"]
+    assert drawn["covered"] > 0.02
+    assert bottom - top > 0.5
+    assert 0.2 < (left + right) / 2 < 0.8
+
+
+def test_it_is_in_the_page_as_well(viewer: Page) -> None:
+    """Without its skin the canvas, as the browser shows it, is another one."""
+    shot = viewer.locator("#picture").screenshot()
+    viewer.keyboard.press("1")
+    viewer.wait_for_function("__viewer.pixels().covered === 0")
+    assert viewer.locator("#picture").screenshot() != shot
+
+
+def test_software_rendering_means_low_quality(viewer: Page) -> None:
+    assert viewer.evaluate("__viewer.quality()") == "low"
+
+
+def test_server_and_gpu_skin_alike(viewer: Page) -> None:
+    """Both streams show the same paused tick: same silhouette, same colours."""
+    viewer.keyboard.press("p")
+    viewer.wait_for_selector("[data-link=paused]")
+    by_gpu = viewer.evaluate("__viewer.pixels()")
+    viewer.keyboard.press("g")
+    viewer.wait_for_function("__viewer.frames() === 'glb' && __viewer.shown() === 'glb'")
+    by_server = viewer.evaluate("__viewer.pixels()")
+    viewer.keyboard.press("g")
+    viewer.keyboard.press("p")
+    viewer.wait_for_selector("[data-link=live]")
+    assert abs(by_gpu["covered"] - by_server["covered"]) < MOST_AREA
+    assert max(abs(a - b) for a, b in zip(by_gpu["box"], by_server["box"], strict=True)) < MOST_BOX
+    assert max(abs(a - b) for a, b in zip(by_gpu["colour"], by_server["colour"], strict=True)) < MOST_COLOUR
+
+
+def test_bones_are_drawn_over_the_skin(viewer: Page) -> None:
+    """RD1, RD2: the overlays change the picture, and their buttons say that they are on."""
+    for name in ("bones", "tetra", "wire"):
+        button = viewer.get_by_role("button", name=name)
+        before = viewer.evaluate("__viewer.stats().drawn")
+        button.click()
+        viewer.wait_for_function("before => __viewer.stats().drawn > before", arg=before)
+        assert button.get_attribute("aria-pressed") == "true"

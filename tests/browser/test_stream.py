@@ -1,0 +1,47 @@
+"""The line: sixty messages a second, the way back after a restart, and what a name cannot do."""
+
+from collections.abc import Callable
+
+import httpx
+from browser.conftest import Server
+from playwright.sync_api import Page
+
+HOSTILE = "<img src=x onerror=\"document.title='owned'\">"
+
+
+def test_sixty_messages_a_second_arrive(viewer: Page) -> None:
+    heard = viewer.evaluate("__viewer.listen(4)")
+    assert heard["perSecond"] >= 57
+    assert heard["gapP99Ms"] < 250
+
+
+def test_every_frame_is_acknowledged(viewer: Page) -> None:
+    """Longer than the server's patience with a viewer that acknowledges nothing."""
+    viewer.evaluate("__viewer.listen(6)")
+    assert viewer.evaluate("__viewer.link()") == "live"
+
+
+def test_it_comes_back_after_a_restart(server: Server, viewer: Page, allowed: list[str]) -> None:
+    allowed += ["WebSocket connection to", "Failed to load resource", "ERR_CONNECTION_REFUSED"]
+    server.stop()
+    viewer.wait_for_function("__viewer.link() !== 'live'")
+    server.start()
+    viewer.wait_for_function("__viewer.link() === 'live' && __viewer.head() > 10")
+    viewer.wait_for_function("__viewer.posed() > 10")
+
+
+def test_names_are_text(server: Server, opened: Callable[[str], Page]) -> None:
+    machine = httpx.get(f"{server.url}/api/machines").json()[0]["name"]
+    actors = [{"machine": machine, "name": HOSTILE}, {"machine": machine, "name": "\u202etwo", "position": [1.5, 0, 0]}]
+    made = httpx.post(f"{server.url}/api/stages", json={"actors": actors, "clock": "real"}).json()
+    page = opened(f"{server.url}/?stage={made['id']}")
+    options = page.locator("#chooser select").nth(1).locator("option")
+    assert options.all_text_contents() == [HOSTILE, "\u202etwo"]
+    assert page.locator("img").count() == 0
+    assert page.title() == "statwalk"
+
+
+def test_an_unknown_stage_leads_back_to_main(server: Server, opened: Callable[[str], Page], allowed: list[str]) -> None:
+    allowed += ["WebSocket connection to", "Failed to load resource"]
+    page = opened(f"{server.url}/?stage=nowhere")
+    assert page.evaluate("__viewer.stage()") == "main"
