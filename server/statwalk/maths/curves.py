@@ -76,14 +76,22 @@ def bspline_through(keys: Floats, loop: bool = False) -> Floats:
 
 def bspline_rotation(controls: Floats, f: ArrayLike) -> Floats:
     """The rotation (…, 4) at f (…) of the cumulative B-spline with control quaternions (…, 4, 4) (Kim, Kim and Shin 1995)."""
-    weights = bspline_basis(f, controls.dtype)
+    return bspline_turn(controls[..., 0, :], turns_between(controls), f)
+
+
+def turns_between(controls: Floats) -> Floats:
+    """The rotation vectors (…, 3, 3) from each of four control quaternions (…, 4, 4) to the next: all of a segment but its start."""
+    return quat.to_rotation_vector(quat.mul(quat.conjugate(controls[..., :-1, :]), controls[..., 1:, :]))
+
+
+def bspline_turn(start: Floats, turns: Floats, f: ArrayLike) -> Floats:
+    """`bspline_rotation` for the first control (…, 4) and the `turns_between` the four (…, 3, 3), which are worked out once."""
+    weights = bspline_basis(f, start.dtype)
     third = weights[..., 3]
     second = third + weights[..., 2]
     first = second + weights[..., 1]
-    rotation = controls[..., 0, :]
-    for row, weight in enumerate((first, second, third)):
-        turn = quat.to_rotation_vector(quat.mul(quat.conjugate(controls[..., row, :]), controls[..., row + 1, :]))
-        rotation = quat.mul(rotation, quat.from_rotation_vector(turn * weight[..., None]))
+    steps = quat.from_rotation_vector(turns * np.stack([first, second, third], -1)[..., None])
+    rotation = quat.mul(quat.mul(quat.mul(start, steps[..., 0, :]), steps[..., 1, :]), steps[..., 2, :])
     return quat.normalize(rotation)
 
 

@@ -94,19 +94,28 @@ def to_euler_xyz(q: Floats) -> Floats:
     return np.stack([x, atan2(-m[..., 2, 0], level), z], -1).astype(m.dtype, copy=False)
 
 
-# the nine entries of a rotation matrix are the identity plus two of the sixteen products q_i q_j, each with a sign
+# The nine entries of a rotation matrix are the identity plus two of the sixteen products q_i q_j, each with a sign; [column, row].
 _FIRST = np.array([[5, 1, 2], [1, 0, 6], [2, 6, 0]])
-_SECOND = np.array([[10, 11, 7], [11, 10, 3], [7, 3, 5]])
+_SECOND = np.array([[10, 11, 7], [11, 10, 3], [7, 3, 5]]).T
 _FIRST_SIGN = np.array([[-2, 2, 2], [2, -2, 2], [2, 2, -2]], np.int8)
-_SECOND_SIGN = np.array([[-2, -2, 2], [2, -2, -2], [-2, 2, -2]], np.int8)
+_SECOND_SIGN = np.array([[-2, -2, 2], [2, -2, -2], [-2, 2, -2]], np.int8).T
 _EYE = np.eye(3, dtype=np.int8)
 
 
 def to_matrix(q: Floats) -> Floats:
-    """The rotation matrices (…, 3, 3), acting on column vectors, of unit quaternions."""
-    products = (q[..., :, None] * q[..., None, :]).reshape(*q.shape[:-1], 16)
-    matrix: Floats = _EYE + (products.take(_FIRST, -1) * _FIRST_SIGN + products.take(_SECOND, -1) * _SECOND_SIGN)
-    return matrix
+    """The rotation matrices (…, 3, 3), acting on column vectors, of unit quaternions.
+
+    Components lead in memory (the result is a transposed view), so that a crowd is long rows and not many short ones.
+    """
+    by_component = np.ascontiguousarray(q.T)
+    products = (by_component[:, None] * by_component).reshape(16, *by_component.shape[1:])
+    cells = (3, 3, *(1,) * (q.ndim - 1))
+    entries, others = products.take(_FIRST, 0), products.take(_SECOND, 0)
+    entries *= _FIRST_SIGN.reshape(cells)
+    others *= _SECOND_SIGN.reshape(cells)
+    entries += others
+    entries += _EYE.reshape(cells)
+    return entries.T
 
 
 def from_matrix(m: Floats) -> Floats:

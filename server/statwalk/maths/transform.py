@@ -13,8 +13,11 @@ from statwalk.maths.arrays import Floats
 
 def from_trs(translation: Floats, rotation: Floats, scale: Floats) -> Floats:
     """T · R · S (glTF 3.5.3) from translation (…, 3), rotation (…, 4) xyzw and scale (…, 3)."""
-    linear = quat.to_matrix(rotation) * scale[..., None, :]
-    return np.concatenate([linear, translation[..., None]], -1)
+    linear = quat.to_matrix(rotation)
+    columns = np.empty((4, 3, *linear.shape[:-2][::-1]), linear.dtype)  # as to_matrix: long rows for a crowd
+    np.multiply(linear.T, scale.T[:, None], out=columns[:3])
+    columns[3] = translation.T
+    return columns.T
 
 
 def mul(a: Floats, b: Floats) -> Floats:

@@ -48,7 +48,7 @@ def cubic_turn(rows: Floats, fractions: Floats) -> Floats:
 
 def spline_turn(rows: Floats, fractions: Floats) -> Floats:
     """B-splines on rotations: the cumulative quaternion B-spline. KF5."""
-    return curves.bspline_rotation(rows.reshape(*rows.shape[:-1], 4, 4), fractions)
+    return curves.bspline_turn(rows[..., :4], rows[..., 4:].reshape(*rows.shape[:-1], 3, 3), fractions)
 
 
 def pack(channel: Channel, closed: bool) -> tuple[Evaluate, Floats]:
@@ -103,9 +103,10 @@ def _bspline(values: Floats, through: bool, closed: bool) -> Floats:
 
 
 def _turn_windows(values: Floats, through: bool, closed: bool) -> Floats:
-    """The four control quaternions (K, 16) of each segment."""
+    """The first control quaternion of each segment, and the three turns to the others (K, 4 + 9)."""
     controls = (curves.rotations_through if through else curves.rotation_ends)(values, closed)
-    return np.concatenate(_windows(controls), -1)
+    windows = np.stack(_windows(controls), 1)
+    return np.concatenate([windows[:, 0], curves.turns_between(windows).reshape(len(windows), 9)], -1)
 
 
 def _windows(controls: Floats) -> tuple[Floats, Floats, Floats, Floats]:
