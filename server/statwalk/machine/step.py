@@ -132,7 +132,7 @@ def deciding(
     machine: Machine, state: MachineState, moved: Advance, tick: int, inputs: dict[int, list[tuple[int, int]]]
 ) -> list[tuple[int, int]]:
     """(actor, layer) of all that have an input, something in the queue that is due, or an END that somebody may answer."""
-    some = np.asarray(state.wake <= tick)
+    some = np.array(state.wake <= tick, bool)
     if moved.at_end.any():
         waits = (state.waiting_event[:, :, 0] >= 0) | state.held.any(axis=1)[:, None]
         some[moved.at_end & (waits | machine.end_matters[state.state])] = True
