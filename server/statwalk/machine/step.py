@@ -132,9 +132,9 @@ def deciding(
     machine: Machine, state: MachineState, moved: Advance, tick: int, inputs: dict[int, list[tuple[int, int]]]
 ) -> list[tuple[int, int]]:
     """(actor, layer) of all that have an input, something in the queue that is due, or an END that somebody may answer."""
-    some = np.array(state.wake <= tick, bool)
+    some = np.asarray(state.wake <= tick)
     if moved.at_end.any():
-        waits = (state.waiting_event[:, :, 0] >= 0) | state.held.any(axis=1)[:, None]
+        waits = (state.waiting_event[:, :, 0] >= 0) | (state.held.max(axis=1, keepdims=True) > 0)
         some[moved.at_end & (waits | machine.end_matters[state.state])] = True
     some[list(inputs)] = True
     return [(actor, layer) for actor, layer in np.argwhere(some).tolist()] if some.any() else []
