@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from bake import write_glb
-from body import make_body
-from motions import MOTIONS
+from mesh.body import make_body
+from moves.motions import MOTIONS
 
 if __name__ == "__main__":
     target = Path(__file__).resolve().parents[1] / "walker.glb"

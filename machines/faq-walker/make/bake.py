@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pygltflib as gl
-from body import MATERIALS, Body, inverse_bind
 from curves import Array
-from motion import Motion
+from mesh.body import MATERIALS, Body, inverse_bind
+from moves.motion import Motion
 from numpy.typing import NDArray
 from skeleton import INDEX, NAMES, PARENT, rest_translation
 

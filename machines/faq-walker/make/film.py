@@ -30,7 +30,7 @@ VIEWS = {
 
 
 def draw(points: Array, normals: Array, faces: Indices, colours: Array, view: Array, box: tuple[float, ...], scale: float) -> Image:
-    """One picture (H, W, 3) of triangles of one colour each; `box`: left, bottom, width, height in the view plane; `scale`: pixels a metre."""
+    """One picture (H, W, 3) of triangles of one colour each; `box`: left, bottom, width, height (metres); `scale`: pixels a metre."""
     width, height = int(box[2] * scale), int(box[3] * scale)
     seen = points @ view.T
     xy = np.stack([(seen[:, 0] - box[0]) * scale, height - (seen[:, 1] - box[1]) * scale], axis=-1)

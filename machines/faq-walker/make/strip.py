@@ -5,13 +5,12 @@ from pathlib import Path
 
 import film
 import numpy as np
-from body import MATERIALS, Body, inverse_bind, make_body
 from curves import Array
-from motion import Motion
-from motions import MOTIONS
+from mesh.body import MATERIALS, Body, inverse_bind, make_body
+from moves.motion import Motion
+from moves.motions import MOTIONS
 from numpy.typing import NDArray
 from skeleton import PARENT, rest_translation
-
 from statwalk.maths import quat
 
 SCALE = 120.0  # pixels a metre

@@ -2,10 +2,10 @@
 
 import numpy as np
 from curves import Array, Curve, eased, ramp, through
-from feet import Arc, Plant, walk_track
-from motion import Body, Feet, Motion, added, held, later, mixed, replaced, sides, slope, value
-from stand import FOOT_X, FOOT_Z, TOES_OUT, stand_body, stand_plant
-from walk import AHEAD, CYCLE, STRIDE, arcs_of, pitch_of, walk_body, walk_plant
+from moves.feet import Arc, Plant, walk_track
+from moves.motion import Body, Feet, Motion, TrackOf, added, held, later, mixed, replaced, sides, slope, value
+from moves.stand import FOOT_X, FOOT_Z, TOES_OUT, stand_body, stand_plant
+from moves.walk import AHEAD, CYCLE, STRIDE, arcs_of, pitch_of, walk_body, walk_plant
 
 STAND_POSE: Body = held(stand_body, 0.0)
 
@@ -31,7 +31,7 @@ def _mixed_pitch(first: Curve, second: Curve, start: float, end: float) -> Curve
 def start_feet() -> Feet:
     """Right foot 70 % of a step, left foot into the walk's first plant."""
 
-    def make(side: str, sign: float):  # noqa: ANN202
+    def make(side: str, sign: float) -> TrackOf:
         walk_pitch = pitch_of(sign)
         ahead = walk_plant(sign, 0 if side == "Left" else -1)
         landing = _moved(ahead, START, WAY)
@@ -64,7 +64,9 @@ def start_body() -> Body:
         whole,
         {
             "x": through([(0, value(stand_body, "x", 0)), (0.26, 0.046), (0.40, 0.038), (0.62, -0.006), (0.80, -0.018), (1.2, -0.004)]),
-            "y": through([(0, value(stand_body, "y", 0)), (0.14, 0.947), (0.32, 0.943), (0.56, 0.914), (0.72, 0.930), (0.84, 0.948), (1.2, 0.93)]),
+            "y": through(
+                [(0, value(stand_body, "y", 0)), (0.14, 0.947), (0.32, 0.943), (0.56, 0.914), (0.72, 0.930), (0.84, 0.948), (1.2, 0.93)]
+            ),
             "z": through(
                 [(0, 0), (0.10, 0.006), (0.22, 0.037), (0.38, 0.105), (0.57, 0.222), (0.71, 0.350), (0.86, 0.530), (START, WAY)],
                 end_slope=slope(walk_body, "z", 0),
@@ -84,7 +86,7 @@ STOP_WAY = AHEAD - FOOT_Z
 def stop_feet() -> Feet:
     """The left foot rolls flat and stays, the right one comes beside it."""
 
-    def make(side: str, sign: float):  # noqa: ANN202
+    def make(side: str, sign: float) -> TrackOf:
         walk_pitch = pitch_of(sign)
         if side == "Left":
             plant = walk_plant(sign, 0)._replace(start=-1.0, end=9.0)
@@ -116,15 +118,20 @@ def stop_body() -> Body:
     return replaced(
         whole,
         {
-            "x": through([(0, value(walk_body, "x", 0)), (0.20, 0.022), (0.36, 0.020), (0.62, end_x - 0.012), (STOP, end_x)], slope(walk_body, "x", 0)),
-            "y": through(
-                [(0, value(walk_body, "y", 0)), (0.14, 0.926), (0.34, 0.944), (0.54, 0.940), (0.74, end_y), (STOP, end_y)], slope(walk_body, "y", 0)
+            "x": through(
+                [(0, value(walk_body, "x", 0)), (0.20, 0.022), (0.36, 0.020), (0.62, end_x - 0.012), (STOP, end_x)],
+                slope(walk_body, "x", 0),
             ),
-            "z": through([(0, 0), (0.20, 0.205), (0.40, 0.316), (0.56, STOP_WAY + 0.014), (0.78, STOP_WAY + 0.002), (STOP, STOP_WAY)], slope(walk_body, "z", 0)),
+            "y": through(
+                [(0, value(walk_body, "y", 0)), (0.14, 0.926), (0.34, 0.944), (0.54, 0.940), (0.74, end_y), (STOP, end_y)],
+                slope(walk_body, "y", 0),
+            ),
+            "z": through(
+                [(0, 0), (0.20, 0.205), (0.40, 0.316), (0.56, STOP_WAY + 0.014), (0.78, STOP_WAY + 0.002), (STOP, STOP_WAY)],
+                slope(walk_body, "z", 0),
+            ),
         },
     )
-
-
 
 
 START_WALK = Motion("start-walk", START, start_body(), start_feet())

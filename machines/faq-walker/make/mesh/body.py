@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from curves import Array
-from figure import ARM_SPREAD, LEG_SPREAD, figure
-from garments import CUTS, MATERIALS, dress
+from mesh.figure import ARM_SPREAD, LEG_SPREAD, figure
+from mesh.garments import CUTS, MATERIALS, dress
+from mesh.surface import Indices, edges_of, gradient, relaxed, spaced, surface_net, triangles
+from mesh.weights import soft_weights, strongest
 from numpy.typing import NDArray
 from skeleton import NAMES, PARENT, SIDES, rest_translation
-from surface import Indices, edges_of, gradient, relaxed, spaced, surface_net, triangles
-from weights import soft_weights, strongest
 
 HALF_WIDTH = spaced([(0.12, 0.020), (0.44, 0.0225), (0.66, 0.0130)], 0.0)
 LINES = (

@@ -4,9 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 from curves import Array
-from figure import ANKLE_AT, ARM_WAY, SHOULDER_AT, SOLE_Y, hairline
+from mesh.figure import ARM_WAY, SHOULDER_AT, SOLE_Y, hairline
+from mesh.surface import Indices
 from skeleton import WRIST
-from surface import Indices
 
 Line = Callable[[Array], Array]
 

@@ -5,11 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from curves import Array, Curve
-from feet import STEP, Track
-from pose import Controls, solve
+from moves.feet import STEP, Track
+from moves.pose import Controls, solve
 from skeleton import SIDES
 
 Body = Callable[[Array], dict[str, Array]]
+TrackOf = Callable[[Array], Track]
 Feet = Callable[[Array], dict[str, Track]]
 
 
@@ -104,7 +105,7 @@ def mixed(first: Body, second: Body, weight: Curve) -> Body:
     return body
 
 
-def sides(make: Callable[[str, float], Callable[[Array], Track]]) -> Feet:
+def sides(make: Callable[[str, float], TrackOf]) -> Feet:
     """Feet from one maker called with a side's name and its sign."""
     tracks = {side: make(side, sign) for side, sign in SIDES.items()}
     return lambda t: {side: track(t) for side, track in tracks.items()}

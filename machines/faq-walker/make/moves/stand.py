@@ -2,8 +2,8 @@
 
 import numpy as np
 from curves import Array
-from feet import Plant, Track, walk_track
-from motion import Feet, Motion, sides
+from moves.feet import Plant, Track, walk_track
+from moves.motion import Feet, Motion, TrackOf, sides
 from skeleton import SIDES
 
 SPAN = 8.0  # seconds: one shift of weight and back, two breaths
@@ -65,7 +65,7 @@ def stand_plant(sign: float, start: float = -FOREVER, end: float = FOREVER) -> P
 def stand_feet() -> Feet:
     """Both feet stay where they are."""
 
-    def make(_: str, sign: float):  # noqa: ANN202
+    def make(_: str, sign: float) -> TrackOf:
         def track(t: Array) -> Track:
             return walk_track(t, [stand_plant(sign)], [], np.zeros_like)
 

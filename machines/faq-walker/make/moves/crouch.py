@@ -2,9 +2,9 @@
 
 import numpy as np
 from curves import Array, Curve, eased, ramp, through
-from feet import walk_track
-from motion import Body, Feet, Motion, added, held, mixed, replaced, sides, value
-from stand import stand_body, stand_plant
+from moves.feet import walk_track
+from moves.motion import Body, Feet, Motion, TrackOf, added, held, mixed, replaced, sides, value
+from moves.stand import stand_body, stand_plant
 
 LOW, BACK = 0.690, -0.075  # pelvis height, and how far behind its standing place it is
 RISE = 0.70
@@ -46,7 +46,7 @@ def crouch_body(t: Array) -> dict[str, Array]:
 def standing_feet(pitch: Curve) -> Feet:
     """Feet on their standing places with the same pitch (radians)."""
 
-    def make(_: str, sign: float):  # noqa: ANN202
+    def make(_: str, sign: float) -> TrackOf:
         return lambda t: walk_track(t, [stand_plant(sign)], [], pitch)
 
     return sides(make)

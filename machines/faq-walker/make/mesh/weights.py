@@ -2,10 +2,10 @@
 
 import numpy as np
 from curves import Array
-from figure import ANKLE_AT, ARM_WAY, HIP_AT, LEG_WAY, SHOULDER_AT, SOLE_Y, arm_field, trunk_field
+from mesh.figure import ANKLE_AT, ARM_WAY, HIP_AT, LEG_WAY, SHOULDER_AT, SOLE_Y, arm_field, trunk_field
+from mesh.surface import Indices, averaged
 from numpy.typing import NDArray
 from skeleton import INDEX, NAMES, THIGH, UPPER_ARM, WRIST
-from surface import Indices, averaged
 
 INFLUENCES = 4
 

@@ -6,8 +6,8 @@ clinical gait averages.
 
 import numpy as np
 from curves import Array, Curve, cyclic, cyclic_eased
-from feet import Arc, Plant, Track, walk_track
-from motion import Feet, Motion, sides
+from moves.feet import Arc, Plant, Track, walk_track
+from moves.motion import Feet, Motion, TrackOf, sides
 
 CYCLE, STRIDE = 1.05, 1.34  # seconds, metres (two steps)
 SPEED = STRIDE / CYCLE
@@ -93,7 +93,7 @@ def arcs_of(sign: float) -> list[Arc]:
 def walk_feet() -> Feet:
     """Feet for times from one cycle before to two cycles after t = 0."""
 
-    def make(_: str, sign: float):  # noqa: ANN202
+    def make(_: str, sign: float) -> TrackOf:
         plants = [walk_plant(sign, step) for step in range(-2, 4)]
 
         def track(t: Array) -> Track:

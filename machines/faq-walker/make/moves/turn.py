@@ -2,9 +2,9 @@
 
 import numpy as np
 from curves import Curve, eased, ramp, through
-from feet import Arc, Plant, walk_track
-from motion import Body, Feet, Motion, added, held, sides, value
-from stand import FOOT_X, FOOT_Z, TOES_OUT, stand_body, stand_plant
+from moves.feet import Arc, Plant, walk_track
+from moves.motion import Body, Feet, Motion, TrackOf, added, held, sides, value
+from moves.stand import FOOT_X, FOOT_Z, TOES_OUT, stand_body, stand_plant
 
 SPAN = 1.0
 ANGLE = 60.0
@@ -20,7 +20,7 @@ def _turned(plant: Plant, angle: float) -> Plant:
 def turn_feet(way: float) -> Feet:
     """First the inside foot, then the other; `way` is +1 for a turn to the left."""
 
-    def make(_: str, sign: float):  # noqa: ANN202
+    def make(_: str, sign: float) -> TrackOf:
         up, down = INSIDE if sign == way else OUTSIDE
         first = stand_plant(sign, end=up)
         second = _turned(stand_plant(sign), way * np.radians(ANGLE))._replace(start=down)
@@ -61,7 +61,9 @@ def turn_body(way: float) -> Body:
     start, c, s = value(stand_body, "x", 0), np.cos(angle), np.sin(angle)
     inner = _turned(Plant(0, 0, way * FOOT_X, FOOT_Z, way * TOES_OUT), angle)
     moves = {
-        "x": through([(0, 0), (0.22, -way * 0.058 - start), (0.36, -way * 0.050 - start), (0.62, inner.x * 0.62 - start), (SPAN, start * c - start)]),
+        "x": through(
+            [(0, 0), (0.22, -way * 0.058 - start), (0.36, -way * 0.050 - start), (0.62, inner.x * 0.62 - start), (SPAN, start * c - start)]
+        ),
         "z": through([(0, 0), (0.22, 0.004), (0.36, 0.0), (0.62, inner.z * 0.55), (SPAN, -start * s)]),
         "y": eased([(0.0, 0.0), (0.18, -0.006), (0.34, -0.014), (0.50, -0.020), (0.66, -0.010), (0.86, 0.001), (0.98, 0.0)]),
         "list": eased([(0.0, 0.0), (0.30, -way * 4.0), (0.64, way * 2.5), (0.95, 0.0)]),
@@ -78,4 +80,3 @@ def _turn(name: str, way: float) -> Motion:
 
 
 TURN_LEFT, TURN_RIGHT = _turn("turn-left", 1.0), _turn("turn-right", -1.0)
-

@@ -4,9 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from curves import Array
-from feet import Track
+from moves.feet import Track
 from skeleton import HIP, INDEX, NAMES, ROOT_HEIGHT, SHIN, SIDES, THIGH
-
 from statwalk.maths import quat
 
 X, Y, Z = np.eye(3)

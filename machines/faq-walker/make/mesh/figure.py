@@ -2,8 +2,8 @@
 
 import numpy as np
 from curves import Array
-from feet import HEEL_RADIUS, HEEL_Z, TOE_RADIUS, TOE_Z
-from shapes import Field, common, ellipsoid, limb, mirrored, rod, union
+from mesh.shapes import Field, common, ellipsoid, limb, mirrored, rod, union
+from moves.feet import HEEL_RADIUS, HEEL_Z, TOE_RADIUS, TOE_Z
 from skeleton import ANKLE_HEIGHT, HAND, HIP, ROOT_HEIGHT, SHIN, SHOULDER, THIGH, WRIST
 
 ARM_SPREAD, LEG_SPREAD = np.radians(32.0), np.radians(5.0)  # binding pose

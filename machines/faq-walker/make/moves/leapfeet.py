@@ -1,0 +1,76 @@
+"""The feet of the leap: planted side by side, pushed off over the toes, tucked up, down on the toes."""
+
+import numpy as np
+from curves import Array, Curve, Keys, eased, ramp
+from moves.feet import STEP, Plant, Track, rolled
+from moves.leap import END, LANDING_Z, TAKE_OFF, TOUCH
+from moves.motion import Feet, TrackOf, sides
+from moves.stand import FOOT_X, TOES_OUT
+from moves.walk import AHEAD, pitch_of, walk_plant
+from scipy.interpolate import CubicSpline
+
+# a foot in the air: seconds after take-off, ankle ahead of the pelvis and above it
+TUCK = [(0.06, -0.26, -0.795), (0.16, -0.20, -0.70), (0.28, 0.0, -0.61), (0.40, 0.125, -0.720)]
+CLOSE = [(0.21, 0.12, 0.185)]  # the right foot on its way beside the left: seconds, z, height
+LAG = 0.012  # seconds by which the right foot comes later
+
+# degrees, toes up +
+LEFT_STEP: Keys = [(0.0, 0.0), (0.25, 0.0)]
+RIGHT_STEP: Keys = [(0.0, -30.0), (0.15, -42.0), (0.25, -6.0), (0.29, 3.0), (0.33, 0.0)]
+
+
+def _pitch(side: str, late: float) -> Curve:
+    push: Keys = [(0.40, 0), (0.46, -6), (TAKE_OFF, -40), (0.60 + late, -62)]
+    land: Keys = [(0.78 + late, -38), (0.95, -24), (TOUCH - 0.05, -36), (TOUCH + 0.10, 0), (END, 0)]
+    keyed = eased([*(LEFT_STEP if side == "Left" else RIGHT_STEP), *push, *land])
+    walking = pitch_of(1.0 if side == "Left" else -1.0)
+    start, end = (0.30, 0.12) if side == "Left" else (0.12, 0.02)
+
+    def pitch(t: Array) -> Array:
+        weight = ramp(t, start, end)  # 1 before `end`: still the walk
+        return np.radians(keyed(t)) * (1 - weight) + walking(np.minimum(t, 0.3)) * weight
+
+    return pitch
+
+
+def _between(t: Array, off: Plant, on: Plant, pitch: Curve, points: list[tuple[float, float, float]]) -> Array:
+    """Ankle (F, 3) from one plant to the next through (time, z, height), leaving and arriving with the speeds of the rolling foot."""
+    ends = np.array([off.end - STEP, off.end, on.start, on.start + STEP])
+    leave, touch = rolled(off, pitch(ends)[:2]), rolled(on, pitch(ends)[2:])
+    speeds = [(leave[1] - leave[0]) / STEP, (touch[1] - touch[0]) / STEP]
+    times = [off.end, *(time for time, _, _ in points), on.start]
+    share = [(time - off.end) / (on.start - off.end) for time, _, _ in points]
+    across = [leave[1][0] + f * (touch[0][0] - leave[1][0]) for f in share]
+    middle = [(x, height, z) for x, (_, z, height) in zip(across, points, strict=True)]
+    spline = CubicSpline(times, [leave[1], *middle, touch[0]], bc_type=((1, speeds[0]), (1, speeds[1])))
+    return np.asarray(spline(t))
+
+
+def leap_feet(height: Curve, way: Curve) -> Feet:
+    """Both feet through the leap; `height` and `way` are those of the pelvis."""
+
+    def make(side: str, sign: float) -> TrackOf:
+        late = 0.0 if side == "Left" else LAG
+        pitch = _pitch(side, late)
+        first = walk_plant(sign, 0 if side == "Left" else -1)
+        beside = Plant(0.29, TAKE_OFF, sign * 0.088, AHEAD + 0.035, sign * TOES_OUT)
+        push = first._replace(end=TAKE_OFF) if side == "Left" else beside
+        landing = Plant(TOUCH, 9.0, sign * FOOT_X, LANDING_Z, sign * TOES_OUT)
+        when = TAKE_OFF + np.array([time for time, _, _ in TUCK]) + late
+        tuck = [(float(t), z + ahead, y + below) for t, z, y, (_, ahead, below) in zip(when, way(when), height(when), TUCK, strict=True)]
+
+        def track(t: Array) -> Track:
+            pitched = pitch(t)
+            ankle = rolled(push, pitched)
+            if side == "Right":
+                closing = (t > first.end) & (t < push.start)
+                ankle[t <= first.end] = rolled(first, pitched[t <= first.end])
+                ankle[closing] = _between(t[closing], first, push, pitch, CLOSE)
+            flying = (t > TAKE_OFF) & (t < TOUCH)
+            ankle[flying] = _between(t[flying], push, landing, pitch, tuck)
+            ankle[t >= TOUCH] = rolled(landing, pitched[t >= TOUCH])
+            return Track(ankle, np.full_like(t, sign * TOES_OUT), pitched)
+
+        return track
+
+    return sides(make)
