@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from statwalk.errors import TextError
 from statwalk.files.characterfile import load_character
+from statwalk.files.glb import read_model
+from textcharacter import from_text
 
 SKELETON = "Root --- - - - -\nArm Root 2 1 0 0\nHand Arm 1 1 0 0\n"
 WAVE = "#time 0\n#rotate Arm 0 0 0\n#time 1\n#rotate Arm 0 0 90\n"
@@ -69,3 +71,15 @@ def test_a_b_spline_that_cannot_pass_through_its_keys_is_refused_when_loaded(fol
     (folder / "arm.yaml").write_text(FILE.replace("wave.txt}", "wave.txt, interpolation: b-spline through}"))
     with pytest.raises(TextError, match="clip wave: a B-spline cannot pass through these rotations"):
         load_character(folder / "arm.yaml")
+
+
+def test_the_model_read_back_moves_alike(tmp_path):
+    keys = "#time 0\n#rotate Arm 0 0 0\n#length Hand 0\n#time 1\n#rotate Arm 20 40 60\n#length Hand 1\n"
+    arm = from_text(tmp_path, SKELETON, 0.5, move=(keys, "interpolation: slerp"))
+    again = read_model(arm.model_glb, "arm", None)
+    ours, theirs = (model.world(model.clip("move").sample(0.7)) for model in (arm, again))
+    rows = [again.skeleton.index(name) for name in arm.skeleton.names]
+    np.testing.assert_allclose(theirs[rows], ours, atol=1e-5)
+    drawn = {part.mesh: part.positions for part in again.vertices(again.clip("move").sample(0.7))}
+    for part in arm.vertices(arm.clip("move").sample(0.7)):
+        np.testing.assert_allclose(drawn[part.mesh], part.positions, atol=1e-5)

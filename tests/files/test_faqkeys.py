@@ -51,7 +51,7 @@ MATRIX = "#matrix Head\n{}\n0 1 0 0\n0 0 1 0\n{}\n"
     [
         ("#turn Head 1 2 3", "line 1: a line should begin with one of #time, #rotate"),
         ("#rotate Head 1 2", "line 1: this key should read #rotate BONE x y z, not 3 words"),
-        ("#rotate Head 1 2 inf", "line 1: #rotate Head should be numbers, not '1 2 inf'"),
+        ("#rotate Head 1 2 inf", "line 1: #rotate Head should be numbers within 1e\\+09, not '1 2 inf'"),
         ("#length Head -1", "line 1: the length of Head should not be negative"),
         ("#rotate Head 0 0 0\n#rotate Head 1 1 1", "line 2: Head has this key already in this pose, at line 1"),
         ("#time 1\n#time 1", "line 2: times begin at 0 or later and rise"),

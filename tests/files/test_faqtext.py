@@ -1,11 +1,14 @@
 """The FAQ's skeleton table as text: read, written, refused."""
 
+import contextlib
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from rotations import unit_vectors
 from statwalk.errors import TextError
+from statwalk.files.faqkeys import read_keys
 from statwalk.files.faqtext import read_skeleton, read_text, shipped_skeleton, write_skeleton
 from statwalk.rig.bones import Bones
 from statwalk.rig.skeleton import Skeleton
@@ -46,8 +49,8 @@ def test_what_is_written_reads_back_to_the_last_bit(rows):
         ("Tail Rot 3 0 1 0", "line 8: no bone is called 'Rot'; did you mean Root?"),
         ("Back Root 3 0 1 0", "line 8: Back is there twice, first at line 6"),
         ("Tail Tail 3 0 1 0", "line 8: bones hang on each other in a circle: Tail -> Tail"),
-        ("Tail Root long 0 1 0", "line 8: the length of Tail should be a number, not 'long'"),
-        ("Tail Root nan 0 1 0", "line 8: the length of Tail should be a number, not 'nan'"),
+        ("Tail Root long 0 1 0", "line 8: the length of Tail should be a number within 1e\\+09, not 'long'"),
+        ("Tail Root nan 0 1 0", "line 8: the length of Tail should be a number within 1e\\+09, not 'nan'"),
         ("Tail Root -3 0 1 0", "line 8: the length of Tail should not be negative"),
         ("Tail Root 3 0 0 0", "line 8: the direction of Tail is 0 0 0"),
         ("Tail Root 3 - - -", "line 8: the direction of Tail is 0 0 0"),
@@ -78,3 +81,14 @@ def test_a_file_that_is_no_text_is_refused(tmp_path):
 def test_a_file_that_is_not_there_is_refused(tmp_path):
     with pytest.raises(TextError, match=r"bones\.txt: cannot be read: No such file"):
         read_text(tmp_path / "bones.txt")
+
+
+WORDS = st.sampled_from(
+    ["Root", "Arm", "---", "-", "1", "0", "-1", "nan", "1e999", "#", "#rotate", "#time", "#matrix", "#length", "é", "\x00", "\n", "\n"]
+)
+
+
+@given(st.lists(WORDS | st.text(max_size=3), max_size=40).map(" ".join), st.sampled_from([read_skeleton, read_keys]))
+def test_any_text_is_read_or_refused_with_a_text_error(text, read):
+    with contextlib.suppress(TextError):
+        read(text)

@@ -24,6 +24,7 @@ from statwalk.rig.skeleton import Skeleton
 
 LARGEST_TEXT_BYTES = 16 << 20
 MOST_BONES = 20_000
+LARGEST_NUMBER = 1e9
 _NO_PARENT, _NOTHING = "---", "-"
 _HEADING = ["bone", "parent", "length", "direction"]
 SHIPPED = Path(__file__).resolve().parents[1] / "rig" / "data"
@@ -89,13 +90,14 @@ def lines_of(text: str) -> Iterator[tuple[str, list[str]]]:
 
 
 def numbers(words: Sequence[str], what: str, place: str) -> list[float]:
-    """The words as finite numbers; else a TextError that says of `what`."""
+    """The words as numbers within ±1e9; else a TextError that says of `what`."""
     try:
         values = [float(word) for word in words]
     except ValueError:
         values = [math.nan]
-    if not all(map(math.isfinite, values)):
-        raise TextError(f"{what} should be {'a number' if len(words) == 1 else 'numbers'}, not {' '.join(words)!r}", place=place)
+    if not all(abs(value) <= LARGEST_NUMBER for value in values):
+        wanted = "a number" if len(words) == 1 else "numbers"
+        raise TextError(f"{what} should be {wanted} within {LARGEST_NUMBER:g}, not {' '.join(words)[:80]!r}", place=place)
     return values
 
 
