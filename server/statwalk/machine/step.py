@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from statwalk.machine.build import Machine
 from statwalk.machine.record import Action, Change, Record, Verdict, Waiting
-from statwalk.machine.state import ENDED, FOREVER, OWED, RUNNING, MachineState
+from statwalk.machine.state import ENDED, FOREVER, NEW, OWED, RUNNING, MachineState
 from statwalk.machine.turn import HOLD, PRESS, RELEASE, Turn
 from statwalk.maths.arrays import Bools, Floats, Ints
 
@@ -174,7 +174,8 @@ def finish(turn: Turn, after: MachineState) -> None:
         after.waiting_event[at][:count] = [one.event for one in turn.queue]
         after.waiting_until[at][:count] = [one.until for one in turn.queue]
         after.waiting_held[at][:count] = [one.held for one in turn.queue]
-    after.wake[at] = min((one.until for one in turn.queue), default=FOREVER)
+    soonest = min((one.until for one in turn.queue), default=FOREVER)
+    after.wake[at] = NEW if turn.queue and turn.changes else soonest  # what waits is looked up in the new state, whenever it came about
     after.held[turn.actor] = turn.held
 
 
