@@ -43,7 +43,12 @@ def clip_of(name, seconds, arm_deg, way=0.0, turn=0.0, keys=31):
 
 CLIPS = {
     clip.name: clip
-    for clip in (clip_of("stand", 2.0, 5), clip_of("walk", 1.0, 40, 1.5), clip_of("hop", 0.5, 90, 0.4), clip_of("turn", 1.0, 20, 0.0, np.pi / 2))
+    for clip in (
+        clip_of("stand", 2.0, 5),
+        clip_of("walk", 1.0, 40, 1.5),
+        clip_of("hop", 0.5, 90, 0.4),
+        clip_of("turn", 1.0, 20, 0.0, np.pi / 2),
+    )
 }
 
 

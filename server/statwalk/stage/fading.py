@@ -11,6 +11,9 @@ from statwalk.maths.easing import smoothstep
 from statwalk.maths.pose import Pose
 from statwalk.motion import inertialize
 
+ROUNDING_S = 1e-6
+"""less than this left of a transition is nothing: 12 times 1/60 s is 0.2 s"""
+
 
 class Fading(NamedTuple):
     """The transition of each of N actors; over where `elapsed` has reached `duration`."""
@@ -41,7 +44,8 @@ class Fading(NamedTuple):
 
     def advanced(self, dt: float) -> Fading:
         """A tick of `dt` seconds later."""
-        return self._replace(elapsed=np.minimum(self.elapsed + dt, self.duration))
+        elapsed = self.elapsed + dt
+        return self._replace(elapsed=np.where(elapsed + ROUNDING_S < self.duration, elapsed, self.duration))
 
     @property
     def is_under_way(self) -> Bools:
