@@ -133,3 +133,30 @@ def test_an_image_that_cannot_be_had_is_noted_and_replaced():
     character = read_model(json.dumps(root).encode(), "tiny")
     assert any("image is left out" in note for note in character.notes)
     assert b"passwd" not in character.model_glb
+
+
+def test_a_joint_without_weight_may_be_any_number():
+    root, binary = document()
+    binary[root["bufferViews"][2]["byteOffset"] + 1] = 200  # the second joint of the first vertex, whose weight is 0
+    odd, right = read_model(glb(root, binary), "odd"), read_model(model(), "tiny")
+    poses = [character.clips["Bend"].sample(0.5) for character in (odd, right)]
+    assert np.array_equal(odd.vertices(poses[0])[0].positions, right.vertices(poses[1])[0].positions)
+
+
+@pytest.mark.parametrize("times", [[-1, 1], [1, 0], [0, np.nan], [0, np.inf]])
+def test_key_times_that_do_not_rise_from_zero_are_refused(times):
+    root, binary = document()
+    start = root["bufferViews"][7]["byteOffset"]
+    binary[start : start + 8] = np.array(times, "<f4").tobytes()
+    with pytest.raises(ModelError) as caught:
+        read_model(glb(root, binary), "tiny")
+    assert caught.value.place == "/accessors/7"
+
+
+def test_of_keys_at_the_same_time_the_last_counts():
+    root, binary = document()
+    start = root["bufferViews"][7]["byteOffset"]
+    binary[start : start + 8] = bytes(8)
+    character = read_model(glb(root, binary), "tiny")
+    assert character.clips["Bend"].sample(0.0).rotation[1] == pytest.approx([0, 0, 1, 0])
+    assert "keys at equal times: the last one counts" in character.notes

@@ -112,3 +112,17 @@ def test_images_are_left_out_of_the_stream():
     knight = character("KayKit_Knight.glb")
     assert "images" not in json.loads(json_of(frame(knight)))
     assert json.loads(json_of(frame(knight, images=True)))["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] == {"index": 0}
+
+
+def share_facing_out(part):
+    """The share of triangles whose corners run round the normals of their vertices, as seen from outside."""
+    faces = (np.arange(len(part.positions)) if part.indices is None else part.indices).reshape(-1, 3)
+    a, b, c = part.positions.astype(float)[faces].swapaxes(0, 1)
+    return np.mean(np.sum(np.cross(b - a, c - a) * part.normals[faces].sum(axis=1), axis=1) > 0)
+
+
+@needs_assets
+@pytest.mark.parametrize("name", ["Node_NegativeScale_02", "Node_NegativeScale_08", "Node_NegativeScale_12"])
+def test_triangles_of_mirrored_parts_still_face_outwards(name):
+    shown = read_model(frame(character(f"AssetGenerator/Node_NegativeScale/{name}.gltf")), "frame")
+    assert min(share_facing_out(part) for part in shown.parts) > 0.95
