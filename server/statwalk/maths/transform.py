@@ -12,7 +12,7 @@ from statwalk.maths.arrays import Floats
 
 
 def from_trs(translation: Floats, rotation: Floats, scale: Floats) -> Floats:
-    """T · R · S (glTF 3.5.3) from translation (…, 3), rotation (…, 4) xyzw and scale (…, 3)."""
+    """T · R · S (glTF 3.5.3) from translation (…, 3), rotation (…, 4) xyzw and scale (…, 3), all with the same leading axes."""
     linear = quat.to_matrix(rotation)
     columns = np.empty((4, 3, *linear.shape[:-2][::-1]), linear.dtype)  # as to_matrix: long rows for a crowd
     np.multiply(linear.T, scale.T[:, None], out=columns[:3])
