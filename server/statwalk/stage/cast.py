@@ -87,9 +87,8 @@ class Cast:
         return replace(self, machine=self.machine._replace(parameters=parameters))
 
     def rehashed(self) -> Cast:
-        """With the hash that follows from the state now."""
-        fading = self.fading
-        return replace(self, hash=mix(self.hash, [*self.machine.arrays(), *self.shown, *fading, self.position, self.heading, self.way]))
+        """With the hash that follows from the state now (what is fading shows in the poses)."""
+        return replace(self, hash=mix(self.hash, [*self.machine.arrays(), *self.shown, self.position, self.heading, self.way]))
 
     @property
     def phase(self) -> Floats:

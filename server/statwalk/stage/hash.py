@@ -17,12 +17,8 @@ _WORD = 0xFFFFFFFFFFFFFFFF
 
 def mix(before: Words, arrays: Iterable[NDArray[Any]]) -> Words:
     """The hashes (N,) that follow from those before and from the bits of arrays with a leading axis of N actors."""
-    total = before * _factors(1)
-    for array in arrays:
-        words = _words(array)
-        if words.shape[1]:
-            total = _scramble(total + (words * _factors(words.shape[1])).sum(-1, dtype=np.uint64))
-    return total
+    words = np.concatenate([_words(array) for array in arrays], -1)
+    return _scramble(_scramble(before) + (words * _factors(words.shape[1])).sum(-1, dtype=np.uint64))
 
 
 def _words(array: NDArray[Any]) -> Words:

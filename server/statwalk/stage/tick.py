@@ -30,13 +30,14 @@ def tick(cast: Cast, inputs: Inputs, dt: float, now: int) -> tuple[Cast, StepRes
 
     # 4 blend: what would jump becomes an offset of the pose that was shown, and dies out; the root's velocity goes over into the new one
     fading = cast.fading
-    rows, duration = _turned(done.changes)
+    turned, duration = _turned(done.changes)
+    rows = turned[duration > 0]  # a blend of 0 s adds nothing to what is still dying out
     if len(rows):
         jump = _jump(cast, done, rows, pose.take(rows), dt)
-        fading = fading.begun(rows, duration, jump, cast.way[rows])
+        fading = fading.begun(rows, duration[duration > 0], jump, cast.way[rows])
     fading = fading.advanced(dt)
     shown = fading.on(pose)
-    way = fading.blended_way(way_gone(cast, done, rows))
+    way = fading.blended_way(way_gone(cast, done, turned))
     place = compose(np.stack([cast.position[:, 0], cast.position[:, 2], cast.heading], -1), way)
     position = np.stack([place[:, 0], cast.position[:, 1], place[:, 1]], -1)
 
