@@ -6,8 +6,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
-import numpy as np
-
 from statwalk.errors import ContentError
 from statwalk.maths.arrays import Floats
 
@@ -43,7 +41,7 @@ class Channel:
     """for weights: the column of the pose's weights that the first value goes to"""
 
     def __post_init__(self) -> None:
-        if self.times.ndim != 1 or not len(self.times) or (np.diff(self.times) <= 0).any():
+        if self.times.ndim != 1 or not len(self.times) or (self.times[1:] <= self.times[:-1]).any():
             raise ContentError(f"the key times of joint {self.joint}'s {self.path} must rise from key to key")
         expected = (len(self.times), 3) if self.interpolation == "CUBICSPLINE" else (len(self.times),)
         width = WIDTHS.get(self.path, self.values.shape[-1])
