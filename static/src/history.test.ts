@@ -13,10 +13,19 @@ describe("History", () => {
     expect(history.between(1, 0, 9)).toEqual([{ start: 0, end: 2, state: 0 }, { start: 3, end: 4, state: 2 }]);
   });
 
-  it("bridges skipped frames, and leaves long holes open", () => {
+  it("bridges skipped frames, the older state up to the change", () => {
     const history = new History();
-    [0, 4, 500].forEach((tick) => history.see(1, tick, 3));
-    expect(history.between(1, 0, 999).map((run) => [run.start, run.end])).toEqual([[0, 4], [500, 500]]);
+    history.see(1, 0, 3);
+    history.see(1, 50, 4);
+    expect(history.between(1, 0, 99)).toEqual([{ start: 0, end: 49, state: 3 }, { start: 50, end: 50, state: 4 }]);
+  });
+
+  it("leaves open what passed while the line was broken", () => {
+    const history = new History();
+    history.see(1, 4, 3);
+    history.tear();
+    [500, 501].forEach((tick) => history.see(1, tick, 3));
+    expect(history.between(1, 0, 999).map((run) => [run.start, run.end])).toEqual([[4, 4], [500, 501]]);
   });
 
   it("is not changed by looking back", () => {

@@ -17,8 +17,6 @@ export interface EventMark {
   kind: "taken" | "waits" | "dropped" | "logged";
 }
 
-/** Frames may be skipped (the newest wins); a hole longer than this many ticks is shown as not seen. */
-const LONGEST_SKIP = 30;
 const MOST_RUNS = 20_000;
 const MOST_MARKS = 20_000;
 
@@ -36,25 +34,35 @@ function lowerBound<T>(sorted: readonly T[], value: number, key: (item: T) => nu
 
 export class History {
   private runs = new Map<number, Run[]>();
+  private torn = new Set<number>();
   private marks: EventMark[] = [];
   private logged: EventMark[] = [];
 
   clear(): void {
     this.runs.clear();
+    this.torn.clear();
     this.marks = [];
     this.logged = [];
   }
 
-  /** The actor is in `state` at `tick`; ticks before the newest one seen are known already and left alone. */
+  /**
+   * The actor is in `state` at `tick`; ticks before the newest one seen are known already and left alone.
+   * Frames may be skipped (the newest wins), but no change of state: what lies between two sights of an unbroken line is known.
+   */
   see(actor: number, tick: number, state: number): void {
     const runs = this.runs.get(actor) ?? [];
     if (!runs.length) this.runs.set(actor, runs);
     const last = runs.at(-1);
     if (last && tick <= last.end) return;
-    const near = last !== undefined && tick - last.end <= LONGEST_SKIP;
-    if (near && last.state === state) last.end = tick;
-    else runs.push({ start: near ? last.end + 1 : tick, end: tick, state });
+    const joined = last !== undefined && !this.torn.delete(actor);
+    if (joined) last.end = last.state === state ? tick : tick - 1;
+    if (!joined || last.state !== state) runs.push({ start: tick, end: tick, state });
     if (runs.length > MOST_RUNS) runs.splice(0, MOST_RUNS / 4);
+  }
+
+  /** The line broke: what happens until the next sight stays unknown. */
+  tear(): void {
+    this.torn = new Set(this.runs.keys());
   }
 
   /** Runs of `actor` that touch the ticks `from`…`to`, oldest first. */

@@ -45,7 +45,10 @@ export class Session {
 
   constructor() {
     this.connection = new Connection({
-      link: (state, detail) => this.link.set({ state, detail }),
+      link: (state, detail) => {
+        if (state === "lost") this.history.tear();
+        this.link.set({ state, detail });
+      },
       message: (message) => this.hear(message),
       frame: (buffer) => this.take(buffer),
       failed: () => void this.findStage(),
@@ -79,6 +82,11 @@ export class Session {
       if (row >= 0) return { cast, row };
     }
     return null;
+  }
+
+  private stateIndex(actor: number, name: string): number {
+    const place = this.place(actor);
+    return place ? this.hello.value!.casts[place.cast]!.states.indexOf(name) : -1;
   }
 
   /** The name of a state of the watched actor. */
@@ -177,8 +185,9 @@ export class Session {
 
   private judge(verdict: Verdict): void {
     this.history.judge(verdict);
+    const to = verdict.verdict === "taken" && verdict.to ? this.stateIndex(verdict.actor, verdict.to) : -1;
+    if (to >= 0) this.history.see(verdict.actor, verdict.tick, to);
     if (verdict.actor !== this.actor.value) return;
-    const to = verdict.verdict === "taken" && verdict.to ? (this.cast?.states.indexOf(verdict.to) ?? -1) : -1;
     if (this.frames.value === "glb" && this.looking.value === null && to >= 0) this.state.set(to);
     // Who looks back sees the past: what fires now is for later.
     if (this.looking.value === null) this.verdicts.ring(verdict);

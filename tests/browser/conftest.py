@@ -22,6 +22,23 @@ REPORT_VIOLATIONS = (
 SIZE = {"width": 960, "height": 640}
 
 
+UNTIL = """async arg => {
+  const start = performance.now();
+  while (!(CONDITION)) {
+    if (performance.now() - start > 20000) {
+      const v = window.__viewer;
+      throw new Error('waited for ' + `CONDITION` + (v ? ` at tick ${v.tick()} in ${v.state()}, line ${v.link()}` : ''));
+    }
+    await new Promise(done => setTimeout(done, 20));
+  }
+}"""
+
+
+def until(page: Page, condition: str, arg: object = None) -> None:
+    """Waits until `condition` (JavaScript, over `arg`) is true; Playwright's own way needs eval, which the page's policy forbids."""
+    page.evaluate(UNTIL.replace("CONDITION", condition), arg)
+
+
 class Server:
     """`statwalk serve` on a port of its own; `start` again after `stop` takes the same port."""
 
@@ -119,7 +136,7 @@ def opened(page: Page) -> Callable[[str], Page]:
 
     def open_at(url: str) -> Page:
         page.goto(url)
-        page.wait_for_function("window.__viewer?.ready")
+        until(page, "window.__viewer?.ready")
         return page
 
     return open_at

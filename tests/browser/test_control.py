@@ -1,6 +1,7 @@
 """Keys and buttons: they change the state, and the pose moves."""
 
 import pytest
+from browser.conftest import until
 from playwright.sync_api import Page
 
 FARTHEST = """start => {
@@ -11,40 +12,40 @@ FARTHEST = """start => {
 
 @pytest.fixture
 def standing(viewer: Page) -> Page:
-    viewer.wait_for_function("__viewer.state() === 'STAT'")
+    until(viewer, "__viewer.state() === 'STAT'")
     return viewer
 
 
 def test_a_held_key_makes_it_walk_and_release_stops_it(standing: Page) -> None:
     start = standing.evaluate("__viewer.joints()")
     standing.keyboard.down("ArrowUp")
-    standing.wait_for_function("__viewer.state() === 'WALK'")
-    standing.wait_for_function(f"start => ({FARTHEST})(start) > 0.5", arg=start)
+    until(standing, "__viewer.state() === 'WALK'")
+    until(standing, f"({FARTHEST})(arg) > 0.5", start)
     standing.keyboard.up("ArrowUp")
-    standing.wait_for_function("__viewer.state() === 'STAT'")
+    until(standing, "__viewer.state() === 'STAT'")
 
 
 def test_the_live_row_and_the_live_state_follow(standing: Page) -> None:
     standing.keyboard.down("ArrowUp")
-    standing.wait_for_function("document.querySelector('#table tr[aria-current] th')?.textContent === 'WALK'")
-    standing.wait_for_function("document.querySelector('#graph .live text')?.textContent === 'WALK'")
+    until(standing, "document.querySelector('#table tr[aria-current] th')?.textContent === 'WALK'")
+    until(standing, "document.querySelector('#graph .live text')?.textContent === 'WALK'")
     assert standing.locator("#graph .edge.last").count() == 1
     standing.keyboard.up("ArrowUp")
-    standing.wait_for_function("__viewer.state() === 'STAT'")
+    until(standing, "__viewer.state() === 'STAT'")
 
 
 def test_a_button_does_what_its_key_does(standing: Page) -> None:
     button = standing.locator("[data-event=CROUCH]")
     button.click()
-    standing.wait_for_function("__viewer.state() === 'CRCH'")
-    standing.wait_for_function("__viewer.state() === 'STAT'")
+    until(standing, "__viewer.state() === 'CRCH'")
+    until(standing, "__viewer.state() === 'STAT'")
 
 
 def test_losing_the_keyboard_lets_the_key_go(standing: Page) -> None:
     standing.keyboard.down("ArrowUp")
-    standing.wait_for_function("__viewer.state() === 'WALK'")
+    until(standing, "__viewer.state() === 'WALK'")
     standing.evaluate("window.dispatchEvent(new Event('blur'))")
-    standing.wait_for_function("__viewer.state() === 'STAT'")
+    until(standing, "__viewer.state() === 'STAT'")
     standing.keyboard.up("ArrowUp")
 
 

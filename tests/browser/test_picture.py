@@ -1,5 +1,6 @@
 """What one sees: the character, by either stream, and the bones in it."""
 
+from browser.conftest import until
 from playwright.sync_api import Page
 
 MOST_COLOUR = 14
@@ -19,7 +20,7 @@ def test_it_is_in_the_page_as_well(viewer: Page) -> None:
     """Without its skin the canvas, as the browser shows it, is another one."""
     shot = viewer.locator("#picture").screenshot()
     viewer.keyboard.press("1")
-    viewer.wait_for_function("__viewer.pixels().covered === 0")
+    until(viewer, "__viewer.pixels().covered === 0")
     assert viewer.locator("#picture").screenshot() != shot
 
 
@@ -33,7 +34,7 @@ def test_server_and_gpu_skin_alike(viewer: Page) -> None:
     viewer.wait_for_selector("[data-link=paused]")
     by_gpu = viewer.evaluate("__viewer.pixels()")
     viewer.keyboard.press("g")
-    viewer.wait_for_function("__viewer.frames() === 'glb' && __viewer.shown() === 'glb'")
+    until(viewer, "__viewer.frames() === 'glb' && __viewer.shown() === 'glb'")
     by_server = viewer.evaluate("__viewer.pixels()")
     viewer.keyboard.press("g")
     viewer.keyboard.press("p")
@@ -49,5 +50,5 @@ def test_bones_are_drawn_over_the_skin(viewer: Page) -> None:
         button = viewer.get_by_role("button", name=name)
         before = viewer.evaluate("__viewer.stats().drawn")
         button.click()
-        viewer.wait_for_function("before => __viewer.stats().drawn > before", arg=before)
+        until(viewer, "__viewer.stats().drawn > arg", before)
         assert button.get_attribute("aria-pressed") == "true"

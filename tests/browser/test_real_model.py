@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from browser.conftest import Server
+from browser.conftest import Server, until
 from playwright.sync_api import Page
 from where import needs_assets
 
@@ -14,9 +14,10 @@ def test_a_machine_made_from_a_real_model_walks(robot_server: Server, opened: Ca
     assert page.evaluate("__viewer.pixels().covered") > 0.02
     first = page.evaluate("[__viewer.state(), __viewer.joints()]")
     page.locator("[data-event=WALKING], [data-event=WALK]").first.click()
-    page.wait_for_function("__viewer.state().toLowerCase().startsWith('walk')")
-    page.wait_for_function(
-        "start => Object.entries(__viewer.joints()).some(([name, at]) => Math.hypot(...at.map((v, i) => v - start[name][i])) > 0.2)",
-        arg=first[1],
+    until(page, "__viewer.state().toLowerCase().startsWith('walk')")
+    until(
+        page,
+        "Object.entries(__viewer.joints()).some(([name, at]) => Math.hypot(...at.map((v, i) => v - arg[name][i])) > 0.2)",
+        first[1],
     )
     assert page.evaluate("__viewer.state()") != first[0]

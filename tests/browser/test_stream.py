@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 import httpx
-from browser.conftest import Server
+from browser.conftest import Server, until
 from playwright.sync_api import Page
 
 HOSTILE = "<img src=x onerror=\"document.title='owned'\">"
@@ -24,10 +24,10 @@ def test_every_frame_is_acknowledged(viewer: Page) -> None:
 def test_it_comes_back_after_a_restart(server: Server, viewer: Page, allowed: list[str]) -> None:
     allowed += ["WebSocket connection to", "Failed to load resource", "ERR_CONNECTION_REFUSED"]
     server.stop()
-    viewer.wait_for_function("__viewer.link() !== 'live'")
+    until(viewer, "__viewer.link() !== 'live'")
     server.start()
-    viewer.wait_for_function("__viewer.link() === 'live' && __viewer.head() > 10")
-    viewer.wait_for_function("__viewer.posed() > 10")
+    until(viewer, "__viewer.link() === 'live' && __viewer.head() > 10")
+    until(viewer, "__viewer.posed() > 10")
 
 
 def test_names_are_text(server: Server, opened: Callable[[str], Page]) -> None:

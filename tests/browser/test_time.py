@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 import pytest
+from browser.conftest import until
 from playwright.sync_api import Page
 
 SCRUB = """tick => {
@@ -22,25 +23,25 @@ def paused(viewer: Page) -> Iterator[Page]:
 
 
 def test_the_scrub_bar_goes_back_and_live_returns(viewer: Page) -> None:
-    viewer.wait_for_function("__viewer.tick() > 60")
+    until(viewer, "__viewer.tick() > 60")
     there = viewer.evaluate("__viewer.tick()") - 40
     viewer.evaluate(SCRUB, there)
-    viewer.wait_for_function("there => __viewer.tick() === there", arg=there)
+    until(viewer, "__viewer.tick() === arg", there)
     assert viewer.evaluate("__viewer.looking()") == there
-    viewer.wait_for_function("there => __viewer.head() > there + 60", arg=there)
+    until(viewer, "__viewer.head() > arg + 60", there)
     viewer.get_by_role("button", name="live", exact=True).last.click()
-    viewer.wait_for_function("there => __viewer.looking() === null && __viewer.tick() > there + 60", arg=there)
+    until(viewer, "__viewer.looking() === null && __viewer.tick() > arg + 60", there)
 
 
 def test_the_same_tick_looks_the_same(viewer: Page) -> None:
     """Going to a tick twice shows the same hash and the same pose."""
-    viewer.wait_for_function("__viewer.tick() > 60")
+    until(viewer, "__viewer.tick() > 60")
     there = viewer.evaluate("__viewer.tick()") - 30
     seen = []
     for tick in (there, there - 20, there):
         viewer.evaluate(SCRUB, tick)
-        viewer.wait_for_function("tick => __viewer.tick() === tick", arg=tick)
-        viewer.wait_for_function("__viewer.posed() === __viewer.tick()")
+        until(viewer, "__viewer.tick() === arg", tick)
+        until(viewer, "__viewer.posed() === __viewer.tick()")
         seen.append(viewer.evaluate("[__viewer.hash(), __viewer.joints()]"))
     assert seen[0] == seen[2]
     assert seen[0][0] != seen[1][0]
@@ -49,13 +50,13 @@ def test_the_same_tick_looks_the_same(viewer: Page) -> None:
 def test_pause_stands_still_and_step_is_one_tick(paused: Page) -> None:
     before = paused.evaluate("__viewer.head()")
     paused.keyboard.press(".")
-    paused.wait_for_function("before => __viewer.tick() === before + 1", arg=before)
+    until(paused, "__viewer.tick() === arg + 1", before)
 
 
 def test_an_event_in_the_past_forks(viewer: Page, allowed: list[str]) -> None:
-    viewer.wait_for_function("__viewer.tick() > 60 && __viewer.state() === 'STAT'")
+    until(viewer, "__viewer.tick() > 60 && __viewer.state() === 'STAT'")
     viewer.evaluate(SCRUB, viewer.evaluate("__viewer.tick()") - 10)
-    viewer.wait_for_function("__viewer.looking() === __viewer.tick()")
+    until(viewer, "__viewer.looking() === __viewer.tick()")
     viewer.keyboard.press("c")
-    viewer.wait_for_function("__viewer.stage() !== 'main' && __viewer.link() === 'live'")
+    until(viewer, "__viewer.stage() !== 'main' && __viewer.link() === 'live'")
     assert "stage=" in viewer.url

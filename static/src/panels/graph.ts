@@ -2,7 +2,7 @@
 
 import type { MachineInfo, Verdict } from "../net/protocol";
 import type { Session } from "../session";
-import { flash, svg } from "./dom";
+import { flash, say, svg } from "./dom";
 import { type Layout, type PlacedEdge, type PlacedState, STATE_HEIGHT, layoutGraph } from "./graphlayout";
 
 const edgeKey = (from: string, to: string): string => JSON.stringify([from, to]);
@@ -93,11 +93,12 @@ export class GraphPanel {
     }
   }
 
-  private fire({ verdict, from, to }: Verdict): void {
+  private fire({ verdict, event, from, to }: Verdict): void {
     if (verdict !== "taken" || !from) return;
     const group = this.edges.get(edgeKey(from, to || from));
     if (!group) return;
     flash(group, "fired");
+    say(group.querySelector("text")!, event);
     group.parentElement?.querySelectorAll(".last").forEach((old) => old.classList.remove("last"));
     group.classList.add("last");
   }

@@ -47,7 +47,7 @@ export class FollowCamera {
     const target = this.controls.target.copy(this.goal).add(this.centre);
     const half = THREE.MathUtils.degToRad(this.camera.fov / 2);
     const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
-    const distance = (this.radius / Math.sin(narrow)) * 1.06;
+    const distance = (this.radius / Math.sin(narrow)) * 1.14;
     const away = new THREE.Vector3(Math.sin(AZIMUTH) * Math.cos(ELEVATION), Math.sin(ELEVATION), Math.cos(AZIMUTH) * Math.cos(ELEVATION));
     this.camera.position.copy(target).addScaledVector(away, distance);
     this.camera.updateProjectionMatrix();

@@ -43,14 +43,14 @@ const LINE_FRAGMENT = /* glsl */ `
   uniform float strength;
   void main() {
     float far = length(ground - centre) / (unit * ${REACH_M.toFixed(1)});
-    gl_FragColor = vec4(ink, 0.75 * pow(max(0.0, 1.0 - far), 2.2) * strength);
+    gl_FragColor = vec4(ink, 0.6 * pow(max(0.0, 1.0 - far), 2.2) * strength);
     #include <colorspace_fragment>
   }`;
 
-/** Lines one unit apart: software rendering shades only their pixels, not the whole floor. */
+/** Lines half a unit apart: software rendering shades only their pixels, not the whole floor. */
 function lineGeometry(): THREE.BufferGeometry {
   const corners: number[] = [];
-  for (let i = -REACH_M; i <= REACH_M; i++) corners.push(i, 0, -REACH_M, i, 0, REACH_M, -REACH_M, 0, i, REACH_M, 0, i);
+  for (let i = -REACH_M; i <= REACH_M; i += 0.5) corners.push(i, 0, -REACH_M, i, 0, REACH_M, -REACH_M, 0, i, REACH_M, 0, i);
   return new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(corners, 3));
 }
 
