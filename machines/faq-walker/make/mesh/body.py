@@ -11,11 +11,11 @@ from mesh.weights import soft_weights, strongest
 from numpy.typing import NDArray
 from skeleton import NAMES, PARENT, SIDES, rest_translation
 
-HALF_WIDTH = spaced([(0.12, 0.020), (0.44, 0.0225), (0.66, 0.0130)], 0.0)
+HALF_WIDTH = spaced([(0.12, 0.0215), (0.44, 0.0250), (0.66, 0.0140)], 0.0)
 LINES = (
     np.concatenate([-HALF_WIDTH[:0:-1], HALF_WIDTH]),
-    spaced([(0.12, 0.0140), (0.80, 0.0280), (1.00, 0.0165), (1.38, 0.0245), (1.80, 0.0160)], -0.03),
-    spaced([(0.26, 0.0175)], -0.22),
+    spaced([(0.12, 0.0150), (0.80, 0.0310), (1.00, 0.0180), (1.38, 0.0260), (1.80, 0.0170)], -0.03),
+    spaced([(0.26, 0.0190)], -0.22),
 )
 
 

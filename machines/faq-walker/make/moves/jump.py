@@ -16,7 +16,7 @@ DOWN: Keys = [(0.12, 0.893), (0.26, 0.800), (0.395, 0.752), (0.47, 0.796), (TAKE
 RUN: Keys = [(0.18, 0.218), (0.36, 0.412), (TAKE_OFF, FAR)]
 SINKING: Keys = [
     (TOUCH, TOUCH_HEIGHT),
-    (TOUCH + 0.05, TOUCH_HEIGHT - 0.105),
+    (TOUCH + 0.05, TOUCH_HEIGHT - 0.1),
     (TOUCH + ABSORB, 0.768),
     (TOUCH + 0.27, LOW - 0.018),
     (END, LOW),
