@@ -6,6 +6,7 @@ import subprocess
 from functools import cache
 from pathlib import Path
 
+from playwright._impl._driver import compute_driver_executable
 from where import ROOT
 
 PACKAGE = ROOT / "static" / "node_modules" / "gltf-validator"
@@ -32,8 +33,6 @@ def node() -> str:
     """A node to run: the one on the PATH, else the one that Playwright brings."""
     found = shutil.which("node")
     if found is None:
-        from playwright._impl._driver import compute_driver_executable
-
         found = str(compute_driver_executable()[0])
     return found
 

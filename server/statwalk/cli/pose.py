@@ -7,8 +7,8 @@ from typing import Annotated, Any
 
 import numpy as np
 import typer
-from numpy.typing import NDArray
 from rich.console import Console
+from rich.markup import escape
 
 from statwalk.character import Character
 from statwalk.errors import StatwalkError
@@ -27,8 +27,8 @@ console = Console(highlight=False)
 errors = Console(stderr=True, highlight=False)
 
 
-def numbers(character: Character, pose: Pose) -> dict[str, NDArray[Any]]:
-    """What is written, by name.
+def numbers(character: Character, pose: Pose) -> dict[str, Any]:
+    """What is written: arrays by name.
 
     world (J,4,4), local (J,10) as T xyz, R xyzw, S xyz, names (J,), node_index (J,), weights (W,); vertices and normals (V,3) of all
     parts, one after the other; parts (P,5): node, mesh and primitive in the file, first vertex, number of vertices.
@@ -72,7 +72,7 @@ def pose(
         found = numbers(character, sampled)
         np.savez(out.with_suffix(".npz"), **found)
     except (StatwalkError, OSError) as error:
-        errors.print(f"[bold red]statwalk pose:[/] {error}")
+        errors.print(f"[bold red]statwalk pose:[/] {escape(str(error))}", soft_wrap=True)
         raise typer.Exit(2) from None
     shapes = ", ".join(f"{name} {array.shape}" for name, array in found.items())
-    console.print(f"{out.with_suffix('.npz')}: {shapes}")
+    console.print(escape(f"{out.with_suffix('.npz')}: {shapes}"), soft_wrap=True)
