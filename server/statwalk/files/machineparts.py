@@ -44,7 +44,7 @@ def refuse_bad_names(node: Node, kind: str) -> None:
     """Raises MachineError for a key that cannot be a name."""
     for name, line in node.key_lines.items():
         if not NAME.fullmatch(name):
-            raise node.refuse(f"{name[:40]!r} cannot name a {kind}: a letter, then letters, digits, _ . -", line)
+            raise node.refuse(f"{name[:40]!r} cannot name a {kind}: letters, digits and _, then also . -", line)
 
 
 def state(node: Node) -> StateDefinition:
@@ -64,7 +64,7 @@ def state(node: Node) -> StateDefinition:
 
 def speed(node: Node) -> float | str:
     """A factor from 0 to 100, or a parameter's name."""
-    return node.text() if NAME.fullmatch(node.text()) else node.number(0, LARGEST_SPEED)
+    return node.text() if node.text().isidentifier() else node.number(0, LARGEST_SPEED)
 
 
 def events(node: Node | None) -> dict[str, EventDefinition]:

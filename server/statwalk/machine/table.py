@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from statwalk.errors import MachineError
 from statwalk.machine.definition import ANY, CellDefinition
 
-NAME = re.compile(r"[^\W\d][\w.-]*")
-CELL = re.compile(r"(?P<state>[^\W\d][\w.-]*)(?P<restart>!?)(?:\s+at\s+(?P<moment>\S+))?")
+NAME = re.compile(r"\w[\w.-]*")
+CELL = re.compile(r"(?P<state>\w[\w.-]*)(?P<restart>!?)(?:\s+at\s+(?P<moment>\S+))?")
 MOST_CELLS = 100_000
 
 
@@ -96,9 +96,7 @@ def distinct(names: Iterable[str], kind: str, file: str, line: int) -> dict[str,
     found: dict[str, int] = {}
     for name in names:
         if name != ANY and not NAME.fullmatch(name):
-            raise MachineError(
-                f"{name[:40]!r} cannot name a {kind}: a letter, then letters, digits, _ . -", file=file, place=f"line {line}"
-            )
+            raise MachineError(f"{name[:40]!r} cannot name a {kind}: letters, digits and _, then also . -", file=file, place=f"line {line}")
         if name in found:
             raise MachineError(f"the {kind} {name[:40]} stands there twice", file=file, place=f"line {line}")
         found[name] = line

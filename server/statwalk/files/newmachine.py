@@ -1,0 +1,162 @@
+"""A machine folder made from a model: a state for each clip, an event for each state, a complete table, keys."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from statwalk.character import Character
+from statwalk.errors import ContentError, MachineError
+from statwalk.files import clipnames
+from statwalk.files.machinefile import FILE_NAME
+from statwalk.motion.clip import Clip
+
+TABLE_NAME = "table.csv"
+LARGEST_INLINE = 20
+"""states; a larger table goes into a file of its own, for a spreadsheet"""
+CLOSE = 1e-2
+PLAIN = re.compile(r"[^\W\d][\w.-]*")
+SHORT_KEYS = "qwertyuioasdhjkzxcvbnm567890"
+"""without those that the viewer has for itself"""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A clip with its state, its event (none for the idle one) and its kind."""
+
+    clip: str
+    state: str
+    event: str
+    kind: clipnames.Kind
+
+
+def write_machine(character: Character, source: Path, folder: Path, copy: bool = True) -> Path:
+    """Writes the folder and returns it; with `copy` the model goes into it, else its path is named.
+
+    Raises MachineError where the folder holds a machine already, or the model has no clips.
+    """
+    if (folder / FILE_NAME).exists():
+        raise MachineError("there is a machine here already; choose another folder", file=str(folder / FILE_NAME))
+    motions = motions_of(character)
+    folder.mkdir(parents=True, exist_ok=True)
+    model = source.resolve()
+    if copy:
+        model = folder / f"{source.stem}.glb"
+        model.write_bytes(character.model_glb)
+    inline = len(motions) <= LARGEST_INLINE
+    if not inline:
+        (folder / TABLE_NAME).write_text(as_csv(table_of(motions)), encoding="utf-8", newline="")
+    (folder / FILE_NAME).write_text(machine_text(source.stem, motions, model.name if copy else str(model), inline), encoding="utf-8")
+    return folder
+
+
+def motions_of(character: Character) -> list[Motion]:
+    """The motions, the idle one first; raises ContentError where there are none."""
+    if not character.clips:
+        raise ContentError("the model has no animations, so there are no states to make", file=character.name)
+    kinds = {name: clipnames.kind(name, clip.duration, comes_round(clip)) for name, clip in character.clips.items()}
+    idle = min(character.clips, key=lambda name: (*clipnames.idle_rank(name)[:1], kinds[name] != "loop", clipnames.idle_rank(name)[1]))
+    found = [Motion(idle, clipnames.state_name(idle, ()), "", "loop")]
+    for name in character.clips:
+        if name != idle:
+            state = clipnames.state_name(name, [one.state for one in found])
+            event = clipnames.event_name(name, ["STOP", "END", "STATE", *(one.event for one in found)])
+            found.append(Motion(name, state, event, kinds[name]))
+    return found
+
+
+def comes_round(clip: Clip) -> bool:
+    """Whether the last pose is the first again, though it moves in between."""
+    first, middle, last = (clip.sample(clip.duration * part) for part in (0.0, 0.4, 1.0))
+
+    def near(a: np.ndarray, b: np.ndarray) -> bool:
+        return bool(np.abs(a - b).max(initial=0.0) < CLOSE)
+
+    turned = np.abs(first.rotation * last.rotation).sum(-1)  # |q·p| >= this only where they agree; sign does not matter
+    same = near(first.translation, last.translation) and near(turned, np.maximum(turned, 1 - CLOSE / 10))
+    moves = not (near(first.translation, middle.translation) and near(first.rotation, middle.rotation))
+    return same and moves
+
+
+def table_of(motions: list[Motion]) -> list[list[str]]:
+    """The complete table, header first: what goes on can be left at once, what comes once or rests is left at its end."""
+    idle = motions[0]
+    events = [one.event for one in motions[1:]]
+    rows = [["state", *events, "STOP", "END"]]
+    for here in motions:
+        cells = [cell(here, there) for there in motions[1:]]
+        stop = idle.state if here.kind == "loop" else f"{idle.state} at end"
+        end = {"loop": here.state, "once": idle.state, "rest": "-"}[here.kind]
+        rows.append([here.state, *cells, stop, end])
+    return rows
+
+
+def cell(here: Motion, there: Motion) -> str:
+    """Where an event leads from a state."""
+    if here.state == there.state:
+        return f"{there.state}! at end" if here.kind == "once" else there.state
+    at_once = here.kind == "loop" or there.kind != "loop"
+    return there.state if at_once else f"{there.state} at end"
+
+
+def as_csv(rows: list[list[str]]) -> str:
+    """The table for a spreadsheet."""
+    text = io.StringIO()
+    csv.writer(text).writerows(rows)
+    return text.getvalue()
+
+
+def as_text(rows: list[list[str]]) -> str:
+    """The table in columns, with `|` between them."""
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    return "\n".join("  " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows)
+
+
+def quoted(text: str) -> str:
+    """The text as YAML reads it back."""
+    return text if PLAIN.fullmatch(text) else json.dumps(text, ensure_ascii=False)
+
+
+def machine_text(title: str, motions: list[Motion], model: str, inline: bool) -> str:
+    """The machine file."""
+    lines = [
+        f"# Made by `statwalk new` from {quoted(Path(model).name)}: a state for each clip. Edit it, then `statwalk verify`.",
+        "semantics: 1",
+        f"title: {quoted(title)}",
+        f"character: {quoted(model)}",
+        f"initial: {motions[0].state}",
+        "defaults: {when: now, blend: 0.2, buffer: 0.3}",
+        "",
+        "# Loops go on until an event says otherwise; the others come to an end.",
+        "states:",
+        *(f"  {quoted(one.state)}: {{motion: {quoted(one.clip)}, loop: {str(one.kind == 'loop').lower()}}}" for one in motions),
+        "",
+        "# The next state, for each state (down) and event (across). STOP and the END of what comes once lead to the idle state.",
+        f"table: {'|' if inline else TABLE_NAME}",
+        *([as_text(table_of(motions))] if inline else []),
+        "",
+        "keys:",
+        *(f"  {quoted(key)}: {sent}" for key, sent in keys(motions)),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def keys(motions: list[Motion]) -> Iterator[tuple[str, str]]:
+    """Arrows and Shift, held, for what goes somewhere; Space for a jump; digits and letters for the rest; Escape for STOP."""
+    left = {one.event: one for one in motions[1:]}
+    for key, kind, stems in SPECIAL_KEYS:
+        tuple[tuple[str, clipnames.Kind, str], ...] = (
+            ("ArrowUp", "loop", "walk trot"),
+            ("Shift", "loop", "run jog sprint gallop"),
+            ("ArrowDown", "loop", "back crouch sneak"),
+            ("ArrowLeft", "loop", "left"),
+            ("ArrowRight", "loop", "right"),
+            ("Space", "once", "jump"),
+        )
