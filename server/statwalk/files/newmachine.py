@@ -45,15 +45,15 @@ def write_machine(character: Character, source: Path, folder: Path, copy: bool =
     if (folder / FILE_NAME).exists():
         raise MachineError("there is a machine here already; choose another folder", file=str(folder / FILE_NAME))
     motions = motions_of(character)
-    folder.mkdir(parents=True, exist_ok=True)
-    model = source.resolve()
-    if copy:
-        model = folder / f"{source.stem}.glb"
-        model.write_bytes(character.model_glb)
+    model = Path(f"{source.stem}.glb") if copy else source.resolve()
     inline = len(motions) <= LARGEST_INLINE
+    text = machine_text(source.stem, motions, model, inline)
+    folder.mkdir(parents=True, exist_ok=True)
+    if copy:
+        (folder / model).write_bytes(character.model_glb)
     if not inline:
         (folder / TABLE_NAME).write_text(as_csv(table_of(motions)), encoding="utf-8", newline="")
-    (folder / FILE_NAME).write_text(machine_text(source.stem, motions, model.name if copy else str(model), inline), encoding="utf-8")
+    (folder / FILE_NAME).write_text(text, encoding="utf-8")
     return folder
 
 
@@ -124,13 +124,13 @@ def quoted(text: str) -> str:
     return text if PLAIN.fullmatch(text) else json.dumps(text, ensure_ascii=False)
 
 
-def machine_text(title: str, motions: list[Motion], model: str, inline: bool) -> str:
+def machine_text(title: str, motions: list[Motion], model: Path, inline: bool) -> str:
     """The machine file."""
     lines = [
-        f"# Made by `statwalk new` from {quoted(Path(model).name)}: a state for each clip. Edit it, then `statwalk verify`.",
+        f"# Made by `statwalk new` from {quoted(model.name)}: a state for each clip. Edit it, then `statwalk verify`.",
         "semantics: 1",
         f"title: {quoted(title)}",
-        f"character: {quoted(model)}",
+        f"character: {quoted(str(model))}",
         f"initial: {motions[0].state}",
         "defaults: {when: now, blend: 0.2, buffer: 0.3}",
         "",
@@ -152,11 +152,21 @@ def keys(motions: list[Motion]) -> Iterator[tuple[str, str]]:
     """Arrows and Shift, held, for what goes somewhere; Space for a jump; digits and letters for the rest; Escape for STOP."""
     left = {one.event: one for one in motions[1:]}
     for key, kind, stems in SPECIAL_KEYS:
-        tuple[tuple[str, clipnames.Kind, str], ...] = (
-            ("ArrowUp", "loop", "walk trot"),
-            ("Shift", "loop", "run jog sprint gallop"),
-            ("ArrowDown", "loop", "back crouch sneak"),
-            ("ArrowLeft", "loop", "left"),
-            ("ArrowRight", "loop", "right"),
-            ("Space", "once", "jump"),
-        )
+        found = [one for one in left.values() if one.kind == kind and clipnames.says(one.clip, stems)]
+        if found:
+            best = min(found, key=lambda one: len(clipnames.words(one.clip)))
+            del left[best.event]
+            yield key, f"{{hold: {best.event}, release: STOP}}" if kind == "loop" else f"{{press: {best.event}}}"
+    for key, event in zip(SHORT_KEYS, left, strict=False):
+        yield key, f"{{press: {event}}}"
+    yield "Escape", "{press: STOP}"
+
+
+SPECIAL_KEYS: tuple[tuple[str, clipnames.Kind, str], ...] = (
+    ("ArrowUp", "loop", "walk trot"),
+    ("Shift", "loop", "run jog sprint gallop"),
+    ("ArrowDown", "loop", "back crouch sneak"),
+    ("ArrowLeft", "loop", "left"),
+    ("ArrowRight", "loop", "right"),
+    ("Space", "once", "jump"),
+)
