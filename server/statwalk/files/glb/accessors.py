@@ -6,6 +6,7 @@ zeros and counts like any other. Plain ones come as views of the file's bytes, w
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -65,7 +66,7 @@ class Accessors:
     def finite(self, values: Array, row: int) -> Array:
         """The values, which must all be finite. A sum of squares tells it in one pass; only a huge one needs a closer look."""
         flat = values.ravel()
-        if not np.isfinite(np.dot(flat, flat)) and not np.isfinite(flat).all():
+        if not math.isfinite(np.dot(flat, flat)) and not np.isfinite(flat).all():
             raise ModelError("it holds a number that is not finite", place=f"/accessors/{row}")
         return values
 

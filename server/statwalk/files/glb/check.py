@@ -86,12 +86,15 @@ def one_of(entry: Json, key: str, place: str, allowed: Any, default: Any = None)
 
 def reference(entry: Json, key: str, place: str, collection: list[Any], kind: str) -> int | None:
     """An index into a collection, or None where the key is missing."""
-    return None if key not in entry else index(entry[key], f"{place}/{key}", collection, kind)
+    return required_reference(entry, key, place, collection, kind) if key in entry else None
 
 
 def required_reference(entry: Json, key: str, place: str, collection: list[Any], kind: str) -> int:
     """An index into a collection that must be there."""
-    return index(entry.get(key), f"{place}/{key}", collection, kind)
+    value = entry.get(key)
+    if type(value) is int and 0 <= value < len(collection):
+        return value
+    return index(value, f"{place}/{key}", collection, kind)
 
 
 def index(value: Any, place: str, collection: list[Any], kind: str) -> int:
