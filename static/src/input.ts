@@ -28,7 +28,7 @@ export class Keyboard {
     this.held = new HeldKeys(({ kind, event }) => session.event(kind, event));
     window.addEventListener("keydown", (press) => this.down(press));
     window.addEventListener("keyup", (press) => this.up(press));
-    window.addEventListener("blur", () => this.letGo());
+    for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.letGo());
     document.addEventListener("visibilitychange", () => document.hidden && this.letGo());
     session.actor.on(() => this.letGo());
   }

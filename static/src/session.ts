@@ -7,6 +7,7 @@ import { Meter, RoundTrip } from "./net/meter";
 import type { CastHello, EventKind, FrameKind, Hello, MachineInfo, ServerMessage, Status, Verdict } from "./net/protocol";
 import { type PoseFrame, isGlb, readPoseFrame } from "./net/wire";
 import { History } from "./history";
+import { Lookback } from "./lookback";
 import { Bell, Signal } from "./store";
 
 export interface Place {
@@ -23,8 +24,9 @@ export class Session {
   /** The state of the watched actor, an index into its cast's states. */
   readonly state = new Signal<number | null>(null);
   readonly frames = new Signal<FrameKind>("pose");
+  private readonly back = new Lookback((message) => this.connection.send(message));
   /** The tick this page looks at, or null while it follows the stage. */
-  readonly looking = new Signal<number | null>(null);
+  readonly looking = this.back.looking;
   readonly verdicts = new Bell<Verdict>();
   readonly notices = new Bell<string>();
   readonly history = new History();
@@ -38,7 +40,6 @@ export class Session {
   first = 0;
   hash = "";
   stage = "";
-  private asked: number | null = null;
   private lastPhase: number | null = null;
   private refs = 1;
   private readonly connection: Connection;
@@ -59,9 +60,9 @@ export class Session {
   watch(stage: string): void {
     this.stage = stage;
     this.history.clear();
-    this.looking.set(null);
+    this.back.forget();
     this.state.set(null);
-    this.pose = this.glb = this.asked = null;
+    this.pose = this.glb = null;
     this.connection.connect(stage, this.frames.value);
   }
 
@@ -137,10 +138,7 @@ export class Session {
   private moved(tick: number, head: number): void {
     this.tick = tick;
     this.head = Math.max(this.head, head);
-    const wanted = this.looking.value;
-    if (tick !== this.asked) return;
-    this.asked = null;
-    if (wanted !== null && wanted !== tick) this.ask(wanted);
+    this.back.arrived(tick);
   }
 
   private hear(message: ServerMessage): void {
@@ -160,7 +158,8 @@ export class Session {
     this.status.set({ paused: hello.paused, speed: hello.speed, viewers: this.status.value.viewers });
     this.hello.set(hello);
     if (!this.place()) this.actor.set(hello.casts[0]?.actors[0]?.id ?? null);
-    if (this.looking.value !== null) restarted ? this.live() : this.ask(this.looking.value);
+    if (restarted) this.back.forget();
+    else this.back.again();
     void this.learn(hello, restarted);
   }
 
@@ -217,21 +216,13 @@ export class Session {
     this.connection.send({ type: "ping", ref: this.trip.ask(performance.now()) });
   }
 
-  /** Shows tick `tick` on this page alone. One question is under way at a time; the newest wish wins. */
+  /** Shows tick `tick` on this page alone. */
   look(tick: number): void {
-    const within = Math.round(Math.min(this.head, Math.max(this.first, tick)));
-    this.looking.set(within);
-    if (this.asked === null) this.ask(within);
-  }
-
-  private ask(tick: number): void {
-    this.asked = this.connection.send({ type: "look", tick }) ? tick : null;
+    this.back.look(Math.round(Math.min(this.head, Math.max(this.first, tick))));
   }
 
   live(): void {
-    this.asked = null;
-    this.looking.set(null);
-    this.connection.send({ type: "live" });
+    this.back.live();
   }
 
   stream(frames: FrameKind): void {

@@ -22,6 +22,7 @@ export class Chooser {
     });
     session.hello.on(() => void this.show());
     session.machine.on(() => this.select());
+    session.actor.on(() => this.select());
     void this.list();
   }
 
@@ -34,13 +35,13 @@ export class Chooser {
   private select(): void {
     const name = this.session.cast?.machine;
     if (name !== undefined) this.machines.value = name;
+    this.actors.value = String(this.session.actor.value);
   }
 
   private async show(): Promise<void> {
     const actors = this.session.hello.value?.casts.flatMap((cast) => cast.actors) ?? [];
     this.actors.hidden = actors.length < 2;
     this.actors.replaceChildren(...actors.map(({ id, name }) => el("option", { value: id }, name)));
-    this.actors.value = String(this.session.actor.value);
     this.select();
     if (!this.machines.options.length) await this.list();
   }

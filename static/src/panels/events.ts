@@ -28,7 +28,7 @@ export class EventsPanel {
     this.held = new HeldKeys(({ kind, event }: Intent) => session.event(kind, event));
     session.machine.on((machine) => machine && this.draw(machine));
     session.verdicts.on((verdict) => this.judge(verdict));
-    window.addEventListener("blur", () => this.held.releaseAll());
+    for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.held.releaseAll());
   }
 
   private draw(machine: MachineInfo): void {

@@ -55,6 +55,7 @@ export class StateBadge {
 
   /** Once a drawn frame; takes the phase 0…1 of the frame, or null where it says none. */
   update(phase: number | null): void {
+    this.bar.parentElement!.hidden = phase === null;
     this.bar.style.transform = `scaleX(${(phase ?? 0).toFixed(3)})`;
   }
 }

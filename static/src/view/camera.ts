@@ -59,6 +59,11 @@ export class FollowCamera {
     this.goal.copy(position);
   }
 
+  /** Where the followed root was said to be. */
+  get aimed(): THREE.Vector3 {
+    return this.goal;
+  }
+
   /** Moves on by `dt` seconds; says whether the picture changed. */
   update(dt: number): boolean {
     const way = this.goal.distanceTo(this.followed);

@@ -47,10 +47,15 @@ const LINE_FRAGMENT = /* glsl */ `
     #include <colorspace_fragment>
   }`;
 
-/** Lines half a unit apart: software rendering shades only their pixels, not the whole floor. */
+/**
+ * Lines half a unit apart: software rendering shades only their pixels, not the whole floor.
+ * In pieces, because a line that passes the camera is lost there as a whole.
+ */
 function lineGeometry(): THREE.BufferGeometry {
   const corners: number[] = [];
-  for (let i = -REACH_M; i <= REACH_M; i += 0.5) corners.push(i, 0, -REACH_M, i, 0, REACH_M, -REACH_M, 0, i, REACH_M, 0, i);
+  for (let i = -REACH_M; i <= REACH_M; i += 0.5) {
+    for (let k = -REACH_M; k < REACH_M; k++) corners.push(i, 0, k, i, 0, k + 1, k, 0, i, k + 1, 0, i);
+  }
   return new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(corners, 3));
 }
 

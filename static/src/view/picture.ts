@@ -5,11 +5,10 @@ import type { FrameKind, Hello } from "../net/protocol";
 import type { Session } from "../session";
 import { Signal } from "../store";
 import { token } from "../panels/dom";
-import { ActorView } from "./actor";
+import type { ActorView } from "./actor";
+import { Figure } from "./figure";
 import { GlbStage } from "./glbactor";
-import { contactShadow } from "./ground";
 import { type Model, Models } from "./model";
-import { BoneOverlay } from "./overlays";
 import type { Scene } from "./scene";
 import { showSkin, wireColour } from "./skinmode";
 
@@ -20,17 +19,6 @@ export interface Modes {
   tetra: boolean;
 }
 
-interface Shown {
-  view: ActorView;
-  bones: BoneOverlay;
-  spot: THREE.Mesh;
-}
-
-/** The camera is set anew for another actor or another model, not for a fork or a reconnection. */
-function subjectKey(view: ActorView): string {
-  return `${view.id} ${view.model.url}`;
-}
-
 export class Picture {
   readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false });
   /** Becomes true when the watched actor was drawn for the first time, false when others come. */
@@ -38,13 +26,14 @@ export class Picture {
   readonly loading = new Signal<string>("");
   private readonly models = new Models();
   private readonly glb: GlbStage;
-  private shown = new Map<number, Shown>();
+  private figures = new Map<number, Figure>();
   private generation = 0;
   /** The tick that the scene shows, and the stream it came by. */
   posed = -1;
   stream: FrameKind = "pose";
   private framed = "";
   private built = "";
+  private readonly toRoot = new THREE.Vector3();
 
   constructor(
     readonly scene: Scene,
@@ -76,51 +65,32 @@ export class Picture {
   }
 
   private build(hello: Hello, models: Model[]): void {
-    for (const { view, bones, spot } of this.shown.values()) {
-      bones.dispose();
-      this.scene.world.remove(view.root, spot);
-    }
-    this.shown.clear();
+    for (const figure of this.figures.values()) figure.dispose();
+    this.figures.clear();
     this.glb.clear();
     hello.casts.forEach((cast, c) => {
-      for (const { id } of cast.actors) this.add(new ActorView(id, cast, models[c]!, this.scene.quality === "high"));
+      for (const { id } of cast.actors) this.figures.set(id, new Figure(id, cast, models[c]!, this.scene));
     });
     this.recolour();
     this.restyle();
   }
 
-  private add(view: ActorView): void {
-    const bones = new BoneOverlay(view, this.scene.renderer.getPixelRatio());
-    const spot = contactShadow();
-    spot.visible = false;
-    view.root.visible = false;
-    this.scene.world.add(view.root, bones.object, spot);
-    this.shown.set(view.id, { view, bones, spot });
-  }
-
   /** Takes the newest frame, if there is one and the characters are there. */
   update(): void {
-    if (!this.shown.size) return;
+    if (!this.figures.size) return;
     if (this.session.pose) this.showPose();
     if (this.session.glb) this.showGlb();
   }
 
   private showPose(): void {
     const frame = this.session.pose!;
-    if (frame.epoch !== this.session.hello.value?.epoch) return;
+    const hello = this.session.hello.value;
+    if (frame.epoch !== hello?.epoch) return;
     this.session.pose = null;
     Object.assign(this, { posed: frame.tick, stream: "pose" });
-    this.session.hello.value.casts.forEach((cast, c) => cast.actors.forEach(({ id }, row) => this.shown.get(id)?.view.apply(frame.casts[c]!, row)));
-    for (const shown of this.shown.values()) this.settle(shown);
+    hello.casts.forEach((cast, c) => cast.actors.forEach(({ id }, row) => this.figures.get(id)?.view.apply(frame.casts[c]!, row)));
+    for (const figure of this.figures.values()) figure.settle();
     this.followWatched();
-  }
-
-  private settle({ view, bones, spot }: Shown): void {
-    view.root.visible = this.session.frames.value === "pose";
-    view.root.updateMatrixWorld(true);
-    bones.update();
-    spot.visible = this.scene.quality === "low";
-    spot.position.set(view.root.position.x, 0.002, view.root.position.z);
   }
 
   private showGlb(): void {
@@ -128,40 +98,43 @@ export class Picture {
     Object.assign(this, { posed: this.session.tick, stream: "glb" });
     this.session.glb = null;
     if (fresh) this.restyle();
-    for (const { view, spot } of this.shown.values()) {
-      view.root.visible = false;
-      spot.visible = false;
-    }
-    this.followGlb();
+    for (const figure of this.figures.values()) figure.hide();
+    this.followGlb(fresh);
   }
 
-  private followGlb(): void {
+  /** The GLB does not say where the root is: the camera keeps the way from the skin's middle to it that it had when the stream changed. */
+  private followGlb(fresh: boolean): void {
     const centre = this.glb.centre();
-    if (centre) this.scene.follow(centre);
+    if (centre && fresh) this.toRoot.copy(this.scene.view.aimed).sub(centre);
+    if (centre) this.scene.follow(centre.add(this.toRoot));
     this.scene.invalidate();
     this.ready.set(true);
   }
 
   private followWatched(): void {
-    const watched = this.shown.get(this.session.actor.value ?? -1);
-    if (watched) this.scene.follow(watched.view.root.position);
-    if (watched && this.framed !== subjectKey(watched.view)) this.frame();
+    const figure = this.figure;
+    if (figure) this.scene.follow(figure.view.root.position);
+    if (figure && this.framed !== figure.key) this.frame();
     this.scene.invalidate();
-    this.ready.set(watched !== undefined);
+    this.ready.set(figure !== null);
+  }
+
+  private get figure(): Figure | null {
+    return this.figures.get(this.session.actor.value ?? -1) ?? null;
   }
 
   /** Puts the watched actor into the picture. */
   frame(): void {
-    const watched = this.shown.get(this.session.actor.value ?? -1);
-    if (!watched) return;
-    const box = watched.view.box();
+    const figure = this.figure;
+    if (!figure) return;
+    const box = figure.view.box();
     const height = box.max.y - Math.min(0, box.min.y);
     const span = Math.max(box.max.x - box.min.x, box.max.z - box.min.z);
     this.scene.fit(Math.max(height, 0.5 * span));
-    for (const { spot } of this.shown.values()) spot.scale.setScalar(Math.max(0.2 * height, 0.32 * span));
+    for (const other of this.figures.values()) other.shade(Math.max(0.2 * height, 0.32 * span));
     this.scene.view.subject(box);
     this.scene.view.frame();
-    this.framed = subjectKey(watched.view);
+    this.framed = figure.key;
     this.scene.invalidate();
   }
 
@@ -174,7 +147,7 @@ export class Picture {
 
   /** The material of the model that was loaded with textures: by name, else by index where there is one character. */
   private materialFor(index: number, name: string | undefined): THREE.Material | undefined {
-    const models = new Set([...this.shown.values()].map(({ view }) => view.model));
+    const models = new Set([...this.figures.values()].map(({ view }) => view.model));
     let first = 0;
     for (const model of models) {
       const own = model.materials.get(index - first);
@@ -187,31 +160,27 @@ export class Picture {
   private restyle(): void {
     const { skin, wire, bones, tetra } = this.modes.value;
     const look = { skin, wire, ghost: skin && tetra };
-    for (const shown of this.shown.values()) {
-      showSkin(shown.view.meshes, look);
-      shown.bones.show(bones, tetra);
-      shown.bones.update();
-    }
+    for (const figure of this.figures.values()) figure.show(look, bones, tetra);
     showSkin(this.glb.meshes, look);
     this.scene.invalidate();
   }
 
   /** Takes the theme's colours. */
   recolour(): void {
-    const [accent, paper, body, ink] = ["--accent", "--view-1", "--bone", "--ink"].map(token) as [string, string, string, string];
-    for (const { bones } of this.shown.values()) bones.colour(accent, paper, body);
-    wireColour(ink);
+    const colours = { accent: token("--accent"), paper: token("--view-1"), bone: token("--bone") };
+    for (const figure of this.figures.values()) figure.colour(colours);
+    wireColour(token("--ink"));
     this.scene.ground.colour(token("--grid"), Number(token("--grid-strength")) || 1);
     this.scene.invalidate();
   }
 
   /** The watched actor's view, for those who measure. */
   watched(): ActorView | null {
-    return this.shown.get(this.session.actor.value ?? -1)?.view ?? null;
+    return this.figure?.view ?? null;
   }
 
   /** What is drawn of the characters themselves, without ground and overlays. */
   bodies(): THREE.Object3D[] {
-    return this.session.frames.value === "glb" ? [this.glb.root] : [...this.shown.values()].map(({ view }) => view.root);
+    return this.session.frames.value === "glb" ? [this.glb.root] : [...this.figures.values()].map(({ view }) => view.root);
   }
 }
