@@ -44,7 +44,7 @@ def refuse_bad_names(node: Node, kind: str) -> None:
     """Raises MachineError for a key that cannot be a name."""
     for name, line in node.key_lines.items():
         if not NAME.fullmatch(name):
-            raise node.refuse(f"{name[:40]!r} cannot name a {kind}: letters, digits and _, then also . -", line)
+            raise node.refuse(f"{name[:40]!r} is no name for the {kind}: letters, digits and _, then also . -", line)
 
 
 def state(node: Node) -> StateDefinition:

@@ -96,7 +96,9 @@ def distinct(names: Iterable[str], kind: str, file: str, line: int) -> dict[str,
     found: dict[str, int] = {}
     for name in names:
         if name != ANY and not NAME.fullmatch(name):
-            raise MachineError(f"{name[:40]!r} cannot name a {kind}: letters, digits and _, then also . -", file=file, place=f"line {line}")
+            raise MachineError(
+                f"{name[:40]!r} is no name for the {kind}: letters, digits and _, then also . -", file=file, place=f"line {line}"
+            )
         if name in found:
             raise MachineError(f"the {kind} {name[:40]} stands there twice", file=file, place=f"line {line}")
         found[name] = line

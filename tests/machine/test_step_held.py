@@ -1,0 +1,104 @@
+"""Held inputs: they count as waiting again at every END and in every new state, until they are released."""
+
+from ticking import Ticking
+
+TURNS = """state | FORWARD | LEFT | STOP | END
+stat | walk | TLFT | stat |
+walk | walk | TLFT | stat |
+TLFT | walk at end | TLFT! at end | stat | stat"""
+TICKS = {"stat": 50, "walk": 8, "TLFT": 10}
+CROUCH = "state | CROUCH | END\nstat | CRCH |\nCRCH | CRCH at end | STUP\nSTUP | | stat"
+
+
+def test_a_held_input_is_taken_once_and_again_in_the_new_state():
+    actor = Ticking(TURNS, TICKS)
+    actor.step("+FORWARD")
+    assert (actor.state, actor.said) == ("walk", ["FORWARD taken"])
+    actor.step()
+    assert (actor.state, actor.said, actor.waiting) == ("walk", ["FORWARD taken"], [])  # a stay
+    actor.step()
+    assert actor.said == []
+
+
+def test_and_at_every_end():
+    actor = Ticking(TURNS, TICKS, "cells: {walk/FORWARD: {action: step}}\n")
+    actor.step("+FORWARD")
+    actor.run(24)
+    assert len(actor.actions) == 4  # the new state, then three wraps
+
+
+def test_a_held_turn_goes_on_until_it_is_released():
+    actor = Ticking(TURNS, TICKS)
+    actor.step("+LEFT")
+    actor.run(10)
+    assert (actor.state, actor.last.changes.restart.tolist()) == ("TLFT", [True])
+    actor.run(5)
+    actor.step("-LEFT")
+    assert actor.waiting == []
+    assert actor.path(9) == [(21, "stat")]
+
+
+def test_a_tap_turns_once():
+    actor = Ticking(TURNS, TICKS)
+    actor.step("+LEFT")
+    actor.run(3)
+    actor.step("-LEFT")
+    assert actor.reasons == ["it was released"]
+    assert actor.path(10) == [(11, "stat")]
+
+
+def test_a_press_of_its_own_outlives_the_release():
+    actor = Ticking(TURNS, TICKS)
+    actor.step("+LEFT")
+    actor.run(2)
+    actor.step("LEFT")  # somebody else presses it as well
+    actor.step("-LEFT")
+    assert actor.waiting == ["LEFT"]
+
+
+def test_the_first_that_went_down_comes_first():
+    actor = Ticking(TURNS, TICKS)
+    actor.step("+FORWARD")
+    actor.step("+LEFT")
+    actor.run(1)
+    assert actor.waiting == ["FORWARD", "LEFT"]
+    assert actor.path(11) == [(12, "walk"), (13, "TLFT")]
+
+
+def test_a_second_hold_is_none():
+    actor = Ticking(TURNS, TICKS)
+    actor.step("+LEFT")
+    actor.step("+LEFT")
+    assert "LEFT dropped" in actor.said
+    actor.step("-LEFT")
+    assert actor.path(10) == [(11, "stat")]
+
+
+def test_a_held_crouch_stays_down_until_the_key_comes_up():
+    actor = Ticking(CROUCH, {"stat": 50, "CRCH": 5, "STUP": 5})
+    actor.step("+CROUCH")
+    assert actor.path(30) == []
+    actor.step("-CROUCH")
+    assert actor.state == "STUP"
+
+
+def test_the_same_stay_is_not_reported_in_every_tick():
+    actor = Ticking(CROUCH, {"stat": 50, "CRCH": 5, "STUP": 5}, "cells: {CRCH/CROUCH: {action: breathe}}\n")
+    actor.step("+CROUCH")
+    actor.run(5)
+    assert actor.said == ["CROUCH taken"]
+    actor.run(20)
+    assert (actor.said, actor.actions) == ([], ["breathe"])
+
+
+def test_held_through_blank_states_it_is_there_at_the_end():
+    table = "state | GO | END\nA | | B\nB | | stat\nstat | walk |\nwalk | walk |"
+    actor = Ticking(table, {"A": 30, "B": 30, "stat": 9, "walk": 9})
+    actor.step("+GO")
+    assert actor.path(61) == [(30, "B"), (60, "stat"), (61, "walk")]
+
+
+def test_release_of_what_is_not_held_means_nothing():
+    actor = Ticking(TURNS, TICKS)
+    actor.step("-LEFT")
+    assert (actor.state, actor.said) == ("stat", [])
