@@ -8,15 +8,17 @@ from statwalk.web.wire import PoseMessage, decode
 from websockets.sync.client import connect
 
 PATIENCE = 20.0
+MOST_MESSAGES = 2_000
 
 
 class Watcher:
     """`frames` and `facts` fill up as messages are received."""
 
     def __init__(self, address: str, stage: str, frames: str = "pose", acknowledge: bool = True, **options: Any) -> None:
-        self.socket = connect(
+        self.opened = connect(
             f"ws://{address}{stage}/stream?frames={frames}", subprotocols=["statwalk.v1"], compression=None, max_size=None, **options
         )
+        self.socket = self.opened.__enter__()
         self.acknowledge = acknowledge
         self.texts: list[dict[str, Any]] = []
         self.hello = self.text("hello")
@@ -25,7 +27,7 @@ class Watcher:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
-        self.socket.close()
+        self.opened.__exit__(kind, error, trace)
 
     def say(self, **message: Any) -> None:
         self.socket.send(json.dumps(message))
@@ -39,12 +41,13 @@ class Watcher:
 
     def text(self, kind: str) -> dict[str, Any]:
         """The next message of a kind; frames on the way are acknowledged."""
-        while True:
+        for _ in range(MOST_MESSAGES):
             message = self.receive()
             if isinstance(message, bytes):
                 self.acknowledged(message)
             elif message["type"] == kind:
                 return message
+        raise AssertionError(f"no {kind} among {MOST_MESSAGES} messages")
 
     def acknowledged(self, data: bytes) -> None:
         if self.acknowledge:
@@ -52,11 +55,12 @@ class Watcher:
 
     def data(self) -> bytes:
         """The next frame's bytes."""
-        while True:
+        for _ in range(MOST_MESSAGES):
             message = self.receive()
             if isinstance(message, bytes):
                 self.acknowledged(message)
                 return message
+        raise AssertionError(f"no frame among {MOST_MESSAGES} messages")
 
     def frame(self) -> PoseMessage:
         """The next frame."""

@@ -19,7 +19,9 @@ OWN = "http://localhost:8000"
 def every_route(routes: list[BaseRoute]) -> Iterator[tuple[str, str]]:
     """(method or WEBSOCKET, path with its parameters filled in)."""
     for route in routes:
-        if isinstance(route, Mount):
+        if hasattr(route, "original_router"):  # what newer FastAPI makes of an included router
+            yield from every_route(route.original_router.routes)
+        elif isinstance(route, Mount):
             yield "GET", route.path + "/"
         elif isinstance(route, WebSocketRoute):
             yield "WEBSOCKET", filled(route.path)
@@ -42,8 +44,10 @@ def ask(method: str, path: str, headers: dict[str, str], body: bytes = b"") -> i
     scope |= {"extensions": {"websocket.http.response": {}}, "server": ("127.0.0.1", 8000), "scheme": "http", "http_version": "1.1"}
     sent: list[Any] = []
 
+    first = [{"type": "websocket.connect"} if kind == "websocket" else {"type": "http.request", "body": body, "more_body": False}]
+
     async def receive() -> Any:
-        return {"type": "websocket.connect"} if kind == "websocket" else {"type": "http.request", "body": body, "more_body": False}
+        return first.pop() if first else await asyncio.Event().wait()
 
     async def send(message: Any) -> None:
         sent.append(message)

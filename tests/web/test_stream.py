@@ -3,9 +3,10 @@
 import contextlib
 
 import httpx
+import khronos
 import numpy as np
 import pytest
-from serving import open_and_never_read
+from serving import open_and_never_read, wait_for
 from statwalk.web import mailbox
 from watcher import Watcher
 from websockets.exceptions import ConnectionClosed, InvalidStatus
@@ -131,6 +132,14 @@ def test_actors_that_come_and_go_are_announced(address: str, stage: str, rest: h
     assert frame.casts[0].root[1, 0] == 1
 
 
+def test_what_a_viewer_holds_is_released_when_it_leaves(address: str, stage: str, rest: httpx.Client) -> None:
+    with Watcher(address, stage) as viewer:
+        viewer.say(type="event", event="LEFT", kind="hold")
+        viewer.text("accepted")
+        rest.post(f"{stage}/step", json={"ticks": 1})
+    wait_for(lambda: '"release"' in rest.get(f"{stage}/log").text)
+
+
 WRONG = {
     "not json": "{",
     "no object": "[]",
@@ -217,10 +226,20 @@ def test_a_stalled_viewer_harms_nobody(address: str) -> None:
     assert ticks[-1] - first <= 240
 
 
-def test_every_glb_frame_is_whole(address: str, stage: str, rest: httpx.Client) -> None:
+def test_every_glb_frame_is_a_valid_model(address: str, stage: str, rest: httpx.Client) -> None:
+    frames = [rest.get(f"{stage}/frame.glb").content]
     with Watcher(address, stage, frames="glb") as viewer:
         for _ in range(3):
-            rest.post(f"{stage}/step", json={"ticks": 1})
-            data = viewer.data()
-            assert data[:4] == b"glTF"
-            assert int.from_bytes(data[8:12], "little") == len(data)
+            rest.post(f"{stage}/step", json={"ticks": 7})
+            frames.append(viewer.data())
+        viewer.say(type="look", tick=3)
+        frames.append(viewer.data())
+    assert khronos.errors(*frames) == []
+
+
+def test_the_kind_of_frame_can_be_changed(address: str, stage: str) -> None:
+    with Watcher(address, stage) as viewer:
+        assert viewer.data()[:4] == b"STW1"
+        viewer.say(type="frames", frames="glb")
+        assert viewer.text("hello")["frames"] == "glb"
+        assert viewer.data()[:4] == b"glTF"

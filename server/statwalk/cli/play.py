@@ -11,7 +11,7 @@ import typer
 from rich.console import Console
 from rich.table import Table
 
-from statwalk.errors import StatwalkError, UnknownNameError
+from statwalk.errors import UnknownNameError
 from statwalk.loading import load, shipped_machines
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Actor, Stage
@@ -26,7 +26,6 @@ An event is SECONDS:EVENT; + before its name holds it, - releases it.
 """
 EVENT = re.compile(r"(\d+(?:\.\d+)?):([+-]?)(\S+)")
 console = Console(highlight=False)
-errors = Console(stderr=True, highlight=False)
 
 
 class Input(NamedTuple):
@@ -99,17 +98,13 @@ def play(
     every_tick: Annotated[bool, typer.Option("--every-tick", help="A line for each tick, not only where something changes.")] = False,
 ) -> None:
     """Plays a machine as fast as it can, and prints what changed, and the hash that the same inputs always give."""
-    try:
-        stage = Stage(seed=seed, rate=rate)
-        actor = stage.add(role_of(machine))
-        table = Table("tick", "seconds", "events", "state", "in motion", "x z metres", "heading°", "hash", box=None)
-        state = None
-        for happened in run(stage, actor, read_events(events, rate), round(seconds * rate)):
-            if every_tick or happened or actor.state != state:
-                table.add_row(*row(stage, actor, happened))
-            state = actor.state
-    except StatwalkError as error:
-        errors.print(f"[bold red]statwalk play:[/] {error}")
-        raise typer.Exit(2) from None
+    stage = Stage(seed=seed, rate=rate)
+    actor = stage.add(role_of(machine))
+    table = Table("tick", "seconds", "events", "state", "in motion", "x z metres", "heading°", "hash", box=None)
+    state = None
+    for happened in run(stage, actor, read_events(events, rate), round(seconds * rate)):
+        if every_tick or happened or actor.state != state:
+            table.add_row(*row(stage, actor, happened))
+        state = actor.state
     console.print(table)
     console.print(f"after {stage.tick} ticks: [bold]{actor.state}[/], hash {stage.hash}")

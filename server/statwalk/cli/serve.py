@@ -8,8 +8,8 @@ from typing import Annotated
 
 import typer
 from rich.console import Console
+from rich.markup import escape
 
-from statwalk.errors import ContentError
 from statwalk.web.app import create_app
 from statwalk.web.listen import listening_socket, run
 from statwalk.web.settings import Settings
@@ -38,33 +38,26 @@ def is_loopback(host: str) -> bool:
 
 def fail(reason: str) -> typer.Exit:
     """Says why, and ends with status 2."""
-    errors.print(f"[bold red]statwalk serve:[/] {reason}")
+    errors.print(f"[bold red]statwalk serve:[/] {escape(reason)}", soft_wrap=True)
     return typer.Exit(2)
 
 
 def serve(
-    folders: Annotated[
-        list[Path] | None, typer.Argument(help="Machine folders to add; the page opens on the first.")
-    ] = None,
+    folders: Annotated[list[Path] | None, typer.Argument(help="Machine folders to add; the page opens on the first.")] = None,
     port: Annotated[int, typer.Option(help="TCP port; 0 takes a free one.", min=0, max=65535)] = 8000,
     host: Annotated[str, typer.Option(help="A loopback address; others are refused.")] = "127.0.0.1",
 ) -> None:
     """Serves the API and the viewer on this machine, until it is stopped (Ctrl+C)."""
     if not is_loopback(host):
-        raise fail(
-            f"other machines can reach {host}, and nobody is asked for a password. Use 127.0.0.1, ::1 or localhost."
-        )
+        raise fail(f"other machines can reach {host}, and nobody is asked for a password. Use 127.0.0.1, ::1 or localhost.")
     try:
         listener = listening_socket("127.0.0.1" if host == "localhost" else host, port)
     except OSError as error:
         raise fail(
             f"cannot listen on {host} port {port}: {error.strerror}. Another port: --port {port + 1 if port < 65535 else 8000}"
         ) from None
-    try:
-        app = create_app(Settings(folders=tuple(folders or ())))
-    except ContentError as error:
-        listener.close()
-        raise fail(str(error)) from None
+    app = create_app(Settings(folders=tuple(folders or ())))
     name = f"[{host}]" if ":" in host else host
-    console.print(f"statwalk: [bold]http://{name}:{listener.getsockname()[1]}/[/]   (API: /api/openapi.json, stop: Ctrl+C)")
+    address = escape(f"http://{name}:{listener.getsockname()[1]}/")
+    console.print(f"statwalk: [bold]{address}[/]   (stop: Ctrl+C)", soft_wrap=True)
     run(app, listener)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import time
 
 from anyio import to_thread
@@ -15,7 +16,7 @@ from statwalk.web.hosted import HostedStage
 from statwalk.web.mailbox import Mailbox, Shown
 from statwalk.web.problem import Problem, field_name, from_error
 from statwalk.web.registry import Registry
-from statwalk.web.schemas import Accepted, Ack, ChooseFrames, Live, Look, Message, Ping, PostEvent, PostParameter
+from statwalk.web.schemas import Accepted, Ack, ChooseFrames, Live, Look, Message, NewEvent, Ping, PostEvent, PostParameter
 
 INPUTS_PER_SECOND = 120.0
 INPUT_BURST = 240.0
@@ -47,6 +48,7 @@ class Inbox:
         self.past: Stage | None = None
         self.looked_at: int | None = None
         self.asked = asyncio.Event()
+        self.held: set[tuple[str, int | None]] = set()
 
     async def take(self, data: str | bytes) -> None:
         """One message; what is wrong with it is answered, not raised."""
@@ -77,12 +79,27 @@ class Inbox:
                 self.say("pong", ref=ref, tick=self.hosted.stage.tick)
             case PostEvent(ref=ref):
                 self.accepted(ref, await to_thread.run_sync(self.registry.post, self.hosted, message, self.looked_at))
+                self.remember(message)
             case PostParameter(ref=ref):
                 self.accepted(ref, await to_thread.run_sync(self.registry.set_parameter, self.hosted, message, self.looked_at))
             case Look(tick=tick):
                 self.look(tick)
             case Live() | ChooseFrames():
                 await self.choose(message)
+
+    def remember(self, event: PostEvent) -> None:
+        """Keeps track of what this viewer holds down."""
+        key = (event.event, event.actor)
+        if event.kind == "hold":
+            self.held.add(key)
+        elif event.kind == "release":
+            self.held.discard(key)
+
+    def let_go(self) -> None:
+        """Releases what a viewer still held when it left: a lost line must not leave an actor walking for ever."""
+        for event, actor in self.held:
+            with contextlib.suppress(StatwalkError, Problem):
+                self.hosted.post(NewEvent(event=event, actor=actor, kind="release"))
 
     def accepted(self, ref: object, accepted: Accepted) -> None:
         """Says where an input went, and that the stage forked if it did."""

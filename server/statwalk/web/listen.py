@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import socket
+import sys
 from types import FrameType
 
 import uvicorn
@@ -15,6 +16,7 @@ from statwalk.web.settings import LARGEST_MESSAGE_BYTES
 SEND_BUFFER_BYTES = 128 << 10  # a viewer that wakes up sees at most this much of the past
 DEAD_PEER_MILLISECONDS = 10_000
 GRACE_SECONDS = 3
+SWITCH_SECONDS = 0.0005  # the pacer's thread gets its turn while the loop sends to many viewers
 
 
 def listening_socket(host: str, port: int) -> socket.socket:
@@ -64,6 +66,7 @@ def run(app: ASGIApp, listener: socket.socket) -> None:
     def stopped(_: int, __: FrameType | None) -> None:
         """uvicorn raises the signal again once it has stopped; then there is nothing left to do."""
 
+    sys.setswitchinterval(SWITCH_SECONDS)
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, stopped)
     server(app).run(sockets=[listener])

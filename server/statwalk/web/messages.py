@@ -61,4 +61,4 @@ def verdict(given: Verdict) -> bytes:
 
 def reply(kind: str, **members: Any) -> bytes:
     """An answer to one viewer's message."""
-    return orjson.dumps({"type": kind, **members})
+    return orjson.dumps(members | {"type": kind})

@@ -84,6 +84,8 @@ class Viewer:
             for task in tasks:
                 task.cancel()
             ended = await asyncio.gather(*tasks, return_exceptions=True)
+            if self.inbox.held:
+                await to_thread.run_sync(self.inbox.let_go)
         for failure in ended:
             if isinstance(failure, Exception) and not isinstance(failure, OSError | WebSocketDisconnect):
                 raise failure
