@@ -6,6 +6,8 @@ import type { Session } from "../session";
 import { el, flash } from "./dom";
 
 const LONG_PRESS_MS = 300;
+/** More buttons than this are drawn smaller. */
+const MANY = 8;
 
 interface Keyed {
   key: string;
@@ -34,6 +36,7 @@ export class EventsPanel {
   private draw(machine: MachineInfo): void {
     const events = machine.events.filter((event) => event !== "END");
     this.buttons = new Map(events.map((event) => [event, this.button(event, keysFor(event, machine.keys))]));
+    this.host.classList.toggle("many", events.length > MANY);
     this.host.replaceChildren(...this.buttons.values());
   }
 

@@ -3,7 +3,8 @@
 import type { MachineInfo, Verdict } from "../net/protocol";
 import type { Session } from "../session";
 import { flash, say, svg } from "./dom";
-import { type Layout, type PlacedEdge, type PlacedState, STATE_HEIGHT, layoutGraph } from "./graphlayout";
+import { layoutGraph } from "./graphlayout";
+import { type Layout, type PlacedEdge, type PlacedState, STATE_HEIGHT } from "./graphshape";
 
 const edgeKey = (from: string, to: string): string => JSON.stringify([from, to]);
 
@@ -68,6 +69,7 @@ export class GraphPanel {
     const names = machine.states.map((state) => state.name);
     const layout = layoutGraph(names, machine.edges, this.aspect);
     this.place(layout);
+    this.canvas.classList.toggle("dense", layout.dense);
     this.edges = new Map(layout.edges.map((edge) => [edgeKey(edge.from, edge.to), drawEdge(edge)]));
     this.states = new Map(layout.states.map((state) => [state.name, drawState(state, machine)]));
     this.leaving = new Map(names.map((name) => [name, layout.edges.filter(({ from }) => from === name).map(({ to }) => this.edges.get(edgeKey(name, to))!)]));

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { curve, layoutGraph } from "./graphlayout";
+import { layoutGraph } from "./graphlayout";
+import { curve } from "./graphshape";
 
 const edge = (from: string, to: string) => ({ from, to, events: ["E"] });
 const CHAIN = ["A", "B", "C", "D", "E", "F"];
@@ -29,6 +30,23 @@ describe("layoutGraph", () => {
     const { edges } = layoutGraph(["A", "B"], [edge("A", "B"), edge("B", "A")], 1);
     expect(new Set(edges.map(({ path }) => path)).size).toBe(2);
   });
+});
+
+describe("a machine where all states lead to all others", () => {
+  const all = CHAIN.flatMap((from) => CHAIN.filter((to) => to !== from).map((to) => edge(from, to)));
+  const { states, edges, width, height } = layoutGraph(CHAIN, all, 2);
+
+  it("stands on a ring inside the picture, in the order of the table", () => {
+    expect(states[0]!.y).toBe(Math.min(...states.map(({ y }) => y)));
+    for (const { x, y, width: own } of states) expect(x - own / 2 >= 0 && x + own / 2 <= width && y > 0 && y < height).toBe(true);
+  });
+
+  it("keeps neighbours apart", () => {
+    const apart = states.every((a, i) => states.slice(i + 1).every((b) => Math.abs(a.x - b.x) >= (a.width + b.width) / 2 || Math.abs(a.y - b.y) >= 28));
+    expect(apart).toBe(true);
+  });
+
+  it("has all arrows", () => expect(edges).toHaveLength(30));
 });
 
 describe("curve", () => {

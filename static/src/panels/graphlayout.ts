@@ -2,28 +2,8 @@
 
 import * as dagre from "@dagrejs/dagre";
 import type { Edge } from "../net/protocol";
-
-export interface PlacedState {
-  name: string;
-  x: number;
-  y: number;
-  width: number;
-}
-
-export interface PlacedEdge extends Edge {
-  /** An SVG path. */
-  path: string;
-  /** Where a label may stand. */
-  x: number;
-  y: number;
-}
-
-export interface Layout {
-  width: number;
-  height: number;
-  states: PlacedState[];
-  edges: PlacedEdge[];
-}
+import { isDense, ringLayout } from "./graphring";
+import { type Layout, type PlacedEdge, type PlacedState, type Point, STATE_HEIGHT, borderPoint, curve, selfLoop, stateWidth } from "./graphshape";
 
 /** dagre's places, before the arrows are drawn. */
 interface Plan {
@@ -32,39 +12,6 @@ interface Plan {
   states: PlacedState[];
   edges: readonly Edge[];
   routes: Point[][];
-}
-
-type Point = { x: number; y: number };
-
-export const STATE_HEIGHT = 28;
-const CHARACTER_WIDTH = 7.8;
-
-export function stateWidth(name: string): number {
-  return Math.max(44, Math.min(160, name.length * CHARACTER_WIDTH + 18));
-}
-
-function f(value: number): string {
-  return value.toFixed(1);
-}
-
-/** A smooth curve through the layout's points: quadratic corners between the middles of its legs. */
-export function curve(points: readonly Point[]): string {
-  const [first, ...rest] = points;
-  if (!first || !rest.length) return "";
-  let path = `M${f(first.x)} ${f(first.y)}`;
-  for (let i = 0; i < rest.length - 1; i++) {
-    const [at, next] = [rest[i]!, rest[i + 1]!];
-    const end = i === rest.length - 2 ? next : { x: (at.x + next.x) / 2, y: (at.y + next.y) / 2 };
-    path += `Q${f(at.x)} ${f(at.y)} ${f(end.x)} ${f(end.y)}`;
-  }
-  return rest.length === 1 ? `${path}L${f(rest[0]!.x)} ${f(rest[0]!.y)}` : path;
-}
-
-/** An arrow from a state to itself: a small loop over its right shoulder. */
-function loop({ x, y, width }: PlacedState): Pick<PlacedEdge, "path" | "x" | "y"> {
-  const [right, top] = [x + width / 2, y - STATE_HEIGHT / 2];
-  const path = `M${f(right - 18)} ${f(top)}C${f(right - 20)} ${f(top - 18)} ${f(right + 18)} ${f(top - 14)} ${f(right)} ${f(y - 4)}`;
-  return { path, x: right + 4, y: top - 8 };
 }
 
 interface Way {
@@ -101,21 +48,14 @@ function stretch({ width, height, states, edges, routes }: Plan, aspect: number)
   const move = <T extends Point>(point: T): T => ({ ...point, x: point.x * wide, y: point.y * high });
   const placed = states.map(move);
   const where = new Map(placed.map((state) => [state.name, state]));
-  const drawn = edges.map((edge, i) => ({ ...edge, ...(edge.from === edge.to ? loop(where.get(edge.from)!) : route(routes[i]!.map(move), where.get(edge.from)!, where.get(edge.to)!)) }));
-  return { width: width * wide, height: height * high, states: placed, edges: drawn };
-}
-
-/** Where the line from the middle of a box towards `to` leaves the box. */
-function border({ x, y, width }: PlacedState, to: Point): Point {
-  const [dx, dy] = [to.x - x, to.y - y];
-  const out = Math.min(width / 2 / Math.max(Math.abs(dx), 1e-6), STATE_HEIGHT / 2 / Math.max(Math.abs(dy), 1e-6), 1);
-  return { x: x + dx * out, y: y + dy * out };
+  const drawn = edges.map((edge, i) => ({ ...edge, ...(edge.from === edge.to ? selfLoop(where.get(edge.from)!) : route(routes[i]!.map(move), where.get(edge.from)!, where.get(edge.to)!)) }));
+  return { width: width * wide, height: height * high, states: placed, edges: drawn, dense: false };
 }
 
 /** An arrow along `points`, its ends moved onto the boxes it joins. */
 function route(points: readonly Point[], from: PlacedState, to: PlacedState): Pick<PlacedEdge, "path" | "x" | "y"> {
   const inner = points.slice(1, -1);
-  const ends = [border(from, inner[0] ?? to), border(to, inner.at(-1) ?? from)] as const;
+  const ends = [borderPoint(from, inner[0] ?? to), borderPoint(to, inner.at(-1) ?? from)] as const;
   const middle = inner[Math.floor(inner.length / 2)] ?? { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
   return { path: curve([ends[0], ...inner, ends[1]]), x: middle.x, y: middle.y };
 }
@@ -124,6 +64,7 @@ function route(points: readonly Point[], from: PlacedState, to: PlacedState): Pi
 export function layoutGraph(states: readonly string[], edges: readonly Edge[], aspect: number): Layout {
   const known = new Set(states);
   const drawable = edges.filter(({ from, to }) => known.has(from) && known.has(to));
+  if (isDense(states.length, drawable.length)) return ringLayout(states, drawable, aspect);
   const candidates = WAYS.map((way) => layOut(states, drawable, way));
   const scale = ({ width, height }: Plan): number => Math.min(aspect / Math.max(width, 1), 1 / Math.max(height, 1));
   return stretch(candidates.reduce((best, next) => (scale(next) > scale(best) * 1.02 ? next : best)), aspect);

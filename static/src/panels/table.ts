@@ -98,6 +98,14 @@ export class TablePanel {
     else if (bottom > this.host.scrollTop + this.host.clientHeight) this.host.scrollTop = bottom - this.host.clientHeight;
   }
 
+  /** Brings a cell into view sideways, beside the column that stays. */
+  private revealSideways(cell: HTMLElement): void {
+    const stays = this.table.querySelector<HTMLElement>("th")?.offsetWidth ?? 0;
+    const [left, right] = [cell.offsetLeft - stays, cell.offsetLeft + cell.offsetWidth];
+    if (left < this.host.scrollLeft) this.host.scrollLeft = left;
+    else if (right > this.host.scrollLeft + this.host.clientWidth) this.host.scrollLeft = right - this.host.clientWidth;
+  }
+
   private judge(verdict: Verdict): void {
     const cell = this.cells.get(JSON.stringify([verdict.from, verdict.event]));
     if (verdict.event === "END" && verdict.verdict !== "taken") return;
@@ -107,6 +115,7 @@ export class TablePanel {
     if (verdict.verdict === "taken") {
       this.table.querySelector(".last")?.classList.remove("last");
       cell.classList.add("last");
+      if (verdict.to && verdict.to !== verdict.from) this.revealSideways(cell);
     }
     flash(cell, verdict.verdict);
   }
