@@ -6,7 +6,7 @@ from moves.feet import walk_track
 from moves.motion import Body, Feet, Motion, TrackOf, added, held, mixed, replaced, sides, value
 from moves.stand import stand_body, stand_plant
 
-LOW, BACK = 0.735, -0.066  # pelvis height, and how far behind its standing place it is
+LOW, BACK = 0.715, -0.070  # pelvis height, and how far behind its standing place it is
 RISE = 0.70
 
 POSE = {
@@ -73,7 +73,7 @@ def rise_body() -> Body:
         return {**trunk(t), **{name: curve for name, curve in arms(t).items() if "." in name}}
 
     top = value(stand_body, "y", 0)
-    y = through([(0, LOW), (0.06, LOW - 0.006), (0.22, 0.855), (0.36, top + 0.002), (0.44, top + 0.011), (0.56, top + 0.002), (RISE, top)])
+    y = through([(0, LOW), (0.06, LOW - 0.006), (0.22, 0.847), (0.36, top + 0.002), (0.44, top + 0.011), (0.56, top + 0.002), (RISE, top)])
     z = through([(0, BACK), (0.20, -0.030), (0.40, 0.010), (0.56, 0.002), (RISE, 0)])
     return replaced(added(whole, over), {"y": y, "z": z})
 

@@ -17,8 +17,8 @@ RUN: Keys = [(0.18, 0.218), (0.36, 0.412), (TAKE_OFF, FAR)]
 SINKING: Keys = [
     (TOUCH, TOUCH_HEIGHT),
     (TOUCH + 0.05, TOUCH_HEIGHT - 0.1),
-    (TOUCH + ABSORB, 0.768),
-    (TOUCH + 0.27, LOW - 0.018),
+    (TOUCH + ABSORB, 0.730),
+    (TOUCH + 0.24, LOW - 0.022),
     (END, LOW),
 ]
 BRAKING: Keys = [(0.0, 0.0), (0.09, 0.098), (0.16, STOP_FAR - TOUCH_FAR - 0.004), (0.28, STOP_FAR - TOUCH_FAR)]  # after touch-down

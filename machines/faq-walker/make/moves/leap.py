@@ -4,7 +4,7 @@ from moves.crouch import BACK
 from moves.stand import FOOT_Z
 
 GRAVITY = 9.81
-TAKE_OFF, FLIGHT = 0.55, 30 / 60
+TAKE_OFF, FLIGHT = 0.55, 31 / 60
 ABSORB, SINK, HOLD = 6 / 60, 0.42, 0.75  # from touch-down: end of land, lowest and still, end of the crouch
 TOUCH, END = TAKE_OFF + FLIGHT, TAKE_OFF + FLIGHT + SINK
 UP, FORWARD = 2.45, 1.45  # metres a second at take-off

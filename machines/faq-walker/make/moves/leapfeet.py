@@ -10,18 +10,18 @@ from moves.walk import AHEAD, pitch_of, walk_plant
 from scipy.interpolate import CubicSpline
 
 # a foot in the air: seconds after take-off, ankle ahead of the pelvis and above it
-TUCK = [(0.06, -0.26, -0.795), (0.16, -0.20, -0.70), (0.28, 0.0, -0.61), (0.40, 0.125, -0.720)]
-CLOSE = [(0.21, 0.12, 0.185)]  # the right foot on its way beside the left: seconds, z, height
+TUCK = [(0.06, -0.26, -0.795), (0.16, -0.20, -0.70), (0.28, 0.0, -0.63), (0.41, 0.10, -0.78)]
+CLOSE = [(0.175, -0.07, 0.212), (0.245, 0.19, 0.182)]  # the right foot on its way beside the left: seconds, z, height
 LAG = 0.012  # seconds by which the right foot comes later
 
 # degrees, toes up +
 LEFT_STEP: Keys = [(0.0, 0.0), (0.25, 0.0)]
-RIGHT_STEP: Keys = [(0.0, -30.0), (0.15, -42.0), (0.25, -6.0), (0.29, 3.0), (0.33, 0.0)]
+RIGHT_STEP: Keys = [(0.0, -30.0), (0.17, -48.0), (0.28, -6.0), (0.33, 3.0), (0.37, 0.0)]
 
 
 def _pitch(side: str, late: float) -> Curve:
     push: Keys = [(0.40, 0), (0.46, -6), (TAKE_OFF, -40), (0.60 + late, -62)]
-    land: Keys = [(0.78 + late, -38), (0.95, -24), (TOUCH - 0.05, -36), (TOUCH + 0.10, 0), (END, 0)]
+    land: Keys = [(0.78 + late, -38), (0.95, -24), (TOUCH - 0.05, -40), (TOUCH + 0.09, 0), (END, 0)]
     keyed = eased([*(LEFT_STEP if side == "Left" else RIGHT_STEP), *push, *land])
     walking = pitch_of(1.0 if side == "Left" else -1.0)
     start, end = (0.30, 0.12) if side == "Left" else (0.12, 0.02)
@@ -53,7 +53,7 @@ def leap_feet(height: Curve, way: Curve) -> Feet:
         late = 0.0 if side == "Left" else LAG
         pitch = _pitch(side, late)
         first = walk_plant(sign, 0 if side == "Left" else -1)
-        beside = Plant(0.29, TAKE_OFF, sign * 0.088, AHEAD + 0.035, sign * TOES_OUT)
+        beside = Plant(0.33, TAKE_OFF, sign * 0.088, AHEAD + 0.035, sign * TOES_OUT)
         push = first._replace(end=TAKE_OFF) if side == "Left" else beside
         landing = Plant(TOUCH, 9.0, sign * FOOT_X, LANDING_Z, sign * TOES_OUT)
         when = TAKE_OFF + np.array([time for time, _, _ in TUCK]) + late

@@ -40,7 +40,7 @@ def start_feet() -> Feet:
             arcs, meet = arcs_of(sign), (0.60, 0.74)
         else:
             lift, keys = LIFT, [(0.06, 0.0), (LIFT, -26.0), (0.30, -30.0), (0.44, 2.0), (0.60, 12.0)]
-            arcs, meet = [Arc(0.30, 0.24, 0.175, -0.01), Arc(0.65, 0.68, 0.150)], (0.42, START - 0.52)
+            arcs, meet = [Arc(0.13, 0.04, 0.176), Arc(0.36, 0.30, 0.186, -0.01), Arc(0.68, 0.73, 0.152)], (0.42, START - 0.52)
         pitch = _mixed_pitch(eased(keys), lambda t: walk_pitch(t - START), *meet)
         plants = [stand_plant(sign, end=lift), landing]
         return lambda t: walk_track(t, plants, [arcs], pitch)
@@ -95,7 +95,7 @@ def stop_feet() -> Feet:
         keys = [(0.0, -30.0), (0.20, -44.0), (0.32, -22.0), (0.44, 5.0), (0.50, 6.0), (0.58, 0.0)]
         pitch = _mixed_pitch(eased(keys), walk_pitch, 0.30, 0.12)
         closed = Plant(CLOSED, 9.0, SIDE_WAY - FOOT_X, AHEAD, -TOES_OUT)
-        arcs = [Arc(0.25, 0.21, 0.205), Arc(0.50, 0.55, 0.178), Arc(0.78, 0.90, 0.135)]
+        arcs = [Arc(0.11, 0.05, 0.226), Arc(0.27, 0.23, 0.226), Arc(0.52, 0.58, 0.186), Arc(0.78, 0.90, 0.137)]
         return lambda t: walk_track(t, [walk_plant(sign, -1), closed], [arcs], pitch)
 
     return sides(make)
