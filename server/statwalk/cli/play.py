@@ -25,6 +25,8 @@ EXAMPLES = """Examples:
 An event is SECONDS:EVENT; + before its name holds it, - releases it.
 """
 EVENT = re.compile(r"(\d+(?:\.\d+)?):([+-]?)(\S+)")
+HEADINGS = ("tick", "seconds", "events", "state", "x m", "z m", "turn°", "hash")
+WORDS = ("events", "state", "hash")
 console = Console(highlight=False)
 
 
@@ -71,9 +73,9 @@ def row(stage: Stage, actor: Actor, events: str) -> list[str]:
         f"{stage.seconds:.3f}",
         events,
         actor.state,
-        f"{actor.time:.3f}",
-        f"{x:+.3f} {z:+.3f}",
-        f"{math.degrees(heading):+.1f}",
+        f"{x:.3f}",
+        f"{z:.3f}",
+        f"{math.degrees(heading):.1f}",
         actor.hash,
     ]
 
@@ -100,7 +102,9 @@ def play(
     """Plays a machine as fast as it can, and prints what changed, and the hash that the same inputs always give."""
     stage = Stage(seed=seed, rate=rate)
     actor = stage.add(role_of(machine))
-    table = Table("tick", "seconds", "events", "state", "in motion", "x z metres", "heading°", "hash", box=None)
+    table = Table(box=None)
+    for heading in HEADINGS:
+        table.add_column(heading, no_wrap=True, justify="left" if heading in WORDS else "right")
     state = None
     for happened in run(stage, actor, read_events(events, rate), round(seconds * rate)):
         if every_tick or happened or actor.state != state:

@@ -1,0 +1,34 @@
+"""`statwalk play` from the user's side: what changed when, and a hash that the same inputs always give."""
+
+import subprocess
+import sys
+
+import pytest
+
+
+def play(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-m", "statwalk.cli", "play", *arguments], capture_output=True, text=True)
+
+
+def test_the_states_that_the_events_lead_through() -> None:
+    told = play("faq-walker", "--events", "0:FORWARD 2:STOP", "--seconds", "4").stdout
+    states = [word for word in told.split() if word in ("STAT", "STWK", "WALK", "CSTP")]
+    assert states[:4] == ["STWK", "WALK", "CSTP", "STAT"]
+    assert "after 240 ticks" in told
+
+
+def test_the_same_inputs_give_the_same_output() -> None:
+    asked = ("faq-walker", "--events", "0:+LEFT 1:-LEFT", "--seconds", "2", "--every-tick")
+    first, second = play(*asked), play(*asked)
+    assert first.stdout == second.stdout
+    assert len(first.stdout.splitlines()) == 122
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [(("nobody",), "faq-walker"), (("faq-walker", "--events", "0:DANCE"), "FORWARD"), (("faq-walker", "--events", "now"), "SECONDS:EVENT")],
+)
+def test_what_does_not_exist_is_named(arguments: tuple[str, ...], said: str) -> None:
+    ended = play(*arguments)
+    assert ended.returncode == 2
+    assert said in ended.stderr
