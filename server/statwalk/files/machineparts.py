@@ -138,7 +138,7 @@ def cell(node: Node, written: CellDefinition | None, name: str) -> CellDefinitio
     base = read_cell(cell_text(entries["to"]), node.file, entries["to"].line) if "to" in entries else written
     if base is None:
         raise node.refuse(f"the cell {name[:80]} has no next state, neither in the table nor here (`to: STATE`)")
-    more = replace(base, line=node.line)
+    more = base
     if "when" in entries:
         more = replace(more, when=when(entries["when"]))
     if "blend" in entries:

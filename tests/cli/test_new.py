@@ -1,0 +1,35 @@
+"""`statwalk new`: a folder that verifies and plays."""
+
+import subprocess
+import sys
+
+from where import GLTF, needs_assets
+
+
+def statwalk(*arguments, cwd):
+    command = [sys.executable, "-m", "statwalk.cli", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, cwd=cwd, env={"COLUMNS": "200"})
+
+
+@needs_assets
+def test_new_verify_and_play(tmp_path):
+    made = statwalk("new", GLTF / "RobotExpressive.glb", cwd=tmp_path)
+    assert made.returncode == 0, made.stderr
+    assert "14 states, standing about in Idle" in made.stdout
+    assert statwalk("verify", "RobotExpressive", cwd=tmp_path).returncode == 0
+    played = statwalk("play", "RobotExpressive", "--events", "0:+WALKING", "--seconds", "1", cwd=tmp_path)
+    assert "after 60 ticks: Walking" in played.stdout
+
+
+@needs_assets
+def test_again_in_the_same_place_is_refused(tmp_path):
+    statwalk("new", GLTF / "RobotExpressive.glb", "robot", cwd=tmp_path)
+    again = statwalk("new", GLTF / "RobotExpressive.glb", "robot", cwd=tmp_path)
+    assert again.returncode == 2
+    assert "there is a machine here already" in again.stderr
+
+
+def test_a_model_that_is_not_there(tmp_path):
+    done = statwalk("new", "nothing.glb", cwd=tmp_path)
+    assert done.returncode == 2
+    assert "nothing.glb: there is no such file" in done.stderr

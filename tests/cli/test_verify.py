@@ -1,0 +1,46 @@
+"""`statwalk verify`: what it prints, and its exit status."""
+
+import subprocess
+import sys
+
+import orjson
+from where import MACHINES
+
+
+def run(*arguments):
+    command = [sys.executable, "-m", "statwalk.cli", "verify", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, env={"COLUMNS": "200"})
+
+
+def test_errors_are_printed_and_make_status_1():
+    done = run("faq-printed")
+    assert done.returncode == 1
+    assert "TLFG is no state; did you mean TLFT?" in done.stdout
+    assert "2 errors, 5 warnings" in done.stdout
+
+
+def test_json_is_for_programs():
+    done = run("faq-walker", "--json")
+    assert done.returncode == 0
+    findings = orjson.loads(done.stdout)["findings"]
+    assert [one["severity"] for one in findings] == ["info"] * 4
+    assert findings[0]["message"] == "JUMP only after WALK: proved"
+
+
+def test_a_file_that_cannot_be_read_makes_status_2_and_one_line(tmp_path):
+    text = (MACHINES / "faq-walker" / "machine.yaml").read_text()
+    (tmp_path / "machine.yaml").write_text(text.replace("initial: STAT", "initial: STAAT"))
+    done = run(tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith(f"statwalk: {tmp_path}/machine.yaml, line 8: no state is called 'STAAT'; did you mean STAT?")
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_a_machine_that_does_not_exist_lists_those_that_do():
+    done = run("faq-waker")
+    assert done.returncode == 2
+    assert "did you mean faq-walker?" in done.stderr
+
+
+def test_help_shows_examples():
+    assert "statwalk verify faq-printed" in run("--help").stdout

@@ -1,0 +1,143 @@
+"""Machine files: every error names the file, the line, the name and the nearest that exists; hostile ones are refused."""
+
+import pytest
+from statwalk.errors import MachineError, StatwalkError
+from statwalk.files.machinefile import load_machine, read_machine
+from where import MACHINES
+
+GOOD = """semantics: 1
+character: robot.glb
+root: Hips
+title: A robot
+initial: STAT
+defaults: {when: now, blend: 0.25, buffer: 0.5}
+states:
+  STAT: {motion: stand, loop: true}
+  WALK: {motion: walk, speed: pace}
+table: |
+  state | FORWARD | STOP | END
+  STAT  | WALK    |      |
+  WALK  |         | STAT | WALK
+cells:
+  WALK/STOP: {blend: 0.1, action: halt, when: end}
+keys:
+  ArrowUp: {hold: FORWARD, release: STOP}
+parameters:
+  pace: {default: 1, min: 0.5, max: 2}
+properties:
+  - WALK only after STAT
+"""
+
+WRONG = {
+    "unknown key": ("title:", "titel:", "line 4: no key is called 'titel'; did you mean title?"),
+    "unknown key of a state": ("loop: true", "lop: true", "line 8: no key is called 'lop'; did you mean loop?"),
+    "unknown initial": ("initial: STAT", "initial: STATE", "line 5: no state is called 'STATE'; did you mean STAT?"),
+    "unknown row": ("  WALK  |", "  WALL  |", "line 13: no state is called 'WALL'; did you mean WALK?"),
+    "unknown state of a cell": ("WALK/STOP", "WAKL/STOP", "line 15: no state is called 'WAKL'; did you mean WALK?"),
+    "unknown event of a cell": ("WALK/STOP", "WALK/STOPP", "line 15: no event is called 'STOPP'; did you mean STOP?"),
+    "unknown event of a key": ("hold: FORWARD", "hold: FOREWARD", "line 17: no event is called 'FOREWARD'; did you mean FORWARD?"),
+    "unknown idle": ("initial: STAT", "initial: STAT\nidle: STOOP", "line 6: no event is called 'STOOP'; did you mean STOP?"),
+    "no cell": ("WALK/STOP", "WALK", "line 15: 'WALK' is no cell"),
+    "no next state": ("WALK/STOP", "STAT/STOP", "line 15: the cell STAT/STOP has no next state"),
+    "unknown moment": ("when: end}", "when: ende}", "line 15: no moment is called 'ende'; did you mean end?"),
+    "marker": ("when: end}", "when: marker left}", "line 15: `marker left`: markers and windows are not supported yet"),
+    "enter": ("when: end}", "enter: 0.5}", "line 15: `enter` is not supported yet"),
+    "alternatives": ("{blend: 0.1, action: halt, when: end}", "[{to: STAT}]", "line 15: alternatives are not supported yet"),
+    "weights": ("when: end}", "to: {STAT: 1}}", "line 15: alternatives and weights are not supported yet"),
+    "senses": ("title:", "senses:", "line 4: `senses` is not supported yet"),
+    "layers": ("title:", "layers:", "line 4: `layers` is not supported yet"),
+    "sub-machine": ("motion: stand", "motion: [a]", "line 8: blends and sub-machines as motions are not supported yet"),
+    "no motion": ("motion: stand, ", "", "line 8: a state needs a motion"),
+    "semantics": ("semantics: 1", "semantics: 2", "line 1: this program knows semantics 1, not '2'"),
+    "blend": ("blend: 0.1", "blend: -1", "line 15: '-1' is not a finite number from 0 to 60"),
+    "buffer": ("buffer: 0.5", "buffer: nan", "line 6: 'nan' is not a finite number"),
+    "speed": ("speed: pace", "speed: -3", "line 9: '-3' is not a finite number from 0 to 100"),
+    "truth": ("loop: true", "loop: yes", "line 8: 'yes' is neither true nor false"),
+    "key without down": ("hold: FORWARD, ", "", "line 17: a key needs either"),
+    "parameter": ("min: 0.5", "min: 5", "line 19: min 5 is more than max 2"),
+    "missing table": ("table: |", "description: |", "the key `table` is missing"),
+    "cell text": ("| WALK    |      |", "| WALK to |      |", "line 12: 'WALK to' is no cell"),
+    "repeated state": ("  WALK: {motion", "  STAT: {motion", "line 9: the key 'STAT' was already given in line 8"),
+}
+
+
+def test_all_that_a_machine_says():
+    machine = read_machine(GOOD)
+    assert (machine.title, machine.initial, list(machine.events)) == ("A robot", "STAT", ["FORWARD", "STOP"])
+    cell = machine.cells["WALK", "STOP"]
+    assert (cell.to, cell.when, cell.blend, cell.action, cell.line) == ("STAT", "end", 0.1, "halt", 13)  # the line that says where it leads
+    assert (machine.states["WALK"].speed, machine.states["STAT"].loop, machine.states["WALK"].loop) == ("pace", True, None)
+    assert (machine.keys["ArrowUp"].press, machine.keys["ArrowUp"].hold, machine.keys["ArrowUp"].release) == ("FORWARD", True, "STOP")
+    assert (machine.parameters["pace"].maximum, machine.defaults.buffer) == (2, 0.5)
+    assert machine.rows[1] == ("STAT", "WALK", "", "")
+
+
+@pytest.mark.parametrize(("old", "new", "message"), WRONG.values(), ids=WRONG)
+def test_errors_name_file_line_and_name(old, new, message):
+    assert old in GOOD
+    with pytest.raises(MachineError) as caught:
+        read_machine(GOOD.replace(old, new, 1), file="my/machine.yaml")
+    assert message in str(caught.value)
+    assert caught.value.file == "my/machine.yaml"
+
+
+def test_a_next_state_that_does_not_exist_is_kept_for_the_verifier():
+    assert read_machine(GOOD.replace("| WALK    |", "| WLAK    |")).cells["STAT", "FORWARD"].to == "WLAK"
+
+
+def test_no_and_on_are_names_like_others():
+    text = GOOD.replace("FORWARD", "on").replace("STAT", "no")
+    assert list(read_machine(text).states) == ["no", "WALK"]
+
+
+def test_a_folder(tmp_path):
+    (tmp_path / "machine.yaml").write_text(GOOD)
+    file = load_machine(tmp_path)
+    assert (file.character_path, file.root_joint, file.text) == (tmp_path / "robot.glb", "Hips", GOOD)
+    assert file.table_text.splitlines()[0] == "state | FORWARD | STOP | END"
+
+
+def test_a_table_of_its_own(tmp_path):
+    head, rest = GOOD.split("table: |\n")
+    rows, tail = rest.split("cells:\n")
+    (tmp_path / "machine.yaml").write_text(f"{head}table: steps.csv\ncells:\n{tail}")
+    (tmp_path / "steps.csv").write_text("\n".join(row.strip().replace("|", ",") for row in rows.splitlines()))
+    assert load_machine(tmp_path).definition.cells["WALK", "END"].to == "WALK"
+    (tmp_path / "steps.csv").write_text("state,FORWARD\nSTAT,WALK\nWLAK,STAT\n")
+    with pytest.raises(MachineError, match=r"steps\.csv, line 3: no state is called 'WLAK'"):
+        load_machine(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("robot.glb", "robot.exe", "line 2: 'robot.exe' is no .glb, .gltf or .yaml file"),
+        ("character: robot.glb", "", "the key `character` is missing"),
+        ("table: |", "table: ../secret.csv\ndescription: |", "line 10: '../secret.csv': the table's file lies beside the machine file"),
+        ("table: |", "table: steps.csv\ndescription: |", "steps.csv: there is no such file"),
+    ],
+)
+def test_files_that_a_folder_names(tmp_path, old, new, message):
+    (tmp_path / "machine.yaml").write_text(GOOD.replace(old, new))
+    with pytest.raises(MachineError) as caught:
+        load_machine(tmp_path)
+    assert message in str(caught.value)
+
+
+def test_a_folder_without_a_machine(tmp_path):
+    with pytest.raises(MachineError, match=r"machine\.yaml: there is no such file"):
+        load_machine(tmp_path)
+
+
+@pytest.mark.parametrize("name", ["faq-walker", "faq-printed"])
+def test_shipped_machines_can_be_read(name):
+    assert load_machine(MACHINES / name).definition.initial == "STAT"
+
+
+@pytest.mark.parametrize("cut", range(0, len(GOOD), 7))
+def test_any_part_of_a_file_is_read_or_refused(cut):
+    for text in (GOOD[:cut], GOOD[cut:], GOOD[:cut] + GOOD[cut + 7 :], GOOD[:cut] + ": [" + GOOD[cut:]):
+        try:
+            read_machine(text)
+        except StatwalkError:
+            continue

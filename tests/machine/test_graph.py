@@ -1,0 +1,24 @@
+"""What a picture of the machine needs."""
+
+from statwalk.files.machinefile import read_machine
+from statwalk.machine.graph import edges, full_table
+from ticking import text_of
+
+TABLE = "state | GO | RUN | END\nA | B | B | NONE\nB | B | B! | A"
+
+
+def definition():
+    return read_machine(text_of(TABLE, {"A": 1, "B": 1}, 'cells: {"*/GO": {to: A}, B/END: {blend: 0, action: bow}}\n'))
+
+
+def test_edges_join_states_once_with_all_their_events():
+    assert edges(definition()) == [
+        {"from": "A", "to": "B", "events": ["GO", "RUN"]},
+        {"from": "B", "to": "B", "events": ["RUN"]},  # a restart; the stay is no edge
+        {"from": "B", "to": "A", "events": ["END"]},
+    ]
+
+
+def test_the_full_table_says_where_each_cell_comes_from():
+    cell = full_table(definition())["B"]["END"]
+    assert cell == {"to": "A", "when": "now", "blend": 0.0, "restart": False, "action": "bow", "source": "cell", "line": 9}
