@@ -1,0 +1,59 @@
+"""How many stages and actors there may be, and which stages are let go."""
+
+import time
+
+import pytest
+from statwalk.stage.stage import Stage
+from statwalk.web.hosted import HostedStage
+from statwalk.web.library import Library
+from statwalk.web.mailbox import Mailbox
+from statwalk.web.problem import Problem
+from statwalk.web.registry import Registry
+from statwalk.web.schemas import NewActor, NewStage
+from statwalk.web.settings import Settings
+
+
+@pytest.fixture(scope="module")
+def library() -> Library:
+    return Library()
+
+
+def registry(library: Library, **limits: int | float) -> Registry:
+    return Registry(library, Settings(**limits))
+
+
+def test_idle_stages_in_real_time_are_let_go_and_no_others(library: Library) -> None:
+    held = registry(library, idle_seconds=0.0)
+    main, idle = held.open_main(), held.open(NewStage())
+    manual, watched = held.open(NewStage(clock="manual")), held.open(NewStage())
+    watched.broadcast.mailboxes = frozenset({Mailbox("pose")})
+    for hosted in held.all():
+        hosted.touched = time.monotonic() - 1
+    held.drop_idle()
+    assert idle not in held.all()
+    assert held.all() == [main, manual, watched]
+
+
+def test_a_stage_more_than_there_may_be_is_refused(library: Library) -> None:
+    held = registry(library, most_stages=1)
+    held.open(NewStage())
+    with pytest.raises(Problem, match="the most it may"):
+        held.open(NewStage())
+
+
+def test_an_actor_more_than_there_may_be_is_refused(library: Library) -> None:
+    held = registry(library, most_actors=1)
+    hosted = held.open(NewStage(actors=[NewActor(machine="faq-walker")]))
+    with pytest.raises(Problem, match="the most it may"):
+        held.place(hosted, NewActor(machine="faq-walker"))
+
+
+def test_a_pause_is_not_caught_up(library: Library) -> None:
+    """However long the clock stood still, it goes on from where it was."""
+    hosted = HostedStage("x", Stage(), "real", library)
+    hosted.advance_to(time.perf_counter())
+    hosted.pause(True)
+    hosted.clock.due(time.perf_counter() - 100.0)
+    hosted.pause(False)
+    hosted.advance_to(time.perf_counter())
+    assert hosted.stage.tick <= 1
