@@ -35,7 +35,13 @@ def clip_of(name, seconds, arm_deg, way=0.0, turn=0.0, keys=31):
     channels = (
         Channel(0, "translation", times, along.astype(np.float32)),
         Channel(0, "rotation", times, Rotation.from_euler("y", yaw[:, None]).as_quat().astype(np.float32)),
-        Channel(2, "rotation", times, Rotation.from_euler("x", arm_deg * swing[:, None], degrees=True).as_quat().astype(np.float32)),
+        Channel(
+            2,
+            "rotation",
+            times,
+            Rotation.from_euler("x", arm_deg * swing[:, None], degrees=True).as_quat().astype(np.float32),
+            "BSPLINE_THROUGH",
+        ),
         Channel(0, "weights", times, ((1 + swing) / 2)[:, None].astype(np.float32)),
     )
     return Clip(name, channels, seconds, REST)
