@@ -36,7 +36,7 @@ def draw(points: Array, normals: Array, faces: Indices, colours: Array, view: Ar
     xy = np.stack([(seen[:, 0] - box[0]) * scale, height - (seen[:, 1] - box[1]) * scale], axis=-1)
     image = np.broadcast_to(PAPER, (height, width, 3)).copy()
     ground = int(height + box[1] * scale)
-    if 0 <= ground < height:
+    if 0 <= ground < height and view[1, 1] > 0.5:  # not from above
         image[ground:] *= 0.9
     picked, share = _fill(xy[faces], seen[faces, 2], (width, height))
     hit = np.flatnonzero(picked >= 0)

@@ -1,4 +1,4 @@
-"""Film strips of a motion from three sides: `python machines/faq-walker/make/strip.py walk strip.png [pictures]`."""
+"""Film strips from three sides: `python machines/faq-walker/make/strip.py walk walk.png [pictures]`, or `jump+fly+land` in a row."""
 
 import sys
 from pathlib import Path
@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from skeleton import PARENT, rest_translation
 from statwalk.maths import quat
 
-SCALE = 120.0  # pixels a metre
+SCALE = 100.0  # pixels a metre
+TALL = ("jump", "fly", "land", "crouch", "stand-up")  # need room overhead
 
 
 def world_matrices(rotation: Array, root: Array) -> Array:
@@ -43,27 +44,26 @@ def surface_of(body: Body) -> tuple[NDArray[np.int64], Array]:
     return np.concatenate(list(body.parts.values())), np.concatenate(colours)
 
 
-def strip(body: Body, motion: Motion, times: Array, view: str, follow: bool = True) -> film.Image:
-    """Pictures side by side, one per time; `follow` keeps the root in the middle of each."""
+def strip(body: Body, motion: Motion, times: Array, view: str) -> film.Image:
+    """Pictures side by side, one per time, each with the root in the middle."""
     faces, colours = surface_of(body)
     rotation, root = motion.at(times)
     pictures = []
     for turn, place in zip(rotation, root, strict=True):
         points, normals = skinned(body, world_matrices(turn, place))
-        if follow:
-            points = points - place * (1, 0, 1)
-        tall = view != "above"
-        box = (-0.62, -0.06, 1.24, 2.2 if motion.name in ("jump", "fly", "land") else 1.90) if tall else (-0.62, -0.5, 1.24, 1.0)
-        pictures.append(film.draw(points, normals, faces, colours, film.VIEWS[view], box, SCALE))
+        height = 2.3 if motion.name in TALL else 1.90
+        box = (-0.62, -0.5, 1.24, 1.0) if view == "above" else (-0.62, -0.06, 1.24, height)
+        pictures.append(film.draw(points - place * (1, 0, 1), normals, faces, colours, film.VIEWS[view], box, SCALE))
     return np.concatenate(pictures, axis=1)
 
 
-def sheet(body: Body, motion: Motion, count: int = 11, views: tuple[str, ...] = ("side", "front", "above")) -> film.Image:
-    """Strips of a whole motion, one under the other."""
-    times = np.linspace(0, motion.duration, count)
-    return np.concatenate([strip(body, motion, times, view) for view in views])
+def sheet(body: Body, motions: list[Motion], count: int = 11, views: tuple[str, ...] = ("side", "front", "above")) -> film.Image:
+    """Strips of motions that follow each other, evenly in time, one view under the other."""
+    whole = sum(motion.duration for motion in motions)
+    times = [(m, np.linspace(0, m.duration, max(2, round(count * m.duration / whole)), endpoint=m is motions[-1])) for m in motions]
+    return np.concatenate([np.concatenate([strip(body, m, t, view) for m, t in times], axis=1) for view in views])
 
 
 if __name__ == "__main__":
-    chosen = next(motion for motion in MOTIONS if motion.name == sys.argv[1])
+    chosen = [next(motion for motion in MOTIONS if motion.name == name) for name in sys.argv[1].split("+")]
     film.save(Path(sys.argv[2]), sheet(make_body(), chosen, int(sys.argv[3]) if len(sys.argv) > 3 else 11))

@@ -21,7 +21,7 @@ RIGHT_STEP: Keys = [(0.0, -30.0), (0.17, -48.0), (0.28, -6.0), (0.33, 3.0), (0.3
 
 def _pitch(side: str, late: float) -> Curve:
     push: Keys = [(0.40, 0), (0.46, -6), (TAKE_OFF, -40), (0.60 + late, -62)]
-    land: Keys = [(0.78 + late, -38), (0.95, -24), (TOUCH - 0.05, -40), (TOUCH + 0.09, 0), (END, 0)]
+    land: Keys = [(0.78 + late, -38), (0.95, -24), (TOUCH - 0.05, -40), (TOUCH + 0.10, -22), (TOUCH + 0.20, 0), (END, 0)]
     keyed = eased([*(LEFT_STEP if side == "Left" else RIGHT_STEP), *push, *land])
     walking = pitch_of(1.0 if side == "Left" else -1.0)
     start, end = (0.30, 0.12) if side == "Left" else (0.12, 0.02)
