@@ -5,6 +5,7 @@ import { Connection, type Link } from "./net/connection";
 import { type GlbChunks, chunksOf, tickOf } from "./net/glb";
 import { Meter, RoundTrip } from "./net/meter";
 import type { CastHello, EventKind, FrameKind, Hello, MachineInfo, ServerMessage, Status, Verdict } from "./net/protocol";
+import type { Handed } from "./net/relay";
 import { type PoseFrame, isGlb, readPoseFrame } from "./net/wire";
 import { History } from "./history";
 import { Lookback } from "./lookback";
@@ -51,7 +52,7 @@ export class Session {
         this.link.set({ state, detail });
       },
       message: (message) => this.hear(message),
-      frame: (buffer) => this.take(buffer),
+      frame: (handed) => this.take(handed),
       failed: () => void this.findStage(),
     });
   }
@@ -100,14 +101,17 @@ export class Session {
     return this.frames.value === "pose" ? this.lastPhase : null;
   }
 
-  private take(buffer: ArrayBuffer): number | null {
-    this.received.add(performance.now(), buffer.byteLength);
-    return isGlb(buffer) ? this.takeGlb(buffer) : this.takePose(buffer);
+  private take({ frame, skipped, skippedBytes }: Handed): void {
+    const now = performance.now();
+    this.received.add(now, frame.byteLength);
+    for (let i = 0; i < skipped; i++) this.received.add(now, skippedBytes / skipped);
+    if (isGlb(frame)) this.takeGlb(frame);
+    else this.takePose(frame);
   }
 
-  private takePose(buffer: ArrayBuffer): number {
+  private takePose(buffer: ArrayBuffer): void {
     const frame = readPoseFrame(buffer);
-    if (frame.epoch !== this.hello.value?.epoch) return frame.tick;
+    if (frame.epoch !== this.hello.value?.epoch) return;
     this.pose = frame;
     this.hash = frame.hash;
     this.moved(frame.tick, frame.head);
@@ -119,20 +123,18 @@ export class Session {
     const cast = place && frame.casts[place.cast];
     if (cast) this.state.set(cast.state[place.row * cast.layers] ?? null);
     this.lastPhase = cast ? (cast.phase[place.row * cast.layers] ?? null) : null;
-    return frame.tick;
   }
 
-  private takeGlb(buffer: ArrayBuffer): number | null {
+  private takeGlb(buffer: ArrayBuffer): void {
     this.glb = chunksOf(buffer);
     const tick = tickOf(this.glb);
-    if (tick === null) return null;
+    if (tick === null) return;
     this.moved(tick, this.looking.value === null ? tick : this.head);
     const actor = this.actor.value;
-    if (actor === null) return tick;
+    if (actor === null) return;
     // The GLB carries no states: the last one known goes on until a verdict says otherwise.
     if (this.looking.value === null && this.state.value !== null) this.history.see(actor, tick, this.state.value);
     else this.state.set(this.history.stateAt(actor, tick));
-    return tick;
   }
 
   private moved(tick: number, head: number): void {

@@ -1,6 +1,8 @@
-/** The socket: opens, checks the version, acknowledges, and comes back by itself with growing pauses. */
+/** The line to a stage: opens, checks the version, and comes back by itself with growing pauses. */
 
 import { type ClientMessage, type FrameKind, type ServerMessage, SUBPROTOCOL, parseMessage } from "./protocol";
+import type { Handed } from "./relay";
+import { type Line, WorkerSocket } from "./workersocket";
 
 export type Link = "connecting" | "live" | "lost" | "refused";
 
@@ -8,13 +10,13 @@ export interface Handlers {
   /** The state of the line; `detail` is for a person. */
   link(state: Link, detail: string): void;
   message(message: ServerMessage): void;
-  /** A binary message; returns the tick it is of, which is then acknowledged. */
-  frame(buffer: ArrayBuffer): number | null;
+  /** A binary message, acknowledged already. */
+  frame(handed: Handed): void;
   /** An attempt failed before anything was said: is the stage still there? */
   failed(): void;
 }
 
-export type SocketFactory = (url: string, protocol: string) => WebSocket;
+export type LineFactory = (url: string, protocol: string) => Line;
 
 const FIRST_PAUSE_MS = 250;
 const LONGEST_PAUSE_MS = 5000;
@@ -25,14 +27,14 @@ export function pauseBefore(n: number): number {
 }
 
 export class Connection {
-  private socket: WebSocket | null = null;
+  private line: Line | null = null;
   private attempts = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private heard = false;
 
   constructor(
     private readonly handlers: Handlers,
-    private readonly open: SocketFactory = (url, protocol) => new WebSocket(url, protocol),
+    private readonly open: LineFactory = (url, protocol) => new WorkerSocket(url, protocol),
   ) {}
 
   private url = "";
@@ -48,8 +50,8 @@ export class Connection {
 
   /** Sends `message` if the line is open; says whether it was. */
   send(message: ClientMessage): boolean {
-    if (this.socket?.readyState !== WebSocket.OPEN) return false;
-    this.socket.send(JSON.stringify(message));
+    if (!this.line?.open) return false;
+    this.line.send(JSON.stringify(message));
     return true;
   }
 
@@ -63,29 +65,25 @@ export class Connection {
   close(): void {
     clearTimeout(this.timer);
     this.timer = undefined;
-    const old = this.socket;
-    this.socket = null;
-    old?.close(1000);
+    const old = this.line;
+    this.line = null;
+    old?.close();
   }
 
   private start(): void {
     this.close();
     this.heard = false;
     this.handlers.link("connecting", this.attempts ? `trying again (${this.attempts})` : "connecting");
-    const socket = this.open(this.url, SUBPROTOCOL);
-    socket.binaryType = "arraybuffer";
-    socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => this.socket === socket && this.receive(event.data);
-    socket.onclose = (event) => this.socket === socket && this.closed(event);
-    this.socket = socket;
+    const line = this.open(this.url, SUBPROTOCOL);
+    const mine = (): boolean => this.line === line;
+    line.ontext = (text) => mine() && this.receive(text);
+    line.onframe = (handed) => mine() && this.handlers.frame(handed);
+    line.onclose = (code, reason) => mine() && this.closed(code, reason);
+    this.line = line;
   }
 
-  private receive(data: string | ArrayBuffer): void {
-    if (typeof data !== "string") {
-      const tick = this.handlers.frame(data);
-      if (tick !== null) this.send({ type: "ack", tick });
-      return;
-    }
-    const message = parseMessage(data);
+  private receive(text: string): void {
+    const message = parseMessage(text);
     if (message?.type === "hello" && !this.accepts(message.version)) return;
     if (message) this.handlers.message(message);
   }
@@ -102,10 +100,10 @@ export class Connection {
     return true;
   }
 
-  private closed(event: CloseEvent): void {
-    this.socket = null;
+  private closed(code: number, reason: string): void {
+    this.line = null;
     const pause = pauseBefore(this.attempts++);
-    const why = event.reason || (event.code === 4008 ? "this page was too slow" : "connection lost");
+    const why = reason || (code === 4008 ? "this page was too slow" : "connection lost");
     this.handlers.link("lost", why);
     this.timer = setTimeout(() => this.start(), pause);
     if (!this.heard) this.handlers.failed();

@@ -89,6 +89,12 @@ export function isGlb(buffer: ArrayBuffer): boolean {
   return buffer.byteLength >= 12 && new DataView(buffer).getUint32(0, true) === 0x46546c67;
 }
 
+/** The tick of the pose frame in `buffer`, or null where it is none. */
+export function tickOfPose(buffer: ArrayBuffer): number | null {
+  const view = new DataView(buffer);
+  return buffer.byteLength >= HEADER_BYTES && view.getUint32(0, true) === MAGIC ? view.getUint32(8, true) : null;
+}
+
 /** The frame in `buffer`. Throws WireError on a wrong magic, a wrong length, or a message cut short. */
 export function readPoseFrame(buffer: ArrayBuffer): PoseFrame {
   if (buffer.byteLength < HEADER_BYTES) throw new WireError("frame is shorter than its header");
