@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pygltflib as gl
 from curves import Array
-from mesh.body import MATERIALS, Body, inverse_bind
+from mesh.body import Body, inverse_bind
+from mesh.garments import MATERIALS
 from moves.motion import Motion
 from numpy.typing import NDArray
 from skeleton import INDEX, NAMES, PARENT, rest_translation

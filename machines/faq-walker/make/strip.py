@@ -6,7 +6,8 @@ from pathlib import Path
 import film
 import numpy as np
 from curves import Array
-from mesh.body import MATERIALS, Body, inverse_bind, make_body
+from mesh.body import Body, inverse_bind, make_body
+from mesh.garments import MATERIALS
 from moves.motion import Motion
 from moves.motions import MOTIONS
 from numpy.typing import NDArray

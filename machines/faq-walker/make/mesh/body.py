@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from curves import Array
 from mesh.figure import ARM_SPREAD, LEG_SPREAD, figure
-from mesh.garments import CUTS, MATERIALS, dress
+from mesh.garments import dress
 from mesh.surface import Indices, edges_of, gradient, relaxed, spaced, surface_net, triangles
 from mesh.weights import soft_weights, strongest
 from numpy.typing import NDArray
@@ -64,6 +64,3 @@ def inverse_bind() -> Array:
     inverse[:, :3, :3] = np.swapaxes(rotation, 1, 2)
     inverse[:, :3, 3] = -np.einsum("jba,jb->ja", rotation, place)
     return inverse
-
-
-__all__ = ["CUTS", "MATERIALS", "Body", "inverse_bind", "make_body"]

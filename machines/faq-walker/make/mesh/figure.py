@@ -4,7 +4,7 @@ import numpy as np
 from curves import Array
 from mesh.shapes import Field, common, ellipsoid, limb, mirrored, rod, union
 from moves.feet import HEEL_RADIUS, HEEL_Z, TOE_RADIUS, TOE_Z
-from skeleton import ANKLE_HEIGHT, HAND, HIP, ROOT_HEIGHT, SHIN, SHOULDER, THIGH, WRIST
+from skeleton import ANKLE_HEIGHT, HIP, ROOT_HEIGHT, SHIN, SHOULDER, THIGH, WRIST
 
 ARM_SPREAD, LEG_SPREAD = np.radians(32.0), np.radians(5.0)  # binding pose
 SHOULDER_Y = 1.45
@@ -102,7 +102,6 @@ def _flat(t: float, out: float, ahead: float, length: float, thick: float, wide:
     return field
 
 
-SIGN = -1.0 if HAND_SIDE[0] < 0 else 1.0
 PALM = _flat(WRIST + 0.050, 0.000, 0.002, 0.058, 0.0165, 0.040, 0.05)
 FINGERS = _flat(WRIST + 0.122, -0.008, 0.000, 0.058, 0.0135, 0.036, 0.28)
 THUMB = rod(_on_arm(WRIST + 0.030, -0.006, 0.030), _on_arm(WRIST + 0.092, -0.020, 0.056), 0.0155, 0.0115)
@@ -176,6 +175,3 @@ def figure(points: Array) -> Array:
     """The whole body's field."""
     trunk = union(trunk_field(points), union(NECK(points), _head(points), 0.020), 0.045)
     return union(trunk, mirrored(_side)(points), 0.055)
-
-
-__all__ = ["HAND", "figure"]

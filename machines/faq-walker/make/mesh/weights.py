@@ -2,10 +2,10 @@
 
 import numpy as np
 from curves import Array
-from mesh.figure import ANKLE_AT, ARM_WAY, HIP_AT, LEG_WAY, SHOULDER_AT, SOLE_Y, arm_field, trunk_field
+from mesh.figure import ANKLE_AT, ARM_WAY, HIP_AT, LEG_WAY, SHOULDER_AT, arm_field, trunk_field
 from mesh.surface import Indices, averaged
 from numpy.typing import NDArray
-from skeleton import INDEX, NAMES, THIGH, UPPER_ARM, WRIST
+from skeleton import NAMES, THIGH, UPPER_ARM, WRIST
 
 INFLUENCES = 4
 
@@ -76,6 +76,3 @@ def strongest(weights: Array) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
     kept = (kept / kept.sum(1, keepdims=True)).astype(np.float32)
     kept[:, 0] += np.float32(1) - kept.sum(1)
     return np.where(kept > 0, joints, 0).astype(np.uint8), kept
-
-
-__all__ = ["INDEX", "SOLE_Y", "soft_weights", "strongest"]

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from curves import Array
 from moves.feet import Track
-from skeleton import HIP, INDEX, NAMES, ROOT_HEIGHT, SHIN, SIDES, THIGH
+from skeleton import HIP, NAMES, SHIN, SIDES, THIGH
 from statwalk.maths import quat
 
 X, Y, Z = np.eye(3)
@@ -13,17 +13,15 @@ STRAIGHT = 0.9995  # no leg is longer than this share of its bones
 SLOPE = np.radians(6.0)  # shoulders hang a little
 REACH, SOFTNESS = 0.8485, 0.003  # metres: the pelvis comes down before a leg gets longer than this, so no knee locks or snaps
 
-# The handles. `pelvis_yaw` turns the hips and not the path; `head_*` are set against the path, so the head stays level.
-BODY = (
-    *("x", "y", "z", "yaw", "lean", "list", "pelvis_yaw"),
-    *("low_pitch", "low_yaw", "low_roll", "up_pitch", "up_yaw", "up_roll", "head_pitch", "head_yaw", "head_roll"),
-)
-ARM = ("swing", "abduct", "twist", "elbow", "forearm", "wrist", "wrist_side", "raise", "reach", "knee_out")
-
 
 @dataclass
 class Controls:
-    """Values by handle (F,); handles of a limb begin with its side: `Left.swing`."""
+    """Values by handle (F,), degrees or metres, 0 where nobody set them.
+
+    The body's: x, y, z, yaw, lean and list of the pelvis; `pelvis_yaw`, which turns the hips and not the path; pitch, yaw
+    and roll of `low` and `up` (the back) and of `head` (against the path, so that it stays level). Each side's, as
+    `Left.swing`: swing, abduct, twist, elbow, forearm, wrist, wrist_side, raise and reach of the shoulder, knee_out.
+    """
 
     values: dict[str, Array]
     feet: dict[str, Track] = field(default_factory=dict)
@@ -131,6 +129,3 @@ def _steady(q: Array) -> Array:
     dots = (q[1:] * q[:-1]).sum(-1)
     signs = np.cumprod(np.where(dots < 0, -1.0, 1.0))
     return np.concatenate([q[:1], q[1:] * signs[:, None]])
-
-
-__all__ = ["ARM", "BODY", "INDEX", "ROOT_HEIGHT", "Controls", "product", "solve", "turn"]
