@@ -4,33 +4,22 @@ import * as api from "./net/api";
 import { Connection, type Link } from "./net/connection";
 import { type GlbChunks, chunksOf, tickOf } from "./net/glb";
 import { Meter, RoundTrip } from "./net/meter";
-import type { CastHello, EventKind, FrameKind, Hello, MachineInfo, ServerMessage, Status, Verdict } from "./net/protocol";
+import type { EventKind, FrameKind, Hello, ServerMessage, Status, Verdict } from "./net/protocol";
 import type { Handed } from "./net/relay";
 import { type PoseFrame, isGlb, readPoseFrame } from "./net/wire";
-import { History } from "./history";
 import { Lookback } from "./lookback";
 import { Bell, Signal } from "./store";
+import { Watched } from "./watched";
 
-export interface Place {
-  cast: number;
-  row: number;
-}
-
-export class Session {
+export class Session extends Watched {
   readonly link = new Signal<{ state: Link; detail: string }>({ state: "connecting", detail: "" });
-  readonly hello = new Signal<Hello | null>(null);
-  readonly machine = new Signal<MachineInfo | null>(null);
   readonly status = new Signal<Pick<Status, "paused" | "speed" | "viewers">>({ paused: false, speed: 1, viewers: 1 });
-  readonly actor = new Signal<number | null>(null);
-  /** The state of the watched actor, an index into its cast's states. */
-  readonly state = new Signal<number | null>(null);
   readonly frames = new Signal<FrameKind>("pose");
   private readonly back = new Lookback((message) => this.connection.send(message));
   /** The tick this page looks at, or null while it follows the stage. */
   readonly looking = this.back.looking;
   readonly verdicts = new Bell<Verdict>();
   readonly notices = new Bell<string>();
-  readonly history = new History();
   readonly received = new Meter();
   readonly trip = new RoundTrip();
   /** The newest frame that was not drawn yet. */
@@ -46,6 +35,7 @@ export class Session {
   private readonly connection: Connection;
 
   constructor() {
+    super();
     this.connection = new Connection({
       link: (state, detail) => {
         if (state === "lost") this.history.tear();
@@ -64,36 +54,11 @@ export class Session {
     this.back.forget();
     this.state.set(null);
     this.pose = this.glb = null;
-    this.connection.connect(stage, this.frames.value);
+    this.connection.connect(stage, () => this.frames.value);
   }
 
   retry(): void {
     this.connection.retryNow();
-  }
-
-  get cast(): CastHello | null {
-    const place = this.place();
-    return (place && this.hello.value?.casts[place.cast]) ?? null;
-  }
-
-  /** Where the watched actor stands in the frames. */
-  place(actor: number | null = this.actor.value): Place | null {
-    const casts = this.hello.value?.casts ?? [];
-    for (let cast = 0; cast < casts.length; cast++) {
-      const row = casts[cast]!.actors.findIndex(({ id }) => id === actor);
-      if (row >= 0) return { cast, row };
-    }
-    return null;
-  }
-
-  private stateIndex(actor: number, name: string): number {
-    const place = this.place(actor);
-    return place ? this.hello.value!.casts[place.cast]!.states.indexOf(name) : -1;
-  }
-
-  /** The name of a state of the watched actor. */
-  stateName(index: number | null): string {
-    return (index !== null && this.cast?.states[index]) || "";
   }
 
   /** How far the watched actor's motion is, 0…1; null where the stream does not say. */
@@ -153,8 +118,11 @@ export class Session {
   }
 
   private greet(hello: Hello): void {
-    const restarted = hello.head < this.head || hello.stage !== this.hello.value?.stage;
+    const same = hello.stage === this.hello.value?.stage;
+    const restarted = !same || hello.head < this.head;
     if (restarted) this.history.clear();
+    // A server that was started again may have read another table.
+    if (same && restarted) this.machine.set(null);
     this.stage = hello.stage;
     Object.assign(this, { tick: hello.tick, head: hello.head, first: hello.first });
     this.status.set({ paused: hello.paused, speed: hello.speed, viewers: this.status.value.viewers });

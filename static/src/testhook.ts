@@ -1,7 +1,7 @@
 /**
  * `window.__viewer`: what a test in a real browser asks the page. Reading it changes nothing.
  *
- * ready        the watched actor was drawn, in the stream that is chosen
+ * ready        the watched actor was drawn, and its machine is known (before that keys mean nothing)
  * stage() tick() head() hash() state() looking() link() frames() quality()
  *              as the page shows them now; state() is a name, looking() null while live
  * posed() shown()
@@ -94,7 +94,7 @@ export function exposeForTests(session: Session, picture: Picture, drawn: Meter)
   };
   const hook = {
     get ready(): boolean {
-      return picture.ready.value;
+      return picture.ready.value && session.machine.value !== null;
     },
     stage: () => session.stage,
     tick: () => session.tick,

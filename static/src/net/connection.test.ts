@@ -39,7 +39,7 @@ const handlers = { link: vi.fn(), message: vi.fn(), frame: vi.fn(), failed: vi.f
 
 function connected(): { connection: Connection; line: FakeLine } {
   const connection = new Connection(handlers, (url, protocol) => new FakeLine(url, protocol));
-  connection.connect("main", "pose");
+  connection.connect("main", () => "pose");
   return { connection, line: FakeLine.opened[0]! };
 }
 
@@ -84,6 +84,16 @@ describe("Connection", () => {
     expect(FakeLine.opened).toHaveLength(2);
   });
 
+  it("comes back with the kind of frames that was chosen meanwhile", () => {
+    let kind: "pose" | "glb" = "pose";
+    const { connection } = connected();
+    connection.connect("main", () => kind);
+    kind = "glb";
+    FakeLine.opened.at(-1)!.drops();
+    vi.advanceTimersByTime(pauseBefore(0));
+    expect(FakeLine.opened.at(-1)!.url).toMatch(/frames=glb$/);
+  });
+
   it("asks whether the stage is there when nothing was said", () => {
     connected().line.drops();
     expect(handlers.failed).toHaveBeenCalledOnce();
@@ -91,7 +101,7 @@ describe("Connection", () => {
 
   it("ignores a line it has left", () => {
     const { connection, line } = connected();
-    connection.connect("other", "pose");
+    connection.connect("other", () => "pose");
     line.says({ type: "status" });
     expect(handlers.message).not.toHaveBeenCalled();
   });

@@ -37,13 +37,15 @@ export class Connection {
     private readonly open: LineFactory = (url, protocol) => new WorkerSocket(url, protocol),
   ) {}
 
-  private url = "";
+  private url = (): string => "";
 
-  /** Leaves what was connected and connects to a stage's stream. */
-  connect(stage: string, frames: FrameKind): void {
-    const place = new URL(`api/stages/${encodeURIComponent(stage)}/stream?frames=${frames}`, document.baseURI);
-    place.protocol = place.protocol === "https:" ? "wss:" : "ws:";
-    this.url = place.href;
+  /** Leaves what was connected and connects to a stage's stream, in the kind of frames that is chosen at each attempt. */
+  connect(stage: string, frames: () => FrameKind): void {
+    this.url = () => {
+      const place = new URL(`api/stages/${encodeURIComponent(stage)}/stream?frames=${frames()}`, document.baseURI);
+      place.protocol = place.protocol === "https:" ? "wss:" : "ws:";
+      return place.href;
+    };
     this.attempts = 0;
     this.start();
   }
@@ -74,7 +76,7 @@ export class Connection {
     this.close();
     this.heard = false;
     this.handlers.link("connecting", this.attempts ? `trying again (${this.attempts})` : "connecting");
-    const line = this.open(this.url, SUBPROTOCOL);
+    const line = this.open(this.url(), SUBPROTOCOL);
     const mine = (): boolean => this.line === line;
     line.ontext = (text) => mine() && this.receive(text);
     line.onframe = (handed) => mine() && this.handlers.frame(handed);

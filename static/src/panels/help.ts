@@ -31,6 +31,7 @@ export class HelpDialog {
     private readonly viewerKeys: readonly ViewerKey[],
   ) {
     document.body.append(this.dialog);
+    session.machine.on(() => this.dialog.open && this.fill());
     this.dialog.addEventListener("click", (click) => click.target === this.dialog && this.dialog.close());
   }
 
