@@ -8,7 +8,7 @@ RING = "state | GO | END\nA | B |\nB | A |"
 
 
 def test_a_change_clears_the_end_of_the_old_motion():
-    actor = Ticking("state | GO | END\nA | B | C\nB | |\nC | |", {"A": 3, "B": 9, "C": 9})
+    actor = Ticking("state | GO | END\nA | B | C\nB | | C\nC | |", {"A": 3, "B": 9, "C": 9})
     actor.run(2)
     assert (actor.step("GO"), actor.time_in_ticks, actor.said) == ("B", 0, ["GO taken"])
 

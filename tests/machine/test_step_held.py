@@ -65,6 +65,24 @@ def test_the_first_that_went_down_comes_first():
     assert actor.path(11) == [(12, "walk"), (13, "TLFT")]
 
 
+def test_and_not_the_first_column():
+    actor = Ticking(TURNS, TICKS)
+    actor.step("+LEFT")
+    actor.step("+FORWARD")
+    actor.run(9)
+    actor.step("STOP")
+    actor.step()
+    assert actor.said[0] == "LEFT taken"
+
+
+def test_leaving_a_state_does_not_drop_what_is_held():
+    actor = Ticking(TURNS, TICKS)
+    actor.step("+LEFT")
+    actor.step()
+    actor.step("STOP")
+    assert (actor.said, actor.waiting) == (["STOP taken"], ["LEFT"])
+
+
 def test_a_second_hold_is_none():
     actor = Ticking(TURNS, TICKS)
     actor.step("+LEFT")

@@ -53,9 +53,11 @@ def test_a_restart_at_end_begins_the_motion_again():
 
 
 def test_the_idle_event_takes_the_place_of_an_end_that_says_nothing():
-    table = "state | STOP | END\nA | B |\nB | C | -\nC | |"
-    actor = Ticking(table, {"A": 2, "B": 2, "C": 1}, "idle: STOP\n")
-    assert actor.path(9) == [(2, "B")]  # in B the END column is `-`: nothing, idle or not
+    table = "state | STOP | WAIT | END\nA | b | |\nb | C | | -\nC | | |"
+    actor = Ticking(table, {"A": 2, "b": 2, "C": 1}, "idle: STOP\n")
+    assert actor.path(3) == [(2, "b")]
+    actor.step("+WAIT")
+    assert actor.run(9) == "b"  # there the END column is `-`: nothing, idle or not
 
 
 def test_speed_is_a_factor_of_time_and_carries_over_in_seconds():
