@@ -104,7 +104,9 @@ class Node:
         names = list(known)
         near = get_close_matches(name, names, n=1)
         hint = f"; did you mean {near[0]}?" if near else "."
-        return self.refuse(f"no {kind} is called {name[:40]!r}{hint} There are: {', '.join(names) or 'none'}", line)
+        return self.refuse(
+            f"no {kind} is called {name[:40]!r}{hint} There are: {', '.join(names[:40]) or 'none'}{', …' * (len(names) > 40)}", line
+        )
 
     def plain(self) -> Any:
         """The same as str, list and dict, without lines."""

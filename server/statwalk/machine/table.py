@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from statwalk.errors import MachineError
 from statwalk.machine.definition import ANY, CellDefinition
 
-NAME = re.compile(r"\w[\w.-]*")
-CELL = re.compile(r"(?P<state>\w[\w.-]*)(?P<restart>!?)(?:\s+at\s+(?P<moment>\S+))?")
+NAME = re.compile(r"\w[\w.-]{0,99}")
+CELL = re.compile(r"(?P<state>\w[\w.-]{0,99})(?P<restart>!?)(?:\s+at\s+(?P<moment>\S+))?")
 MOST_CELLS = 100_000
 
 
