@@ -158,3 +158,15 @@ def test_without_a_root_joint_the_pose_moves_and_the_actor_stays():
     stage.step(31)
     assert not actor.root.position.any()
     assert actor.pose.translation[0, 2] == pytest.approx(0.75, abs=1e-4)
+
+
+def test_a_looping_motion_left_at_its_end_has_gone_its_way_once():
+    """At 7 Hz and twice the speed the walk is over in the middle of a tick; what is left of the tick belongs to standing."""
+    once = {("STAND", "GO"): CellDefinition("WALK", 1, blend=0.0), ("WALK", "END"): CellDefinition("STAND", 1, blend=0.0)}
+    stage = Stage(rate=7)
+    actor = stage.add(role(cells=once))
+    stage.set(actor, "pace", 2.0)
+    stage.send(actor, "GO")
+    stage.step(6)
+    assert actor.state == "STAND"
+    assert actor.root.position[2] == pytest.approx(1.5, abs=1e-6)
