@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from statwalk.errors import ModelError
 from statwalk.files.glb import read_model
-from tinymodel import ROTATIONS, changed, document, glb, gltf, model
+from tinymodel import LIFTED, POSITIONS, ROTATIONS, WEIGHTS, changed, document, glb, gltf, model
 
 
 def test_every_node_is_a_joint():
@@ -160,3 +160,46 @@ def test_of_keys_at_the_same_time_the_last_counts():
     character = read_model(glb(root, binary), "tiny")
     assert character.clips["Bend"].sample(0.0).rotation[1] == pytest.approx([0, 0, 1, 0])
     assert "keys at equal times: the last one counts" in character.notes
+
+
+def deep_skin(depth=1200):
+    """The triangle on a chain of joints, a hundredth of a metre each: its first joint is the root, its second the chain's end."""
+    root, binary = document()
+    chain = [{"children": [row + 1], "translation": [0, 0.01, 0]} for row in range(depth - 1)] + [{"translation": [0, 0.01, 0]}]
+    root["nodes"] = [*chain, {"mesh": 0, "skin": 0}]
+    root["scenes"] = [{"nodes": [0, depth]}]
+    root["skins"][0]["joints"] = [0, depth - 1]
+    root["animations"][0]["channels"][0]["target"]["node"] = depth - 1
+    return read_model(glb(root, binary), "deep")
+
+
+def test_a_skin_hangs_on_a_chain_of_1200_joints():
+    character = deep_skin()
+    bind, bent = (character.vertices(pose)[0].positions for pose in (character.bind_pose, character.clips["Bend"].sample(1.0)))
+    ends = POSITIONS.astype(float) + 0.5 * LIFTED  # the morph target has half its weight
+    shares = WEIGHTS[:, 1:2] * 12 + WEIGHTS[:, :1] * 0.01
+    assert bind == pytest.approx(ends + shares * [0, 1, 0], abs=1e-3)  # float32, 1,200 sums
+    assert bent == pytest.approx(ends * [[1, 1, 1], [0, 0, 1], [-0.5, -0.5, 1]] + shares * [0, 1, 0], abs=1e-3)
+
+
+def test_a_gltf_buffer_without_a_uri_is_zeros_and_noted():
+    root = json.loads(gltf())
+    del root["buffers"][0]["uri"], root["animations"], root["skins"][0]["inverseBindMatrices"]
+    character = read_model(json.dumps(root).encode(), "tiny")
+    assert not character.parts[0].positions.any()
+    assert "a buffer without a uri has no data: it is all zeros" in character.notes
+
+
+def test_buffers_without_a_uri_cannot_ask_for_any_size():
+    root = json.loads(gltf())
+    root["buffers"][0] = {"byteLength": 1 << 40}
+    with pytest.raises(ModelError) as caught:
+        read_model(json.dumps(root).encode(), "tiny")
+    assert caught.value.place == "/buffers/0/byteLength"
+
+
+def test_a_glb_without_its_binary_chunk_is_refused():
+    root, _ = document()
+    with pytest.raises(ModelError) as caught:
+        read_model(glb(root, b""), "tiny")
+    assert caught.value.place == "/buffers/0/byteLength"

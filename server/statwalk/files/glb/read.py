@@ -26,14 +26,14 @@ def read_model(data: bytes, name: str, folder: Path | None = None) -> Character:
     """
     if container.is_glb(data):
         text, binary = container.split(data)
-        return read_document(parse(text), name, binary, folder, data)
+        return read_document(parse(text), name, memoryview(b"") if binary is None else binary, folder, data)
     if not data.lstrip()[:1] == b"{":
         raise ModelError("this is no glTF: it must start with glTF (a .glb) or { (a .gltf)", place="byte 0")
     return read_document(parse(data), name, None, folder, None)
 
 
 def read_document(document: Document, name: str, binary: memoryview | None, folder: Path | None, source: bytes | None) -> Character:
-    """The Character of a document whose first buffer may be `binary`."""
+    """The Character of a document whose first buffer may be `binary`, the binary chunk of a .glb; a .gltf (None) has none."""
     views = Views(document, binary, folder)
     accessors = Accessors(document, views)
     nodes = hierarchy(document)

@@ -11,16 +11,22 @@ from statwalk.files.glb.document import Document
 from statwalk.files.glb.resources import resource
 
 SMALLEST_STRIDE, LARGEST_STRIDE = 4, 252
+LARGEST_BLANK_BYTES = 64 << 20
 
 
 @dataclass
 class Views:
-    """The buffer views of a document, opened when they are first asked for."""
+    """The buffer views of a document, opened when they are first asked for.
+
+    binary    the binary chunk of a .glb (empty where it has none); None for a .gltf
+    blank     bytes that buffers without an address took so far
+    """
 
     document: Document
     binary: memoryview | None
     folder: Path | None
     buffers: dict[int, memoryview] = field(default_factory=dict)
+    blank: int = 0
 
     def open(self, row: int) -> tuple[memoryview, int]:
         """The bytes of a view, and its stride (0 = tightly packed)."""
@@ -60,10 +66,22 @@ class Views:
         length = check.integer(entry, "byteLength", place)
         if "uri" in entry:
             data = memoryview(resource(check.text(entry, "uri", place), self.folder, f"{place}/uri"))
-        elif row == 0 and self.binary is not None:
+        elif self.binary is None:
+            data = self.zeros(length, place)
+        elif row == 0:
             data = self.binary
         else:
-            raise ModelError("it has no uri, and the file has no binary chunk for it", place=place)
+            raise ModelError("it has no uri; only the first buffer can be the binary chunk", place=place)
         if len(data) < length:
             raise ModelError(f"byteLength is {length}, but there are {len(data)} bytes", place=f"{place}/byteLength")
         return data[:length]
+
+    def zeros(self, length: int, place: str) -> memoryview:
+        """What a .gltf's buffer without an address holds. glTF leaves it undefined (3.6.1); like an accessor without a view it is zeros."""
+        self.blank += length
+        if self.blank > LARGEST_BLANK_BYTES:
+            raise ModelError(
+                f"buffers without a uri have {self.blank} bytes; {LARGEST_BLANK_BYTES} are allowed", place=f"{place}/byteLength"
+            )
+        self.document.note("a buffer without a uri has no data: it is all zeros")
+        return memoryview(bytes(length))
