@@ -31,6 +31,14 @@ describe("Lookback", () => {
     expect([back.looking.value, asked]).toEqual([null, [10, "live"]]);
   });
 
+  it("is not stuck when a tick is refused", () => {
+    const { back, asked } = asking();
+    back.look(10);
+    back.refused();
+    back.look(20);
+    expect(asked).toEqual([10, 20]);
+  });
+
   it("asks again after a reconnection", () => {
     const { back, asked } = asking();
     back.look(10);

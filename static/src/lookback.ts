@@ -40,6 +40,11 @@ export class Lookback {
     if (wanted !== null && wanted !== tick) this.ask(wanted);
   }
 
+  /** The server refused something, perhaps the tick: the next wish is asked for afresh. */
+  refused(): void {
+    this.asked = null;
+  }
+
   private ask(tick: number): void {
     this.asked = this.send({ type: "look", tick }) ? tick : null;
   }

@@ -4,7 +4,7 @@ import * as api from "./net/api";
 import { Connection, type Link } from "./net/connection";
 import { type GlbChunks, chunksOf, tickOf } from "./net/glb";
 import { Meter, RoundTrip } from "./net/meter";
-import type { EventKind, FrameKind, Hello, ServerMessage, Status, Verdict } from "./net/protocol";
+import type { EventKind, FrameKind, Hello, Refused, ServerMessage, Status, Verdict } from "./net/protocol";
 import type { Handed } from "./net/relay";
 import { type PoseFrame, isGlb, readPoseFrame } from "./net/wire";
 import { Lookback } from "./lookback";
@@ -114,7 +114,13 @@ export class Session extends Watched {
     else if (message.type === "verdict") this.judge(message);
     else if (message.type === "forked") this.fork(message.stage);
     else if (message.type === "pong") this.trip.answer(message.ref, performance.now());
-    else if (message.type === "error" && !this.trip.answer(message.ref, performance.now())) this.notices.ring(message.detail ?? message.title ?? "refused");
+    else if (message.type === "error") this.refused(message);
+  }
+
+  private refused({ ref, title, detail }: Refused): void {
+    if (this.trip.answer(ref, performance.now())) return;
+    this.back.refused();
+    this.notices.ring(detail ?? title ?? "refused");
   }
 
   private greet(hello: Hello): void {

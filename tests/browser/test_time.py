@@ -6,8 +6,9 @@ import pytest
 from browser.conftest import until
 from playwright.sync_api import Page
 
-SCRUB = """tick => {
+SCRUB = """async tick => {
   const bar = document.querySelector('.scrub');
+  while (Number(bar.max) < tick) await new Promise(done => setTimeout(done, 20));
   bar.value = String(tick);
   bar.dispatchEvent(new Event('input'));
 }"""

@@ -27,6 +27,8 @@ function shade(material: THREE.Material, look: SkinLook): void {
   owns.set(material, own);
   const transparent = look.ghost || own.transparent;
   if (material.transparent !== transparent) material.needsUpdate = true;
+  // The skin steps back a little, so that the lines on it are whole.
+  Object.assign(material, { polygonOffset: look.wire, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   material.visible = look.skin;
   material.transparent = transparent;
   material.opacity = look.ghost ? own.opacity * GHOST_OPACITY : own.opacity;
