@@ -5,17 +5,17 @@ from __future__ import annotations
 import secrets
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import orjson
 from numpy.typing import NDArray
 
 from statwalk.character import Character
-from statwalk.files.glb import container
 from statwalk.files.glb.builder import GENERATOR, INDICES, VERTICES, Builder, index_array
 from statwalk.files.glb.check import Json
 from statwalk.files.glb.materials import extensions_used, moved
+from statwalk.files.glb.textures import Resources, add_textures, no_resources
 from statwalk.rig.evaluate import world_from_local
 from statwalk.skin.primitive import TRIANGLES, Primitive
 from statwalk.skin.shading import triangles
@@ -52,7 +52,7 @@ class Draft:
     nodes: list[Json] = field(default_factory=list)
     meshes: list[Json] = field(default_factory=list)
     materials: list[Json] = field(default_factory=list)
-    resources: dict[str, list[Json]] = field(default_factory=lambda: {"textures": [], "images": [], "samplers": []})
+    resources: Resources = field(default_factory=no_resources)
     parts: int = 0
     """actors' parts so far: each has bounds of its own"""
 
@@ -83,7 +83,7 @@ def laid_out(entries: Sequence[tuple[Character, int]], *, images: bool) -> Layou
 def cast_blocks(draft: Draft, character: Character, count: int) -> list[ActorBlock]:
     """Lay out all actors of one character; they share what does not change."""
     first_material = len(draft.materials)
-    first_texture = add_textures(draft, character) if draft.images else None
+    first_texture = add_textures(draft.builder, draft.resources, character) if draft.images else None
     draft.materials += [moved(material, first_texture) for material in character.materials]
     mirrored = mirrored_joints(character)
     constant = [constant_entry(draft.builder, part, first_material, bool(mirrored[part.joint])) for part in character.parts]
@@ -142,35 +142,3 @@ def mesh_node(draft: Draft, name: str, primitives: list[Json]) -> int:
     draft.meshes.append({"primitives": primitives})
     draft.nodes.append({"name": name, "mesh": len(draft.meshes) - 1})
     return len(draft.nodes) - 1
-
-
-def add_textures(draft: Draft, character: Character) -> int:
-    """Bring the textures, samplers and images of the character's model along; the index of its first texture."""
-    if not container.is_glb(character.model_glb):
-        return 0
-    text, binary = container.split(character.model_glb)
-    root = orjson.loads(text)
-    first = {kind: len(listed) for kind, listed in draft.resources.items()}
-    draft.resources["samplers"] += root.get("samplers", [])
-    draft.resources["images"] += [image_entry(draft.builder, root, image, binary) for image in root.get("images", [])]
-    draft.resources["textures"] += [texture_entry(texture, first) for texture in root.get("textures", [])]
-    return first["textures"]
-
-
-def image_entry(builder: Builder, root: Json, image: Json, binary: memoryview | None) -> Json:
-    """An image, its bytes in the frame's binary chunk."""
-    if "bufferView" not in image or binary is None:
-        return image
-    view = root["bufferViews"][image["bufferView"]]
-    start = view.get("byteOffset", 0)
-    return {**image, "bufferView": builder.data(bytes(binary[start : start + view["byteLength"]]))}
-
-
-def texture_entry(texture: Json, first: dict[str, int]) -> Json:
-    """A texture whose sampler and image are counted in the frame."""
-    shift = {"sampler": first["samplers"], "source": first["images"]}
-    out: dict[str, Any] = {key: value + shift.get(key, 0) if key in shift else value for key, value in texture.items()}
-    for name, extension in texture.get("extensions", {}).items():
-        if isinstance(extension, dict) and "source" in extension:
-            out["extensions"] = {**out["extensions"], name: {**extension, "source": extension["source"] + first["images"]}}
-    return out

@@ -84,13 +84,17 @@ def joint_nodes(character: Character) -> dict[int, Json]:
 
 
 def skin_entry(builder: Builder, character: Character, skin: Skin) -> Json:
-    """A skin with its inverse bind matrices, written column by column."""
+    """A skin, its joints by their node in the file."""
+    joints = character.node_index[skin.joints].tolist()
+    return {"name": skin.name, "joints": joints, "inverseBindMatrices": builder.array(matrix_columns(skin))}
+
+
+def matrix_columns(skin: Skin) -> NDArray[np.float32]:
+    """Inverse bind matrices (K,16), written column by column."""
     matrices = np.zeros((len(skin.joints), 4, 4), np.float32)
     matrices[:, :3] = skin.inverse_bind
     matrices[:, 3, 3] = 1
-    columns = np.ascontiguousarray(matrices.swapaxes(1, 2)).reshape(-1, 16)
-    joints = character.node_index[skin.joints].tolist()
-    return {"name": skin.name, "joints": joints, "inverseBindMatrices": builder.array(columns)}
+    return np.ascontiguousarray(matrices.swapaxes(1, 2)).reshape(-1, 16)
 
 
 def primitive_entry(builder: Builder, part: Primitive) -> Json:
