@@ -10,11 +10,8 @@ const edgeKey = (from: string, to: string): string => JSON.stringify([from, to])
 
 function arrowHead(): SVGElement {
   const tip = svg("path", { d: "M0 0L8 4L0 8Z" });
-  const marker = svg("marker", { id: "arrow", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: "auto", class: "tip" }, tip);
-  const hot = marker.cloneNode(true) as SVGElement;
-  hot.setAttribute("id", "arrow-hot");
-  hot.setAttribute("class", "tip hot");
-  return svg("defs", {}, marker, hot);
+  const size = { viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 8, markerHeight: 8, markerUnits: "userSpaceOnUse" };
+  return svg("defs", {}, svg("marker", { id: "arrow", class: "tip", orient: "auto", ...size }, tip));
 }
 
 function shortList(events: readonly string[]): string {

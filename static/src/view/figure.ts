@@ -9,8 +9,8 @@ import type { Scene } from "./scene";
 import { type SkinLook, showSkin } from "./skinmode";
 
 export interface FigureColours {
+  ink: string;
   accent: string;
-  paper: string;
   bone: string;
 }
 
@@ -58,8 +58,8 @@ export class Figure {
     this.bones.update();
   }
 
-  colour({ accent, paper, bone }: FigureColours): void {
-    this.bones.colour(accent, paper, bone);
+  colour({ ink, accent, bone }: FigureColours): void {
+    this.bones.colour(ink, accent, bone);
   }
 
   /** Sets the size of the spot, metres. */

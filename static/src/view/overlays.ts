@@ -47,7 +47,7 @@ export class BoneOverlay {
   private readonly wire: THREE.InstancedMesh;
   private readonly lineMaterial = new LineMaterial({ linewidth: 2.5, depthTest: false, depthWrite: false, transparent: true });
   private readonly circleMaterial: THREE.ShaderMaterial;
-  private readonly solidMaterial = new THREE.MeshLambertMaterial({ flatShading: true });
+  private readonly solidMaterial = new THREE.MeshLambertMaterial({ flatShading: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   private readonly wireMaterial = new THREE.MeshBasicMaterial({ wireframe: true });
 
   constructor(
@@ -78,10 +78,11 @@ export class BoneOverlay {
     this.solids.visible = solids;
   }
 
-  colour(accent: string, paper: string, body: string): void {
-    this.lineMaterial.color.set(accent);
-    (this.circleMaterial.uniforms["ink"]!.value as THREE.Color).set(accent);
-    (this.circleMaterial.uniforms["paper"]!.value as THREE.Color).set(paper);
+  /** Lines and rings in `ink`, which stands out from any skin; joints and edges in `accent`. */
+  colour(ink: string, accent: string, body: string): void {
+    this.lineMaterial.color.set(ink);
+    (this.circleMaterial.uniforms["ink"]!.value as THREE.Color).set(ink);
+    (this.circleMaterial.uniforms["paper"]!.value as THREE.Color).set(accent);
     this.solidMaterial.color.set(body);
     this.wireMaterial.color.set(accent);
   }

@@ -167,7 +167,7 @@ export class Picture {
 
   /** Takes the theme's colours. */
   recolour(): void {
-    const colours = { accent: token("--accent"), paper: token("--view-1"), bone: token("--bone") };
+    const colours = { ink: token("--ink"), accent: token("--accent"), bone: token("--bone") };
     for (const figure of this.figures.values()) figure.colour(colours);
     wireColour(token("--ink"));
     this.scene.ground.colour(token("--grid"), Number(token("--grid-strength")) || 1);
