@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
-VIEWER_SOURCES = ("static/index.html", "static/package.json", "static/package-lock.json", "static/vite.config.ts", "static/src", "static/public")
+VIEWER_SOURCES = ("index.html", "package.json", "package-lock.json", "vite.config.ts", "tsconfig.json", "src", "public")
 
 
 def run(*command: object) -> None:
@@ -28,7 +28,7 @@ def run(*command: object) -> None:
 def fingerprint(extra: str) -> str:
     """A hash of what the installation was made from: project file, build hook, viewer sources."""
     state = hashlib.sha256(extra.encode() + sys.version.encode())
-    for name in ("pyproject.toml", "server/build_hook.py", *VIEWER_SOURCES):
+    for name in ("pyproject.toml", "server/build_hook.py", *(f"static/{name}" for name in VIEWER_SOURCES)):
         path = ROOT / name
         for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
             if file.is_file():
@@ -50,7 +50,7 @@ def make_venv(uv: str | None) -> None:
 
 def set_up(extra: str) -> None:
     """Installs the project (with `extra`) into .venv, unless that was done from these very sources."""
-    if sys.version_info < (3, 11):
+    if sys.version_info < (3, 11):  # noqa: UP036 (an older Python gets as far as here)
         sys.exit(f"Python 3.11 or newer is needed; this is {sys.version.split()[0]}")
     stamp = VENV / f".ready-{extra or 'run'}"
     wanted = fingerprint(extra)

@@ -33,3 +33,17 @@ def test_a_model_that_is_not_there(tmp_path):
     done = statwalk("new", "nothing.glb", cwd=tmp_path)
     assert done.returncode == 2
     assert "nothing.glb: there is no such file" in done.stderr
+
+
+@needs_assets
+def test_a_model_that_stays_where_it_is_is_named_from_the_folder(tmp_path):
+    (tmp_path / "robot.glb").write_bytes((GLTF / "RobotExpressive.glb").read_bytes())
+    statwalk("new", "robot.glb", "machines/robot", "--no-copy", cwd=tmp_path)
+    (tmp_path / "here").mkdir()
+    for name in ("robot.glb", "machines"):
+        (tmp_path / name).rename(tmp_path / "here" / name)
+    assert statwalk("verify", "here/machines/robot", cwd=tmp_path).returncode == 0
+
+
+def test_the_version(tmp_path):
+    assert statwalk("--version", cwd=tmp_path).stdout.startswith("statwalk 0.")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import sys
 from importlib import import_module
+from importlib.metadata import version as installed_version
+from typing import Annotated
 
 import typer
 from rich.console import Console
@@ -17,17 +19,24 @@ VERBS = ("serve", "play", "verify", "new", "pose")
 def command(wanted: list[str]) -> typer.Typer:
     """The command with the verbs `wanted`; each module has a function of its verb's name and its EXAMPLES."""
     app = typer.Typer(
-        help="Animates characters from state tables: proved, streamed to a browser, tested without one.",
         no_args_is_help=True,
         add_completion=False,
         pretty_exceptions_enable=False,
         rich_markup_mode="rich",
+        invoke_without_command=True,
     )
-    app.callback()(lambda: None)  # keeps the verb a word of its own where only one is registered
+    app.callback()(about)  # keeps the verb a word of its own where only one is registered
     for verb in wanted:
         module = import_module(f"statwalk.cli.{verb}")
         app.command(verb, epilog=module.EXAMPLES)(getattr(module, verb))
     return app
+
+
+def about(version: Annotated[bool, typer.Option("--version", is_eager=True, help="Print the version and exit.")] = False) -> None:
+    """Animates characters from state tables: proved, streamed to a browser, tested without one."""
+    if version:
+        Console(highlight=False).print(f"statwalk {installed_version('statwalk')}")
+        raise typer.Exit
 
 
 def main() -> None:

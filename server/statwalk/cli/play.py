@@ -20,7 +20,7 @@ EXAMPLES = """Examples:
 
   statwalk play faq-walker --events "0:FORWARD 2:STOP" --seconds 4
 
-  statwalk play my-robot --events "0.5:+LEFT 1.5:-LEFT" --every-tick
+  statwalk play faq-walker --events "0.5:+LEFT 1.5:-LEFT" --every-tick
 
 An event is SECONDS:EVENT; + before its name holds it, - releases it.
 """

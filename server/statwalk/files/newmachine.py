@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -45,7 +46,7 @@ def write_machine(character: Character, source: Path, folder: Path, copy: bool =
     if (folder / FILE_NAME).exists():
         raise MachineError("there is a machine here already; choose another folder", file=str(folder / FILE_NAME))
     motions = motions_of(character)
-    model = Path(f"{source.stem}.glb") if copy else source.resolve()
+    model = Path(f"{source.stem}.glb") if copy else Path(os.path.relpath(source.resolve(), folder.resolve()))
     inline = len(motions) <= LARGEST_INLINE
     text = machine_text(source.stem, motions, model, inline)
     folder.mkdir(parents=True, exist_ok=True)
