@@ -12,6 +12,7 @@ from statwalk.web.door import registry_of, stage_of
 from statwalk.web.glbframes import whole
 from statwalk.web.hosted import HostedStage
 from statwalk.web.jsonbody import BoundedRoute
+from statwalk.web.recordings import recorded
 from statwalk.web.registry import Registry
 from statwalk.web.schemas import ActorView, NewStage, Pause, Seek, Speed, StageView, Step, Tick
 
@@ -130,3 +131,13 @@ def get_frame(hosted: Held, tick: Annotated[Tick | None, Query()] = None) -> Res
     if tick is not None:
         stage.seek(tick)
     return Response(whole(stage.frame), media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})
+
+
+@router.get("/{stage_id}/recording.glb", response_class=Response, responses=GLB)
+def get_recording(
+    hosted: Held, start: Annotated[Tick, Query(alias="from")] = 0, end: Annotated[Tick | None, Query(alias="to")] = None
+) -> Response:
+    """The ticks `from` … `to` (the playhead's, if none is given) as one .glb with an animation, keyed at the stage's ticks."""
+    stage = hosted.copy()
+    last = hosted.stage.tick if end is None else end
+    return Response(recorded(stage, start, last), media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})
