@@ -153,6 +153,17 @@ async def test_an_event_before_the_head_goes_to_a_fork(client: httpx.AsyncClient
     await walk.leave()
 
 
+async def test_a_refused_event_before_the_head_leaves_no_fork(client: httpx.AsyncClient) -> None:
+    walk = await Walk.begin(client)
+    await walk.step(60)
+    await walk.post("seek", tick=20)
+    before = (await client.get("/api/stages")).json()
+    assert (await client.post(f"{walk.path}/events", json={"event": "DANCE"})).status_code == 422
+    assert (await client.post(f"{walk.path}/parameters", json={"parameter": "mood", "value": 1.0})).status_code == 422
+    assert [stage["id"] for stage in (await client.get("/api/stages")).json()] == [stage["id"] for stage in before]
+    await walk.leave()
+
+
 async def test_hold_counts_until_it_is_released(client: httpx.AsyncClient) -> None:
     walk = await Walk.begin(client)
     await walk.post("events", event="LEFT", kind="hold")

@@ -1,5 +1,6 @@
 """A viewer that reads no more is let go, and does not hold up the server's end."""
 
+import logging
 import threading
 import time
 from typing import Any
@@ -7,6 +8,7 @@ from typing import Any
 import pytest
 from serving import open_and_never_read, serving, wait_for
 from statwalk.web import protocol
+from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
 LARGE = b"x" * (1 << 20)
@@ -71,3 +73,14 @@ def test_a_viewer_that_reads_again_in_time_is_kept(monkeypatch: pytest.MonkeyPat
         for _ in range(stuck_at + 2):
             assert viewer.recv(timeout=5) == LARGE
         assert not flood.ended.is_set()
+
+
+def test_a_refusal_is_no_error_in_the_log(address: str, caplog: pytest.LogCaptureFixture) -> None:
+    """Asked for twice: when the second is answered, the first has been logged."""
+    log = logging.getLogger("uvicorn.error")
+    log.addHandler(caplog.handler)
+    for _ in range(2):
+        with pytest.raises(InvalidStatus):
+            connect(f"ws://{address}/api/stages/nowhere/stream")
+    log.removeHandler(caplog.handler)
+    assert caplog.messages == []

@@ -54,6 +54,8 @@ class ViewerProtocol(WebSocketsSansIOProtocol):
         await super().send(message)
         if message["type"] == "websocket.close":
             self.leave()
+        elif message["type"] == "websocket.http.response.body" and not message.get("more_body"):
+            self.handshake_complete = True  # a refusal is an answer too; uvicorn would log an error
 
     def keepalive_timeout(self) -> None:
         """The peer does not answer pings."""

@@ -6,8 +6,10 @@ import math
 import secrets
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
+from statwalk.errors import StatwalkError
 from statwalk.stage.stage import Actor, Stage
 from statwalk.web.hosted import HostedStage
 from statwalk.web.library import Library
@@ -102,19 +104,28 @@ class Registry:
             tick = stage.tick if looked_at is None else looked_at
             return hosted if tick >= stage.head else self.fork(hosted, tick)
 
-    def post(self, hosted: HostedStage, event: NewEvent, looked_at: int | None = None) -> Accepted:
-        """Logs an event, in a fork if it belongs to the past."""
+    @contextmanager
+    def writing(self, hosted: HostedStage, looked_at: int | None) -> Iterator[HostedStage]:
+        """The stage that an input belongs to, for one caller; a fork that was made for a refused input goes again."""
         with hosted.turn():
             target = self.writable(hosted, looked_at)
-            with target.turn() as stage:
-                return Accepted(tick=stage.tick, seq=target.post(event), stage=target.id)
+            try:
+                with target.turn():
+                    yield target
+            except (StatwalkError, Problem):
+                if target is not hosted:
+                    self.close(target.id)
+                raise
+
+    def post(self, hosted: HostedStage, event: NewEvent, looked_at: int | None = None) -> Accepted:
+        """Logs an event, in a fork if it belongs to the past."""
+        with self.writing(hosted, looked_at) as target:
+            return Accepted(tick=target.stage.tick, seq=target.post(event), stage=target.id)
 
     def set_parameter(self, hosted: HostedStage, new: NewParameter, looked_at: int | None = None) -> Accepted:
         """Logs a parameter's value, in a fork if it belongs to the past."""
-        with hosted.turn():
-            target = self.writable(hosted, looked_at)
-            with target.turn() as stage:
-                return Accepted(tick=stage.tick, seq=target.set_parameter(new), stage=target.id)
+        with self.writing(hosted, looked_at) as target:
+            return Accepted(tick=target.stage.tick, seq=target.set_parameter(new), stage=target.id)
 
     def drop_idle(self) -> None:
         """Lets go of real-time stages that nobody has watched or used for a while; `main` stays."""
