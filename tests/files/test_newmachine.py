@@ -61,7 +61,7 @@ def test_the_model_is_copied_or_named(tmp_path):
     assert copied.character_path == tmp_path / "RobotExpressive" / "RobotExpressive.glb"
     assert copied.character_path.read_bytes() == (GLTF / "RobotExpressive.glb").read_bytes()
     _, named = made("RobotExpressive", tmp_path / "other", copy=False)
-    assert named.character_path == (GLTF / "RobotExpressive.glb").resolve()
+    assert named.character_path.resolve() == (GLTF / "RobotExpressive.glb").resolve()
     assert not (tmp_path / "other" / "RobotExpressive" / "RobotExpressive.glb").exists()
 
 
