@@ -60,4 +60,44 @@ describe("History", () => {
     history.remember([entry(1, "add"), entry(2, "press"), entry(3, "release"), entry(9, "press")], 5);
     expect(history.marksBetween(1, 0, 99)).toEqual([{ tick: 2, actor: 1, name: "GO", kind: "logged" }]);
   });
+
+  describe("fill", () => {
+    const spans = (history: History): number[][] => history.between(1, 0, 999).map((run) => [run.start, run.end, run.state]);
+
+    it("gives a page that was opened late what came before", () => {
+      const history = new History();
+      history.see(1, 90, 2);
+      history.fill(1, [{ tick: 5, state: 0 }, { tick: 40, state: 1 }, { tick: 70, state: 2 }], 80);
+      expect(spans(history)).toEqual([[5, 39, 0], [40, 69, 1], [70, 90, 2]]);
+    });
+
+    it("leaves alone what was seen since", () => {
+      const history = new History();
+      [[81, 2], [90, 3]].forEach(([tick, state]) => history.see(1, tick!, state!));
+      history.fill(1, [{ tick: 0, state: 0 }], 80);
+      expect(spans(history)).toEqual([[0, 80, 0], [81, 89, 2], [90, 90, 3]]);
+    });
+
+    it("mends what was torn", () => {
+      const history = new History();
+      history.see(1, 10, 0);
+      history.tear();
+      history.see(1, 50, 0);
+      history.fill(1, [{ tick: 0, state: 0 }, { tick: 20, state: 1 }, { tick: 30, state: 0 }], 50);
+      expect(spans(history)).toEqual([[0, 19, 0], [20, 29, 1], [30, 50, 0]]);
+    });
+
+    it("passes by a state that lasted no tick", () => {
+      const history = new History();
+      history.fill(1, [{ tick: 0, state: 4 }, { tick: 0, state: 1 }], 3);
+      expect(spans(history)).toEqual([[0, 3, 1]]);
+    });
+
+    it("goes on from there", () => {
+      const history = new History();
+      history.fill(1, [{ tick: 0, state: 4 }], 3);
+      history.see(1, 9, 4);
+      expect(spans(history)).toEqual([[0, 9, 4]]);
+    });
+  });
 });

@@ -65,6 +65,22 @@ export class History {
     this.torn = new Set(this.runs.keys());
   }
 
+  /** What the server knows up to tick `head` takes the place of what was seen until then; `changes` are the actor's, oldest first. */
+  fill(actor: number, changes: readonly { tick: number; state: number }[], head: number): void {
+    const known: Run[] = [];
+    changes.forEach(({ tick, state }, i) => {
+      const end = (changes[i + 1]?.tick ?? head + 1) - 1;
+      if (tick <= end) known.push({ start: tick, end, state });
+    });
+    const own = this.between(actor, head + 1, Infinity).map((run) => ({ ...run, start: Math.max(run.start, head + 1) }));
+    const [before, after] = [known.at(-1), own[0]];
+    // The line was whole from the answer's head on: the older state lasts up to the first sight.
+    if (before && after) before.end = after.start - 1;
+    if (before && after?.state === before.state) own[0] = { ...known.pop()!, end: after.end };
+    this.runs.set(actor, [...known, ...own]);
+    this.torn.delete(actor);
+  }
+
   /** Runs of `actor` that touch the ticks `from`…`to`, oldest first. */
   between(actor: number, from: number, to: number): Run[] {
     const runs = this.runs.get(actor) ?? [];

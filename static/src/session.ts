@@ -141,8 +141,10 @@ export class Session extends Watched {
 
   private async learn(hello: Hello, restarted: boolean): Promise<void> {
     await this.loadMachine();
+    const { stage } = hello;
+    await api.history(stage).then((told) => this.recall(stage, told), () => undefined);
     if (!restarted) return;
-    await api.log(hello.stage).then((entries) => this.history.remember(entries, hello.tick), () => undefined);
+    await api.log(stage).then((entries) => stage === this.stage && this.history.remember(entries, hello.tick), () => undefined);
   }
 
   /** Fetches the machine of the watched actor, unless it is there. */

@@ -6,6 +6,7 @@
  *              as the page shows them now; state() is a name, looking() null while live
  * posed() shown()
  *              the tick of the frame that the scene shows, and the stream it came by ("pose", "glb")
+ * lanes()      [first tick, last tick, state] of every run that is known of the watched actor
  * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
  * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres (pose stream)
  * pixels()     draws the characters alone: { covered: share of the picture 0…1, box: [left, top, right, bottom] 0…1,
@@ -107,6 +108,7 @@ export function exposeForTests(session: Session, picture: Picture, drawn: Meter)
     posed: () => picture.posed,
     shown: () => picture.stream,
     quality: () => picture.scene.quality,
+    lanes: () => session.history.between(session.actor.value ?? -1, 0, Infinity).map(({ start, end, state }) => [start, end, session.stateName(state)]),
     stats,
     joints: () => jointsByName(picture),
     pixels: () => measure(drawBodies(picture)),

@@ -1,7 +1,7 @@
 /** Who is watched: the stage's casts, the actor chosen among them, its machine, its state, and what was seen of it. */
 
 import { History } from "./history";
-import type { CastHello, Hello, MachineInfo } from "./net/protocol";
+import type { CastHello, Hello, MachineInfo, StateHistory } from "./net/protocol";
 import { Signal } from "./store";
 
 export interface Place {
@@ -31,6 +31,17 @@ export class Watched {
       if (row >= 0) return { cast, row };
     }
     return null;
+  }
+
+  /** Takes over what the server knows of the past of stage `stage`, if that is still watched. */
+  protected recall(stage: string, { head, changes }: StateHistory): void {
+    if (stage !== this.hello.value?.stage) return;
+    const base = changes.filter(({ layer }) => layer === 0);
+    for (const actor of new Set(base.map((change) => change.actor))) {
+      const own = base.filter((change) => change.actor === actor);
+      const known = own.map(({ tick, state }) => ({ tick, state: this.stateIndex(actor, state) })).filter(({ state }) => state >= 0);
+      if (known.length) this.history.fill(actor, known, head);
+    }
   }
 
   /** The index of a state of `actor`, or -1. */

@@ -11,7 +11,7 @@ from typing import Any
 from fastapi import FastAPI
 from starlette.types import ASGIApp
 
-from statwalk.web import actors, characters, machines, messages, page, problem, stages, stream
+from statwalk.web import actors, characters, history, machines, messages, page, problem, stages, stream
 from statwalk.web.guard import Guard
 from statwalk.web.library import Library
 from statwalk.web.pacer import Pacer
@@ -20,7 +20,7 @@ from statwalk.web.schemas import ProblemView
 from statwalk.web.settings import Settings
 
 DESCRIPTION = "Animates characters from state tables. Errors are application/problem+json (RFC 9457)."
-ROOMS = (characters.router, machines.router, stages.router, actors.router, stream.router)
+ROOMS = (characters.router, machines.router, stages.router, history.router, actors.router, stream.router)
 
 
 def create_app(settings: Settings | None = None) -> ASGIApp:

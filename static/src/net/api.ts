@@ -1,6 +1,6 @@
 /** The REST interface, as far as the page uses it; a refusal becomes an Error with the server's own words. */
 
-import type { LogEntry, MachineInfo, MachineSummary, StageInfo } from "./protocol";
+import type { LogEntry, MachineInfo, MachineSummary, StageInfo, StateHistory } from "./protocol";
 
 export class ApiError extends Error {
   constructor(
@@ -45,6 +45,7 @@ export function parseLog(text: string): LogEntry[] {
 export const machines = (): Promise<MachineSummary[]> => read("machines");
 export const machine = (name: string): Promise<MachineInfo> => read(`machines/${id(name)}`);
 export const stage = (stageId: string): Promise<StageInfo> => read(`stages/${id(stageId)}`);
+export const history = (stageId: string): Promise<StateHistory> => read(`stages/${id(stageId)}/history`);
 export const log = async (stageId: string): Promise<LogEntry[]> => parseLog(await (await call("GET", `stages/${id(stageId)}/log`)).text());
 
 /** A real-time stage with one actor of `machineName`; gives the new stage's id. */

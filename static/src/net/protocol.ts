@@ -170,6 +170,19 @@ export interface LogEntry {
   name?: string;
 }
 
+/** From `tick` on the actor is in `state`. */
+export interface StateChange {
+  tick: number;
+  actor: number;
+  layer: number;
+  state: string;
+}
+
+export interface StateHistory {
+  head: number;
+  changes: StateChange[];
+}
+
 /** The message in `text`, or null where it is none of ours. */
 export function parseMessage(text: string): ServerMessage | null {
   try {
