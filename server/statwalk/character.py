@@ -18,6 +18,7 @@ from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.deform import Surface, surface
 from statwalk.skin.primitive import Part, Primitive, Skin
+from statwalk.skin.rows import finite
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,12 +52,14 @@ class Character:
         return self.clips[name]
 
     def world(self, pose: Pose) -> NDArray[np.floating[Any]]:
-        """(…,J,4,4) matrices of the joints in the character's space, for a pose with any leading axes."""
-        return transform.to_matrix4(world_from_local(self.skeleton, pose))
+        """(…,J,4,4) matrices of the joints in the character's space, for a pose with any leading axes; finite whatever the pose."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            return finite(transform.to_matrix4(world_from_local(self.skeleton, pose)))
 
     def vertices(self, pose: Pose) -> list[Part]:
         """Every drawable primitive in an unbatched pose, positions and unit normals (V,3) in the character's space (RTCA 2.3.2)."""
-        return self.surface.posed_parts(world_from_local(self.skeleton, pose), pose.weights)
+        with np.errstate(over="ignore", invalid="ignore"):
+            return self.surface.posed_parts(world_from_local(self.skeleton, pose), pose.weights)
 
     @cached_property
     def surface(self) -> Surface:

@@ -47,7 +47,7 @@ class Surface:
         """The parts in one pose, named by their indices in the file."""
         if not self.parts:
             return []
-        positions, normals = (np.ascontiguousarray(array.T) for array in self.pose(world, weights))
+        positions, normals = (np.ascontiguousarray(affine.finite(array).T) for array in self.pose(world, weights))
         return [
             Part(part.node, part.mesh, part.primitive, positions[span], None if part.normals is None else normals[span])
             for part, span in zip(self.parts, self.spans, strict=True)

@@ -79,3 +79,8 @@ def repaired(vectors: Floats, otherwise: Floats) -> Floats:
 def largest(vectors: Floats) -> Floats:
     """The largest component's size of each vector, (V,)."""
     return np.asarray(np.abs(vectors).max(axis=0))
+
+
+def finite(values: Floats) -> Floats:
+    """The values; where one overflowed, the largest finite number, for neither JSON nor glTF knows infinity."""
+    return values if np.isfinite(values).all() else np.nan_to_num(values)

@@ -9,6 +9,7 @@ from statwalk.maths.arrays import Floats, Ints
 from statwalk.skin.rows import unit
 
 STRIP, FAN = 5, 6
+MOST_AT_ONCE = 1 << 18
 
 
 def triangles(indices: Ints, mode: int) -> Ints:
@@ -24,9 +25,15 @@ def triangles(indices: Ints, mode: int) -> Ints:
 
 def smooth_normals(positions: Floats, faces: Ints) -> NDArray[np.float32]:
     """Unit normals (V,3) of positions (V,3) under faces (T,3); vertices that no face uses get +Z."""
-    corner = positions.astype(np.float64)[faces]
-    area = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     total = np.zeros(positions.shape)
+    for start in range(0, len(faces), MOST_AT_ONCE):
+        add_areas(total, positions, faces[start : start + MOST_AT_ONCE])
+    return np.ascontiguousarray(unit(total.T, np.zeros((3, 1))).T, np.float32)
+
+
+def add_areas(total: Floats, positions: NDArray[np.float32], faces: Ints) -> None:
+    """Add twice each face's area, along its normal, to its corners in `total` (V,3)."""
+    corner = positions[faces].astype(np.float64)
+    area = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     for k in range(3):
         np.add.at(total, faces[:, k], area)
-    return np.ascontiguousarray(unit(total.T, np.zeros((3, 1))).T, np.float32)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from statwalk.errors import ModelError
 from statwalk.files.glb import check
+from statwalk.files.glb.allowance import Allowance, accessor_bytes
 from statwalk.files.glb.check import Json
 from statwalk.files.glb.document import Document
 from statwalk.files.glb.formats import (
@@ -31,17 +32,16 @@ from statwalk.files.glb.formats import (
 from statwalk.files.glb.views import Views
 
 Array = NDArray[Any]
-LARGEST_TOTAL_BYTES = 256 << 20
 
 
 @dataclass
 class Accessors:
-    """The accessors of a document, read when they are first asked for; `taken` bytes so far."""
+    """The accessors of a document, read when they are first asked for."""
 
     document: Document
     views: Views
     arrays: dict[int, Array] = field(default_factory=dict)
-    taken: int = 0
+    bytes: Allowance = field(default_factory=accessor_bytes)
 
     def read(self, row: int, allowed: Allowed, place: str) -> Array:
         """The raw array (count,) or (count, n) of an accessor, which must be of an allowed type; `place` is who asks."""
@@ -82,7 +82,7 @@ class Accessors:
         kind = check.one_of(entry, "type", place, ELEMENTS)
         count = check.integer(entry, "count", place, minimum=1)
         size = element_bytes(kind, component)
-        self.take(count * size, place)
+        self.bytes.take(count * size, f"{place}/count")
         if "bufferView" not in entry:
             values = np.zeros((count, size // COMPONENT_BYTES[component]), COMPONENTS[component])
         else:
@@ -92,12 +92,6 @@ class Accessors:
         if "sparse" in entry:
             values = self.substituted(values, check.mapping(entry, "sparse", place), size, component, f"{place}/sparse")
         return shaped(values, kind)
-
-    def take(self, size: int, place: str) -> None:
-        """Count bytes against what one model may take."""
-        self.taken += size
-        if self.taken > LARGEST_TOTAL_BYTES:
-            raise ModelError(f"with it the accessors take {self.taken} bytes; {LARGEST_TOTAL_BYTES} are allowed", place=f"{place}/count")
 
     def window(self, view: int, start: int, count: int, size: int, component: int, place: str) -> Array:
         """(count, n) components in a buffer view, from byte `start`, elements of `size` bytes at the view's stride."""
@@ -116,7 +110,7 @@ class Accessors:
         count = check.integer(sparse, "count", place, minimum=1)
         if count > len(values):
             raise ModelError(f"count is {count}, more than the accessor's {len(values)}", place=f"{place}/count")
-        self.take(count * (size + 4), place)
+        self.bytes.take(count * (size + 4), f"{place}/count")
         rows = self.sparse_rows(check.mapping(sparse, "indices", place), count, f"{place}/indices")
         if int(rows[-1]) >= len(values) or np.any(rows[1:] <= rows[:-1]):
             raise ModelError(f"the indices must rise and stay below {len(values)}", place=f"{place}/indices")

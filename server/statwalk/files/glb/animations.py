@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from statwalk.errors import ModelError
 from statwalk.files.glb import check
 from statwalk.files.glb.accessors import Accessors
+from statwalk.files.glb.allowance import Allowance, key_numbers
 from statwalk.files.glb.check import Json
 from statwalk.files.glb.document import Document
 from statwalk.files.glb.formats import MORPH_WEIGHTS, ROTATIONS, TIMES, TRANSLATIONS, VECTORS, Allowed
@@ -41,6 +42,7 @@ class Animations:
     joint_of: list[int]
     weight_span: dict[int, tuple[int, int]]
     rest: Pose
+    numbers: Allowance = field(default_factory=key_numbers)
     known_times: dict[int, KeyTimes] = field(default_factory=dict)
 
     def clips(self) -> dict[str, Clip]:
@@ -102,6 +104,7 @@ class Animations:
         expected = given * width * (3 if kind == "CUBICSPLINE" else 1)
         if len(values) != expected:
             raise ModelError(f"it has {len(values)} elements; {given} keys need {expected}", place=f"{place}/output")
+        self.numbers.take(values.size, f"{place}/output")
         if path == "weights":
             values = values.reshape(-1, width)
         if kind == "CUBICSPLINE":

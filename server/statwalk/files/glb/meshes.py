@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from statwalk.errors import ModelError
 from statwalk.files.glb import check
 from statwalk.files.glb.accessors import Accessors
+from statwalk.files.glb.allowance import Allowance, drawn_vertices, mesh_vertices
 from statwalk.files.glb.attributes import constant_attributes, influences, normals, targets, vector
 from statwalk.files.glb.check import Json
 from statwalk.files.glb.document import Document
@@ -37,6 +38,7 @@ class Meshes:
     document: Document
     accessors: Accessors
     read: dict[int, list[tuple[Primitive, Influences | None]]] = field(default_factory=dict)
+    vertices: Allowance = field(default_factory=mesh_vertices)
 
     def mesh(self, row: int) -> list[tuple[Primitive, Influences | None]]:
         """The primitives of a mesh, not placed yet. One without positions cannot be drawn and is left out."""
@@ -57,6 +59,8 @@ class Meshes:
             self.document.note("a primitive without positions is not drawn")
             return None
         count = len(positions)
+        asked = len(attributes) + len(check.items(entry, "targets", place)) // 4
+        self.vertices.take(count * asked, f"{place}/attributes/POSITION")
         mode = check.one_of(entry, "mode", place, MODES, TRIANGLES)
         indices = self.indices(entry, count, place)
         target_positions, target_normals = targets(self.document, self.accessors, entry, count, place)
@@ -85,6 +89,7 @@ class Meshes:
         values = self.accessors.read(row, INDICES, f"{place}/indices")
         if int(values.max()) >= count:
             raise ModelError(f"it points at vertex {int(values.max())}; there are {count}", place=f"{place}/indices")
+        self.vertices.take(len(values) // 3, f"{place}/indices")
         return values.astype(np.uint32)
 
 
@@ -103,7 +108,7 @@ class Drawn(NamedTuple):
 
 def place_meshes(document: Document, accessors: Accessors, nodes: Hierarchy, skins: tuple[Skin, ...]) -> Drawn:
     """Every mesh on every node of the scene that carries it, in the order of the nodes in the file."""
-    meshes = Meshes(document, accessors)
+    meshes, vertices = Meshes(document, accessors), drawn_vertices()
     bound = partial(bind, document, skins, {})
     parts: list[Primitive] = []
     weights: list[float] = []
@@ -121,6 +126,7 @@ def place_meshes(document: Document, accessors: Accessors, nodes: Hierarchy, ski
         span[row] = (first, count)
         joint = int(nodes.joint_of[row])
         if nodes.drawn[joint]:
+            vertices.take(sum(len(primitive.positions) for primitive, _ in primitives), f"{place}/mesh")
             placed = [bound(primitive, found, skin) for primitive, found in primitives]
             parts += [replace(part, node=row, joint=joint, weight_first=first) for part in placed]
     for row in range(len(document["meshes"])):

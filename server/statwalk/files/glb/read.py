@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
+
 from statwalk.character import Character
 from statwalk.errors import ModelError
 from statwalk.files.glb import container
@@ -14,6 +16,7 @@ from statwalk.files.glb.meshes import place_meshes
 from statwalk.files.glb.nodes import hierarchy, rest_transforms
 from statwalk.files.glb.pack import packed, stands_alone
 from statwalk.files.glb.skins import read_skins
+from statwalk.files.glb.textures import check_textures
 from statwalk.files.glb.views import Views
 from statwalk.maths.pose import Pose
 
@@ -24,9 +27,15 @@ def read_model(data: bytes, name: str, folder: Path | None = None) -> Character:
     Raises ModelError, its place a JSON pointer or a byte, for whatever is not right and cannot be repaired; `notes` of the character
     say what was repaired. A .glb is kept as it came, unless it needs other files; a .gltf is packed into one with its buffers and images.
     """
-    if container.is_glb(data):
-        text, binary = container.split(data)
-        return read_document(parse(text), name, memoryview(b"") if binary is None else binary, folder, data)
+    with np.errstate(over="ignore", invalid="ignore"):
+        if container.is_glb(data):
+            text, binary = container.split(data)
+            return read_document(parse(text), name, memoryview(b"") if binary is None else binary, folder, data)
+        return read_text(data, name, folder)
+
+
+def read_text(data: bytes, name: str, folder: Path | None) -> Character:
+    """The Character in a .gltf."""
     if not data.lstrip()[:1] == b"{":
         raise ModelError("this is no glTF: it must start with glTF (a .glb) or { (a .gltf)", place="byte 0")
     return read_document(parse(data), name, None, folder, None)
@@ -43,6 +52,7 @@ def read_document(document: Document, name: str, binary: memoryview | None, fold
     bind_pose = Pose(*rest, drawn.weights)
     clips = Animations(document, accessors, nodes.joint_of.tolist(), drawn.weight_span, bind_pose).clips()
     accessors.check_rest()
+    check_textures(document, views)
     model = source if source is not None and stands_alone(document) else packed(document, views)
     return Character(
         name=name,

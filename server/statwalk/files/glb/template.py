@@ -19,6 +19,7 @@ from statwalk.maths import quat, transform
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
 from statwalk.rig.evaluate import world_from_local
+from statwalk.skin.rows import finite
 
 UP = np.array([0, 1, 0], np.float64)
 
@@ -52,10 +53,11 @@ class FrameTemplate:
         """One frame: a complete GLB with every actor of `casts` (in the order of the entries) in its pose, at its place."""
         data = bytearray(self.template)
         bounds: list[NDArray[np.float64]] = []
-        for character, blocks, cast in zip(self.characters, self.layout.blocks, casts, strict=True):
-            worlds = stage_worlds(character, cast)
-            for row, block in enumerate(blocks):
-                bounds += self.write(data, character, block, worlds[row], cast.pose.weights[row])
+        with np.errstate(over="ignore", invalid="ignore"):
+            for character, blocks, cast in zip(self.characters, self.layout.blocks, casts, strict=True):
+                worlds = stage_worlds(character, cast)
+                for row, block in enumerate(blocks):
+                    bounds += self.write(data, character, block, worlds[row], cast.pose.weights[row])
         text = self.text(tick, state_hash, bounds)
         data[self.text_start : self.text_start + len(text)] = text
         return bytes(data)
@@ -77,11 +79,6 @@ class FrameTemplate:
         """The JSON chunk: hash, tick and bounds printed into its slots, in their order."""
         numbers = (number for row in bounds for number in row.tolist())
         return self.layout.text % (state_hash.zfill(16).encode(), tick, *numbers)
-
-
-def finite(values: Floats) -> Floats:
-    """The values; where one overflowed, the largest finite number, for JSON and glTF know no infinity."""
-    return values if np.isfinite(values).all() else np.nan_to_num(values)
 
 
 def stage_worlds(character: Character, cast: PosedCast) -> Floats:

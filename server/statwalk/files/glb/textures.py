@@ -7,9 +7,11 @@ from typing import Any
 import orjson
 
 from statwalk.character import Character
-from statwalk.files.glb import container
+from statwalk.files.glb import check, container
 from statwalk.files.glb.builder import Builder
 from statwalk.files.glb.check import Json
+from statwalk.files.glb.document import Document
+from statwalk.files.glb.views import Views
 
 Resources = dict[str, list[Json]]
 
@@ -17,6 +19,33 @@ Resources = dict[str, list[Json]]
 def no_resources() -> Resources:
     """Textures, images and samplers: none yet."""
     return {"textures": [], "images": [], "samplers": []}
+
+
+def check_textures(document: Document, views: Views) -> None:
+    """Images, textures and samplers that point at what is there; materials that point at textures."""
+    for row, image in enumerate(document["images"]):
+        if "bufferView" in image:
+            views.open(check.required_reference(image, "bufferView", f"/images/{row}", document["bufferViews"], "bufferView"))
+    for row, texture in enumerate(document["textures"]):
+        check.reference(texture, "sampler", f"/textures/{row}", document["samplers"], "sampler")
+        check.reference(texture, "source", f"/textures/{row}", document["images"], "image")
+        for name, extension in check.mapping(texture, "extensions", f"/textures/{row}").items():
+            if isinstance(extension, dict):
+                check.reference(extension, "source", f"/textures/{row}/extensions/{name[:60]}", document["images"], "image")
+    for row, material in enumerate(document["materials"]):
+        check_material(document, material, f"/materials/{row}")
+
+
+def check_material(document: Document, material: Json, place: str) -> None:
+    """The textures that a material names, wherever in it."""
+    ready = [(place, material)]
+    while ready:
+        where, entry = ready.pop()
+        for key, value in entry.items():
+            if isinstance(value, dict):
+                ready.append((f"{where}/{key[:60]}", value))
+                if key.endswith("Texture"):
+                    check.reference(value, "index", f"{where}/{key[:60]}", document["textures"], "texture")
 
 
 def add_textures(builder: Builder, resources: Resources, character: Character) -> int:

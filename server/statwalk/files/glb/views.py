@@ -7,11 +7,11 @@ from pathlib import Path
 
 from statwalk.errors import ModelError
 from statwalk.files.glb import check
+from statwalk.files.glb.allowance import Allowance, blank_bytes
 from statwalk.files.glb.document import Document
 from statwalk.files.glb.resources import resource
 
 SMALLEST_STRIDE, LARGEST_STRIDE = 4, 252
-LARGEST_BLANK_BYTES = 64 << 20
 
 
 @dataclass
@@ -19,14 +19,13 @@ class Views:
     """The buffer views of a document, opened when they are first asked for.
 
     binary    the binary chunk of a .glb (empty where it has none); None for a .gltf
-    blank     bytes that buffers without an address took so far
     """
 
     document: Document
     binary: memoryview | None
     folder: Path | None
     buffers: dict[int, memoryview] = field(default_factory=dict)
-    blank: int = 0
+    blank: Allowance = field(default_factory=blank_bytes)
 
     def open(self, row: int) -> tuple[memoryview, int]:
         """The bytes of a view, and its stride (0 = tightly packed)."""
@@ -78,10 +77,6 @@ class Views:
 
     def zeros(self, length: int, place: str) -> memoryview:
         """What a .gltf's buffer without an address holds. glTF leaves it undefined (3.6.1); like an accessor without a view it is zeros."""
-        self.blank += length
-        if self.blank > LARGEST_BLANK_BYTES:
-            raise ModelError(
-                f"buffers without a uri have {self.blank} bytes; {LARGEST_BLANK_BYTES} are allowed", place=f"{place}/byteLength"
-            )
+        self.blank.take(length, f"{place}/byteLength")
         self.document.note("a buffer without a uri has no data: it is all zeros")
         return memoryview(bytes(length))
