@@ -63,4 +63,6 @@ def load_character_file(path: Path) -> Character:
 def load_role(folder: Path) -> Role:
     """The Role of a machine folder: its machine file, and the character that file names."""
     file = load_machine(folder)
-    return Role.build(folder.resolve().name, load_character_file(file.character_path), file.definition, file.root_joint)
+    character = load_character_file(file.character_path)
+    file.check_root(character.skeleton.names)
+    return Role.build(folder.resolve().name, character, file.definition, file.root_joint)

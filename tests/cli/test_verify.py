@@ -44,3 +44,12 @@ def test_a_machine_that_does_not_exist_lists_those_that_do():
 
 def test_help_shows_examples():
     assert "statwalk verify faq-printed" in run("--help").stdout
+
+
+def test_a_root_that_is_no_joint_is_named_with_its_line(tmp_path):
+    text = (MACHINES / "faq-walker" / "machine.yaml").read_text().replace("root: Root", "root: Rot")
+    (tmp_path / "machine.yaml").write_text(text)
+    (tmp_path / "walker.glb").write_bytes((MACHINES / "faq-walker" / "walker.glb").read_bytes())
+    done = run(tmp_path)
+    assert done.returncode == 2
+    assert "machine.yaml, line 7: root: the character has no joint 'Rot'; did you mean Root?" in done.stderr

@@ -43,8 +43,9 @@ def folder_of(machine: str) -> Path:
 def findings_of(folder: Path) -> list[Finding]:
     """All findings about the machine of a folder, with the motions of its character; raises ContentError where a file cannot be read."""
     file = load_machine(folder)
-    clips = load_character_file(file.character_path).clips
-    return find(file.definition, {name: MotionFacts(clip.duration, clip.loop) for name, clip in clips.items()})
+    character = load_character_file(file.character_path)
+    file.check_root(character.skeleton.names)
+    return find(file.definition, {name: MotionFacts(clip.duration, clip.loop) for name, clip in character.clips.items()})
 
 
 def shown(findings: list[Finding]) -> Table:

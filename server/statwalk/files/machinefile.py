@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
 from statwalk.files import machineparts as parts
 from statwalk.files.yamltext import Node, parse, read_text
-from statwalk.machine.definition import EventDefinition, MachineDefinition
+from statwalk.machine.definition import EventDefinition, MachineDefinition, nearest
 from statwalk.machine.table import Table, read_csv, read_table
 
 FILE_NAME = "machine.yaml"
@@ -41,8 +41,17 @@ class MachineFile:
     definition: MachineDefinition
     character_path: Path
     root_joint: str | None
+    root_line: int
     text: str
     table_text: str
+
+    def check_root(self, joints: Sequence[str]) -> None:
+        """Raises MachineError with line and nearest name where the root joint is none of the character's `joints`."""
+        if self.root_joint is None or self.root_joint in joints:
+            return
+        guess = nearest(self.root_joint, tuple(joints))
+        file = self.definition.file
+        raise MachineError(f"root: the character has no joint {self.root_joint!r}{guess}", file=file, place=f"line {self.root_line}")
 
 
 def load_machine(folder: Path) -> MachineFile:
@@ -59,6 +68,7 @@ def load_machine(folder: Path) -> MachineFile:
         definition=define(root, table, folder.resolve().name, str(table_path or path)),
         character_path=folder / character_name(root),
         root_joint=entries["root"].text() if "root" in entries else None,
+        root_line=root.key_lines.get("root", 0),
         text=text,
         table_text=table_text,
     )
