@@ -106,6 +106,15 @@ def test_looking_back_moves_only_the_one_who_looks(address: str, stage: str, res
     assert past.hash != now.hash
 
 
+def test_an_event_for_a_tick_of_the_past_forks_there(address: str, stage: str, rest: httpx.Client) -> None:
+    rest.post(f"{stage}/step", json={"ticks": 20})
+    with Watcher(address, stage) as viewer:
+        viewer.say(type="event", event="FORWARD", kind="press", tick=5, ref="then")
+        assert viewer.text("accepted")["tick"] == 5
+        branch = viewer.text("forked")["stage"]
+    assert rest.get(f"/api/stages/{branch}").json()["head"] == 5
+
+
 def test_an_event_in_the_past_forks(address: str, stage: str, rest: httpx.Client) -> None:
     with Watcher(address, stage) as viewer:
         rest.post(f"{stage}/step", json={"ticks": 30})

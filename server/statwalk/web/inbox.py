@@ -78,7 +78,8 @@ class Inbox:
             case Ping(ref=ref):
                 self.say("pong", ref=ref, tick=self.hosted.stage.tick)
             case PostEvent(ref=ref):
-                self.accepted(ref, await to_thread.run_sync(self.registry.post, self.hosted, message, self.looked_at))
+                at = self.looked_at if message.tick is None else message.tick
+                self.accepted(ref, await to_thread.run_sync(self.registry.post, self.hosted, message, at))
                 self.remember(message)
             case PostParameter(ref=ref):
                 self.accepted(ref, await to_thread.run_sync(self.registry.set_parameter, self.hosted, message, self.looked_at))

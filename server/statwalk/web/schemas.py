@@ -89,7 +89,7 @@ class Ack(Asked):
 
 
 class PostEvent(NewEvent):
-    """An event, at the tick the viewer looks at."""
+    """An event, at the tick the viewer looks at, or at `tick` where it is said; in the past it makes a fork."""
 
     type: Literal["event"]
     ref: str | int | None = None
