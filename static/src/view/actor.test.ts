@@ -16,7 +16,7 @@ function model(): Model {
   const [face, tail, body, scene] = [morphing(2), morphing(1), new THREE.Object3D(), new THREE.Group()];
   body.add(face, tail);
   scene.add(body);
-  return { url: "", scene, nodes: [face, tail, body], targets: [2, 1, 0], materials: new Map(), materialCount: 0, skinJoints: new Set() };
+  return { url: "", scene, nodes: [face, tail, body], targets: [2, 1, 0], materials: new Map(), materialCount: 0, skinJoints: new Set(), skinEnds: new Map() };
 }
 
 const cast = { joints: 3, weights: 3, names: ["body", "face", "tail"], nodes: [2, 0, 1], parents: [-1, 0, 0] } as unknown as CastHello;

@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import { GLTFLoader, type GLTFParser } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { clone } from "three/examples/jsm/utils/SkeletonUtils.js";
+import { skinEnds } from "./boneends";
 
 export interface Model {
   url: string;
@@ -16,6 +17,8 @@ export interface Model {
   materialCount: number;
   /** Nodes that a skin names as joints; empty for a model without skins. */
   skinJoints: Set<number>;
+  /** How far the skin that a node holds reaches, in the node's own space. */
+  skinEnds: Map<THREE.Object3D, THREE.Vector3>;
 }
 
 interface GltfJson {
@@ -46,7 +49,7 @@ export async function loadModel(url: string): Promise<Model> {
   const nodes = (await Promise.all(Array.from({ length: count }, (_, i) => gltf.parser.getDependency("node", i)))) as THREE.Object3D[];
   const skinJoints = new Set((json.skins ?? []).flatMap((skin) => skin.joints));
   const materials = { materials: materialsByIndex(gltf.parser), materialCount: json.materials?.length ?? 0 };
-  return { url, scene: gltf.scene, nodes, targets: targetCounts(json), skinJoints, ...materials };
+  return { url, scene: gltf.scene, nodes, targets: targetCounts(json), skinJoints, skinEnds: skinEnds(gltf.scene), ...materials };
 }
 
 /** A clone of the model's scene, and the clones of its nodes by index (null where a node is in no scene). */

@@ -5,6 +5,7 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { ActorView } from "./actor";
+import { type BoneEnd, boneEnds } from "./boneends";
 import { type BonePlan, planBones } from "./bones";
 import { place, tetrahedronGeometry } from "./tetrahedron";
 
@@ -40,7 +41,10 @@ export class BoneOverlay {
   private readonly lines = new THREE.Group();
   private readonly solids = new THREE.Group();
   private readonly plan: BonePlan;
+  private readonly last: BoneEnd[];
   private readonly world: Float32Array;
+  /** World positions, metres, of where each bone begins and ends. */
+  private readonly bones: Float32Array;
   private readonly ends: THREE.InstancedInterleavedBuffer;
   private readonly circles: THREE.BufferAttribute;
   private readonly shaded: THREE.InstancedMesh;
@@ -55,15 +59,17 @@ export class BoneOverlay {
     pixelRatio: number,
   ) {
     this.plan = planBones(actor.cast, actor.model.skinJoints);
+    this.last = boneEnds(this.plan, actor.cast, actor.model);
+    const count = this.plan.segments.length + this.last.length;
     this.world = new Float32Array(actor.cast.joints * 3);
-    const geometry = new LineSegmentsGeometry().setPositions(new Float32Array(Math.max(1, this.plan.segments.length) * 6));
+    this.bones = new Float32Array(count * 6);
+    const geometry = new LineSegmentsGeometry().setPositions(new Float32Array(Math.max(1, count) * 6));
     this.ends = (geometry.attributes["instanceStart"] as THREE.InterleavedBufferAttribute).data as THREE.InstancedInterleavedBuffer;
     const points = new THREE.BufferGeometry();
     this.circles = new THREE.BufferAttribute(new Float32Array(this.plan.joints.length * 3), 3);
     points.setAttribute("position", this.circles);
     this.circleMaterial = circleMaterial(pixelRatio);
     this.lines.add(new LineSegments2(geometry, this.lineMaterial), new THREE.Points(points, this.circleMaterial));
-    const count = this.plan.segments.length;
     this.shaded = new THREE.InstancedMesh(tetrahedronGeometry(), this.solidMaterial, count);
     this.wire = new THREE.InstancedMesh(this.shaded.geometry, this.wireMaterial, count);
     this.wire.instanceMatrix = this.shaded.instanceMatrix;
@@ -91,15 +97,26 @@ export class BoneOverlay {
   update(): void {
     if (!this.lines.visible && !this.solids.visible) return;
     this.actor.jointPositions(this.world);
+    this.measure();
     if (this.lines.visible) this.drawLines();
     if (this.solids.visible) this.drawSolids();
   }
 
-  private drawLines(): void {
-    this.plan.segments.forEach(([from, to], k) => {
-      this.ends.array.set(this.world.subarray(from * 3, from * 3 + 3), k * 6);
-      this.ends.array.set(this.world.subarray(to * 3, to * 3 + 3), k * 6 + 3);
+  private measure(): void {
+    const end = new THREE.Vector3();
+    const { segments } = this.plan;
+    segments.forEach(([from, to], k) => {
+      this.bones.set(this.world.subarray(from * 3, from * 3 + 3), k * 6);
+      this.bones.set(this.world.subarray(to * 3, to * 3 + 3), k * 6 + 3);
     });
+    this.last.forEach(({ joint, at }, k) => {
+      this.bones.set(this.world.subarray(joint * 3, joint * 3 + 3), (segments.length + k) * 6);
+      end.copy(at).applyMatrix4((this.actor.joints[joint] ?? this.actor.root).matrixWorld).toArray(this.bones, (segments.length + k) * 6 + 3);
+    });
+  }
+
+  private drawLines(): void {
+    this.ends.array.set(this.bones);
     this.plan.joints.forEach((joint, k) => this.circles.array.set(this.world.subarray(joint * 3, joint * 3 + 3), k * 3));
     this.ends.needsUpdate = true;
     this.circles.needsUpdate = true;
@@ -108,9 +125,9 @@ export class BoneOverlay {
   private drawSolids(): void {
     const matrix = new THREE.Matrix4();
     const [start, end] = [new THREE.Vector3(), new THREE.Vector3()];
-    this.plan.segments.forEach(([from, to], k) => {
-      this.shaded.setMatrixAt(k, place(matrix, start.fromArray(this.world, from * 3), end.fromArray(this.world, to * 3)));
-    });
+    for (let k = 0; k < this.bones.length / 6; k++) {
+      this.shaded.setMatrixAt(k, place(matrix, start.fromArray(this.bones, k * 6), end.fromArray(this.bones, k * 6 + 3)));
+    }
     this.shaded.instanceMatrix.needsUpdate = true;
   }
 
