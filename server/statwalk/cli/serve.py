@@ -12,7 +12,7 @@ from rich.markup import escape
 
 from statwalk.web.app import create_app
 from statwalk.web.listen import listening_socket, run
-from statwalk.web.settings import Settings
+from statwalk.web.settings import Settings, data_folder
 
 EXAMPLES = """Examples:
 
@@ -45,6 +45,9 @@ def fail(reason: str) -> typer.Exit:
 def serve(
     folders: Annotated[list[Path] | None, typer.Argument(help="Machine folders to add; the page opens on the first.")] = None,
     port: Annotated[int, typer.Option(help="TCP port; 0 takes a free one.", min=0, max=65535)] = 8000,
+    data: Annotated[
+        Path | None, typer.Option(help="The folder that keeps uploads; by default your data folder.", show_default=False)
+    ] = None,
     host: Annotated[str, typer.Option(help="A loopback address; others are refused.")] = "127.0.0.1",
 ) -> None:
     """Serves the API and the viewer on this machine, until it is stopped (Ctrl+C)."""
@@ -56,7 +59,7 @@ def serve(
         raise fail(
             f"cannot listen on {host} port {port}: {error.strerror}. Another port: --port {port + 1 if port < 65535 else 8000}"
         ) from None
-    app = create_app(Settings(folders=tuple(folders or ())))
+    app = create_app(Settings(folders=tuple(folders or ()), data=data or data_folder()))
     name = f"[{host}]" if ":" in host else host
     address = escape(f"http://{name}:{listener.getsockname()[1]}/")
     console.print(f"statwalk: [bold]{address}[/]   (stop: Ctrl+C)", soft_wrap=True)

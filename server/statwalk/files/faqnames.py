@@ -59,8 +59,10 @@ RULES = (
 def proposed(clips: Iterable[str]) -> dict[str, str]:
     """The state of each clip, in the order of the clips; every state is there once."""
     names = list(clips)
-    chosen = {bare(clip): clip for clip in reversed(names) if bare(clip) in MEANINGS}
-    chosen = {clip: state for state, clip in chosen.items()}
+    chosen: dict[str, str] = {}
+    for clip in names:
+        if bare(clip) in MEANINGS and bare(clip) not in chosen.values():
+            chosen[clip] = bare(clip)
     for rule in RULES:
         free = [clip for clip in names if clip not in chosen and keeps(clip, rule)]
         if free and rule.state not in chosen.values():

@@ -11,7 +11,8 @@ from typing import Any
 from fastapi import FastAPI
 from starlette.types import ASGIApp
 
-from statwalk.web import actors, characters, history, machines, messages, page, problem, stages, stream
+from statwalk.web import actors, characters, history, machines, making, messages, page, problem, stages, stream, uploads
+from statwalk.web.depot import Depot
 from statwalk.web.guard import Guard
 from statwalk.web.library import Library
 from statwalk.web.pacer import Pacer
@@ -20,7 +21,7 @@ from statwalk.web.schemas import ProblemView
 from statwalk.web.settings import Settings
 
 DESCRIPTION = "Animates characters from state tables. Errors are application/problem+json (RFC 9457)."
-ROOMS = (characters.router, machines.router, stages.router, history.router, actors.router, stream.router)
+ROOMS = (characters.router, uploads.router, machines.router, making.router, stages.router, history.router, actors.router, stream.router)
 
 
 def create_app(settings: Settings | None = None) -> ASGIApp:
@@ -33,7 +34,7 @@ def create_app(settings: Settings | None = None) -> ASGIApp:
 
 def rooms(settings: Settings) -> FastAPI:
     """The application inside the door."""
-    registry = Registry(Library(settings.folders), settings)
+    registry = Registry(Library(settings.folders, Depot(settings.data) if settings.data else None), settings)
     errors: dict[int | str, dict[str, Any]] = {
         status: {"model": ProblemView, "content": {problem.MEDIA_TYPE: {}}} for status in (400, 404, 409, 413, 415, 422)
     }

@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Response
 
+from statwalk.web.depot import Kept
 from statwalk.web.door import library_of
 from statwalk.web.jsonbody import BoundedRoute
 from statwalk.web.library import Library
@@ -16,8 +17,16 @@ Shelf = Annotated[Library, Depends(library_of)]
 
 @router.get("")
 def list_characters(library: Shelf) -> list[dict[str, Any]]:
-    """The characters, and the machine that each was found with."""
-    return [{"name": name, "machine": machine} for name, machine in library.owners.items()]
+    """The characters, and the machine that each was found with (or, for one that was uploaded, the first that was made of it)."""
+    found = [{"name": name, "machine": machine, "uploaded": False} for name, machine in library.owners.items()]
+    return [*found, *(view_upload(kept, library) for kept in library.uploads().values())]
+
+
+def view_upload(kept: Kept, library: Library) -> dict[str, Any]:
+    """An uploaded character in the list; `machines` are those made of this very content."""
+    machines = library.depot.machines_of(kept.sha256) if library.depot else []
+    facts = {"name": kept.name, "machine": machines[0] if machines else None, "uploaded": True}
+    return facts | {"sha256": kept.sha256, "bytes": kept.bytes, "machines": machines}
 
 
 @router.get("/{name}")

@@ -1,20 +1,22 @@
 """The door: one ASGI layer around everything, for HTTP and WebSocket alike.
 
-It lets in who calls this server by a name of its own (Host), from a page of its own (Origin, Sec-Fetch-Site), with a JSON body of
-a bounded size, and puts the security headers on what goes out. A page on the internet that knows the port gets nothing.
+It lets in who calls this server by a name of its own (Host), from a page of its own (Origin, Sec-Fetch-Site), with a body of a
+bounded size: JSON, or a model where characters are uploaded. It puts the security headers on what goes out. A page on the internet
+that knows the port gets nothing.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from typing import NamedTuple
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from statwalk.web.problem import Problem, answer
-from statwalk.web.settings import LARGEST_BODY_BYTES
+from statwalk.web.settings import LARGEST_BODY_BYTES, LARGEST_UPLOAD_BYTES
 
 AUTHORITY = re.compile(r"(\[[0-9a-f:.]+\]|[a-z0-9.-]+)(?::([0-9]{1,5}))?")
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
@@ -78,30 +80,52 @@ def check_fetch_site(headers: Headers) -> None:
         raise Problem(403, "requests from pages of another site are refused")
 
 
-def check_body(headers: Headers) -> None:
-    """415 where a body is not JSON, 413 where it says that it is too long."""
-    length = headers.get("content-length", "0")
-    if not length.isdecimal() or len(length) > 9 or int(length) > LARGEST_BODY_BYTES:
-        raise Problem(413, f"a body may have {LARGEST_BODY_BYTES} bytes")
-    if int(length) == 0 and "transfer-encoding" not in headers:
-        return
-    if headers.get("content-type", "").partition(";")[0].strip().lower() != "application/json":
-        raise Problem(415, "the body must be application/json", field="Content-Type")
+class Bodies(NamedTuple):
+    """The bodies that a request may have: their length in bytes, and their content types."""
+
+    most: int
+    types: tuple[str, ...]
+
+    def check(self, headers: Headers) -> None:
+        """415 where a body is of another type, 413 where it says that it is too long."""
+        length = headers.get("content-length", "0")
+        if not length.isdecimal() or len(length) > 9 or int(length) > self.most:
+            raise self.too_long()
+        if int(length) == 0 and "transfer-encoding" not in headers:
+            return
+        if headers.get("content-type", "").partition(";")[0].strip().lower() not in self.types:
+            raise Problem(415, f"the body must be {' or '.join(self.types)}", field="Content-Type")
+
+    def too_long(self) -> Problem:
+        """What a longer body gets."""
+        return Problem(413, f"a body may have {self.most} bytes")
+
+    def counted(self, receive: Receive) -> Receive:
+        """`receive`, counting: a body without a length is cut off at the limit too."""
+        taken = 0
+
+        async def counted() -> Message:
+            nonlocal taken
+            message = await receive()
+            taken += len(message.get("body", b""))
+            if taken > self.most:
+                raise self.too_long()
+            return message
+
+        return counted
 
 
-def bounded(receive: Receive) -> Receive:
-    """`receive`, counting: a body without a length is cut off at the limit too."""
-    taken = 0
+JSON = Bodies(LARGEST_BODY_BYTES, ("application/json",))
+MODEL = Bodies(
+    LARGEST_UPLOAD_BYTES,
+    ("model/gltf-binary", "model/gltf+json", "application/zip", "application/x-zip-compressed", "application/octet-stream"),
+)
+UPLOAD = re.compile(r"/api/characters/[^/]+")
 
-    async def counted() -> Message:
-        nonlocal taken
-        message = await receive()
-        taken += len(message.get("body", b""))
-        if taken > LARGEST_BODY_BYTES:
-            raise Problem(413, f"a body may have {LARGEST_BODY_BYTES} bytes")
-        return message
 
-    return counted
+def bodies(scope: Scope) -> Bodies:
+    """What a request may bring: a model where a character is put, else JSON."""
+    return MODEL if scope["method"] == "PUT" and UPLOAD.fullmatch(scope["path"]) else JSON
 
 
 class Guard:
@@ -122,7 +146,7 @@ class Guard:
         except Problem as problem:
             await answer(problem.body())(scope, receive, send)
             return
-        await self.app(scope, bounded(receive) if scope["type"] == "http" else receive, send)
+        await self.app(scope, bodies(scope).counted(receive) if scope["type"] == "http" else receive, send)
 
     def check(self, scope: Scope) -> None:
         """Everything that can be said from the request line and the headers."""
@@ -134,7 +158,7 @@ class Guard:
         if scope["type"] == "websocket" or scope["method"] not in SAFE_METHODS:
             check_fetch_site(headers)
             if scope["type"] == "http":
-                check_body(headers)
+                bodies(scope).check(headers)
 
 
 def with_security_headers(send: Send) -> Send:

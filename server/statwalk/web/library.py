@@ -1,8 +1,14 @@
-"""The machines and characters that this server knows, by name; each is loaded when it is first asked for."""
+"""The machines and characters that this server knows, by name; each is loaded when it is first asked for.
+
+Names change their meaning when something is uploaded or deleted, but what a machine is made of does not: the character of a machine
+in the data folder is called by its name and the beginning of its hash (`robot.1a2b3c4d`), which means that content for ever.
+"""
 
 from __future__ import annotations
 
+import logging
 import threading
+from collections import OrderedDict
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,36 +16,48 @@ from pathlib import Path
 from statwalk.character import Character
 from statwalk.errors import ContentError
 from statwalk.files.machinefile import MachineFile, load_machine
-from statwalk.loading import load_role, shipped_machines, shipped_machines_folder
+from statwalk.loading import load_character_file, load_role, shipped_machines, shipped_machines_folder
 from statwalk.stage.role import Role
+from statwalk.web.depot import Depot, Kept
 from statwalk.web.problem import Problem
 
 DEFAULT_MACHINE = "faq-walker"
+MOST_LOADED = 8
+"""uploaded characters that are held in memory beside those of machines"""
+log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A machine folder; `character` is the name its character has in the library."""
+    """A machine folder; `character` is the name its character has in the library; `made`: in the data folder, by this API."""
 
     name: str
     folder: Path
     file: MachineFile
     character: str
+    made: bool = False
 
 
 class Library:
-    """Machine folders by name: the given ones first, then the shipped ones. Safe to use from several threads."""
+    """Machine folders by name: the given ones first, then the shipped ones, then those of the depot. Safe to use from several threads."""
 
-    def __init__(self, folders: Iterable[Path] = ()) -> None:
+    def __init__(self, folders: Iterable[Path] = (), depot: Depot | None = None) -> None:
         given = [folder.resolve() for folder in folders]
         shipped = [shipped_machines_folder() / name for name in shipped_machines()]
+        self.depot = depot
         self.entries: dict[str, Entry] = {}
         self.owners: dict[str, str] = {}
         self.roles: dict[str, Role] = {}
+        self.loaded: OrderedDict[str, Character] = OrderedDict()
         self.lock = threading.RLock()
         for folder in (*given, *shipped):
             self.enter(folder)
         self.default = next(iter(self.entries), None) if given or DEFAULT_MACHINE not in self.entries else DEFAULT_MACHINE
+        for folder in depot.machine_folders() if depot else ():
+            try:
+                self.adopt(folder)
+            except ContentError as error:
+                log.warning("a machine of the data folder is left out: %s", error)
 
     def enter(self, folder: Path) -> None:
         """Reads a folder's machine file. The first folder of a name counts.
@@ -62,6 +80,25 @@ class Library:
         self.owners[name] = machine
         return name
 
+    def adopt(self, folder: Path) -> None:
+        """Reads a machine folder of the depot; a machine that was given or shipped goes before one of the same name.
+
+        :raises ContentError: if the file must be refused.
+        """
+        file = load_machine(folder)
+        sha256 = file.character_path.stem
+        with self.lock:
+            names = [kept.name for kept in self.uploads().values() if kept.sha256 == sha256]
+            version = f"{names[0] if names else folder.name}.{sha256[:8]}"
+            if folder.name not in self.entries:
+                self.entries = self.entries | {folder.name: Entry(folder.name, folder, file, version, made=True)}
+
+    def drop(self, machine: str) -> None:
+        """Forgets a machine of the depot."""
+        with self.lock:
+            self.entries = {name: entry for name, entry in self.entries.items() if name != machine}
+            self.roles.pop(machine, None)
+
     def entry(self, machine: str, status: int = 404) -> Entry:
         """The machine of that name.
 
@@ -83,15 +120,35 @@ class Library:
                 self.roles[machine] = load_role(entry.folder)
             return self.roles[machine]
 
-    def character(self, name: str) -> Character:
+    def uploads(self) -> dict[str, Kept]:
+        """The uploaded characters by name; one that came with a machine folder goes before one of the same name."""
+        found = self.depot.characters() if self.depot else {}
+        return {name: kept for name, kept in found.items() if name not in self.owners}
+
+    def character(self, name: str, status: int = 404) -> Character:
         """The character of that name.
 
-        :raises Problem: 404, if there is none.
+        :raises Problem: `status`, if there is none.
         """
-        if name not in self.owners:
-            raise Problem(404, f"there is no character {name[:80]!r}", field="character", known=self.owners)
-        return self.role(self.owners[name]).character
+        owner = self.owners.get(name) or next((entry.name for entry in self.entries.values() if entry.character == name), None)
+        if owner is not None:
+            return self.role(owner).character
+        kept = self.uploads().get(name)
+        if kept is None or self.depot is None:
+            raise Problem(status, f"there is no character {name[:80]!r}", field="character", known=[*self.owners, *self.uploads()])
+        return self.load(kept.sha256, self.depot.model(kept.sha256))
+
+    def load(self, sha256: str, model: Path) -> Character:
+        """The character of some content; the last few are remembered."""
+        with self.lock:
+            if sha256 not in self.loaded:
+                self.loaded[sha256] = load_character_file(model)
+            self.loaded.move_to_end(sha256)
+            while len(self.loaded) > MOST_LOADED:
+                self.loaded.popitem(last=False)
+            return self.loaded[sha256]
 
     def character_of(self, role: Role) -> str:
-        """The library's name for a role's character."""
-        return self.entries[role.name].character
+        """The library's name for a role's character; a machine that was deleted meanwhile answers for it."""
+        entry = self.entries.get(role.name)
+        return entry.character if entry else role.name

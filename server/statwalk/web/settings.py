@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -9,6 +10,8 @@ PACKAGE = Path(__file__).resolve().parent.parent
 LOOPBACK_HOSTS = ("127.0.0.1", "localhost", "[::1]")
 
 LARGEST_BODY_BYTES = 256 << 10
+LARGEST_UPLOAD_BYTES = 64 << 20
+MOST_UPLOADS = 200
 LARGEST_MESSAGE_BYTES = 64 << 10
 MOST_STAGES = 64
 MOST_ACTORS = 2_000
@@ -23,14 +26,24 @@ def page_folder() -> Path:
     return inside if inside.is_dir() else PACKAGE.parent.parent / "static" / "dist"
 
 
+def data_folder() -> Path:
+    """Where a user's data are kept (XDG Base Directory Specification): $XDG_DATA_HOME/statwalk, else ~/.local/share/statwalk."""
+    given = os.environ.get("XDG_DATA_HOME", "")
+    return (Path(given) if Path(given).is_absolute() else Path.home() / ".local" / "share") / "statwalk"
+
+
 @dataclass(frozen=True)
 class Settings:
-    """`folders`: machine folders beside the shipped ones, the first is the default; `hosts`: names this server answers to."""
+    """`folders`: machine folders beside the shipped ones, the first is the default; `hosts`: names this server answers to.
+
+    `data`: the folder that keeps uploaded characters and the machines made of them; without one nothing can be uploaded.
+    """
 
     folders: tuple[Path, ...] = ()
     hosts: tuple[str, ...] = LOOPBACK_HOSTS
     page: Path = field(default_factory=page_folder)
     main_stage: bool = True
+    data: Path | None = None
     most_stages: int = MOST_STAGES
     most_actors: int = MOST_ACTORS
     idle_seconds: float = IDLE_SECONDS
