@@ -6,7 +6,7 @@ fractions (…,) of the way to the next key into values (…, n). Fractions run 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -64,27 +64,29 @@ def _pack(channel: Channel, closed: bool) -> tuple[Evaluate, Floats]:
         return (cubic_turn if is_turn else cubic), _hermite(channel.times.astype(np.float64), values)
     if is_turn:
         values = quat.normalize(values)
-    if channel.interpolation == "STEP":
-        return hold, values
-    if channel.interpolation == "LINEAR":
-        return (arc, _pairs(values)) if is_turn else (line, _differences(values))
     through = channel.interpolation == "BSPLINE_THROUGH"
     return (spline_turn, _turn_windows(values, through, closed)) if is_turn else (cubic, _bspline(values, through, closed))
+
+
+def pack_straight(channels: Sequence[Channel]) -> tuple[Evaluate, Floats]:
+    """The same for channels of one path, all STEP or all LINEAR: the rows (S, m) of all of them at once, one channel after the other."""
+    values: Floats = np.concatenate([channel.values for channel in channels]).astype(np.float64)
+    is_turn = channels[0].path == "rotation"
+    if is_turn:
+        values = quat.normalize(values)
+    if channels[0].interpolation == "STEP":
+        return hold, values.astype(np.float32)
+    following = _next(values)
+    last = np.cumsum([len(channel.times) for channel in channels]) - 1
+    following[last] = values[last]  # the last key of each channel is its own follower
+    if is_turn:
+        return arc, np.concatenate([values, quat.align(values, following)], -1).astype(np.float32)
+    return line, np.concatenate([values, following - values], -1).astype(np.float32)
 
 
 def _next(values: Floats) -> Floats:
     """The following key's values; the last key is its own follower."""
     return np.concatenate([values[1:], values[-1:]])
-
-
-def _differences(values: Floats) -> Floats:
-    """Value and way to the next value (K, 2n)."""
-    return np.concatenate([values, _next(values) - values], -1)
-
-
-def _pairs(rotations: Floats) -> Floats:
-    """Rotation and next rotation, on the nearer of its two signs (K, 8)."""
-    return np.concatenate([rotations, quat.align(rotations, _next(rotations))], -1)
 
 
 def _hermite(times: Floats, values: Floats) -> Floats:

@@ -10,7 +10,7 @@ import numpy as np
 
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.motion.channel import Channel
-from statwalk.motion.segments import Evaluate, pack
+from statwalk.motion.segments import Evaluate, pack, pack_straight
 
 LARGEST_TABLE = 1 << 18  # cells of a track's table (edges x channels): beyond it the channels are spread over several tracks
 
@@ -87,13 +87,23 @@ def _batches(channels: list[Channel]) -> Iterator[list[Channel]]:
 
 def _track(channels: list[Channel], loop: bool) -> Track:
     edges = np.unique(np.concatenate([channel.times for channel in channels])).astype(np.float64)
-    packed = [pack(channel, loop and _goes_on(channel)) for channel in channels]
-    first = np.cumsum([0, *(len(rows) for _, rows in packed[:-1])])
-    timing = [_timing(channel.times.astype(np.float64), edges) for channel in channels]
-    index, start, rate = (np.stack(parts, -1) for parts in zip(*timing, strict=True))
+    evaluate, rows = _packed(channels, loop)
+    first = np.cumsum([0, *(len(channel.times) for channel in channels[:-1])])
+    # Channels with the same times lie side by side (see _batches): their columns are computed once.
+    runs = [list(alike) for _, alike in groupby(channels, key=lambda channel: channel.times.tobytes())]
+    timing = [_timing(alike[0].times.astype(np.float64), edges) for alike in runs]
+    counts = [len(alike) for alike in runs]
+    index, start, rate = (np.stack(parts, -1).repeat(counts, -1) for parts in zip(*timing, strict=True))
     target = [channel.weight_first if channel.path == "weights" else channel.joint for channel in channels]
-    rows = np.concatenate([rows for _, rows in packed])
-    return Track(channels[0].path, packed[0][0], np.array(target), edges, index + first, start, rate, rows)
+    return Track(channels[0].path, evaluate, np.array(target), edges, index + first, start, rate, rows)
+
+
+def _packed(channels: list[Channel], loop: bool) -> tuple[Evaluate, Floats]:
+    """How the channels' segments are evaluated, and the rows (S, m) of all of them, one channel after the other."""
+    if channels[0].interpolation in ("STEP", "LINEAR"):
+        return pack_straight(channels)
+    packed = [pack(channel, loop and _goes_on(channel)) for channel in channels]
+    return packed[0][0], np.concatenate([rows for _, rows in packed])
 
 
 def _goes_on(channel: Channel) -> bool:

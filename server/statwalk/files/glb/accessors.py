@@ -64,10 +64,10 @@ class Accessors:
         return values
 
     def finite(self, values: Array, row: int) -> Array:
-        """The values, which must all be finite. A sum of squares tells it in one pass; only a huge one needs a closer look."""
+        """The values, none of them beyond 1e24. A sum of squares tells it in one pass; only a huge one needs a closer look."""
         flat = values.ravel()
-        if not math.isfinite(np.dot(flat, flat)) and not np.isfinite(flat).all():
-            raise ModelError("it holds a number that is not finite", place=f"/accessors/{row}")
+        if not math.isfinite(np.dot(flat, flat)) and not np.abs(flat).max() <= check.LARGEST:
+            raise ModelError(f"it holds a number that is not finite, or beyond {check.LARGEST:g}", place=f"/accessors/{row}")
         return values
 
     def array(self, row: int) -> Array:

@@ -86,8 +86,8 @@ class Animations:
         if row not in self.known_times:
             times = self.accessors.floats(row, TIMES, place)
             steps = times[1:] - times[:-1]
-            if times[0] < 0 or (len(steps) and steps.min() < 0):
-                raise ModelError("key times must be 0 or more, and rise", place=f"/accessors/{row}")
+            if times[0] < 0 or times[-1] > check.LATEST or (len(steps) and steps.min() < 0):
+                raise ModelError(f"key times must rise from 0 or more to at most {check.LATEST:g} seconds", place=f"/accessors/{row}")
             if len(steps) and steps.min() == 0:
                 keys = np.flatnonzero(np.append(steps > 0, True))
                 self.document.note("keys at equal times: the last one counts")

@@ -5,13 +5,13 @@ Everything here is Python ints and comparisons; nothing is allocated by what a f
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from statwalk.errors import ModelError
 
 Json = dict[str, Any]
-LARGEST_FLOAT32 = 3.4028234663852886e38
+LARGEST, LATEST = 1e24, 1e13
+"""of any number of a model, and of a key time: splines through them still fit a 32-bit float"""
 
 
 def integer(entry: Json, key: str, place: str, default: int | None = None, minimum: int = 0) -> int:
@@ -23,16 +23,16 @@ def integer(entry: Json, key: str, place: str, default: int | None = None, minim
 
 
 def numbers(entry: Json, key: str, place: str, count: int, default: list[float] | None = None) -> list[float]:
-    """A list of exactly `count` numbers within what a 32-bit float holds; the default, or none, where the key is missing."""
+    """A list of exactly `count` numbers, none beyond 1e24; the default, or none, where the key is missing."""
     values = entry.get(key, default)
-    if not isinstance(values, list) or len(values) != count or not all(is_float32(v) for v in values):
-        raise ModelError(f"{key} is {shown(values)}; it must be {count} finite numbers", place=f"{place}/{key}")
+    if not isinstance(values, list) or len(values) != count or not all(is_usable(v) for v in values):
+        raise ModelError(f"{key} is {shown(values)}; it must be {count} finite numbers up to {LARGEST:g}", place=f"{place}/{key}")
     return values
 
 
-def is_float32(value: Any) -> bool:
-    """Whether the value is a number that a 32-bit float holds."""
-    return type(value) in (int, float) and math.isfinite(value) and abs(value) <= LARGEST_FLOAT32
+def is_usable(value: Any) -> bool:
+    """Whether the value is a number that can be computed with in 32-bit floats."""
+    return type(value) in (int, float) and abs(value) <= LARGEST
 
 
 def text(entry: Json, key: str, place: str, default: str | None = None) -> str:

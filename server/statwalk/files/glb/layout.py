@@ -92,7 +92,8 @@ def cast_blocks(draft: Draft, character: Character, count: int) -> list[ActorBlo
 
 def mirrored_joints(character: Character) -> NDArray[np.bool_]:
     """(J,) whether a joint's world matrix mirrors at rest: the triangles of its rigid parts then turn round (glTF 2.0, 3.7.4)."""
-    return np.asarray(np.linalg.det(world_from_local(character.skeleton, character.bind_pose)[..., :3]) < 0)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.asarray(np.linalg.det(world_from_local(character.skeleton, character.bind_pose)[..., :3]) < 0)
 
 
 def constant_entry(builder: Builder, part: Primitive, first_material: int, mirrored: bool) -> Json:

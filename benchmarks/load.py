@@ -1,0 +1,57 @@
+"""Loading a skinned GLB of 4 MB, to typed views and packed clips; `python benchmarks/load.py`.
+
+Ours checks everything, and its clips are packed for sampling. three.js builds its scene. pygltflib only parses; the arrays of all accessors
+are then views made with NumPy. orjson alone is the JSON chunk's parsing: nothing that reads the file in Python can be faster.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import orjson
+from models import figure
+from pygltflib import GLTF2
+from rounds import Three, least, show
+from statwalk.files.glb import read_model
+
+ROUNDS = 15
+DTYPES = {5121: "<u1", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+
+
+def ours(data: bytes) -> None:
+    """Read, with all clips packed."""
+    for clip in read_model(data, "figure").clips.values():
+        clip.tracks  # noqa: B018 - packed on first use
+
+
+def pygltflib(path: Path) -> None:
+    """Parsed, and a view of every accessor."""
+    gltf = GLTF2().load(str(path))
+    blob = gltf.binary_blob()
+    for accessor in gltf.accessors:
+        start = gltf.bufferViews[accessor.bufferView].byteOffset + (accessor.byteOffset or 0)
+        np.frombuffer(blob, DTYPES[accessor.componentType], accessor.count * WIDTHS[accessor.type], start)
+
+
+def main() -> None:
+    """Print the table."""
+    data = figure(64_000)
+    text = data[20 : 20 + int.from_bytes(data[12:16], "little")]
+    with tempfile.TemporaryDirectory() as folder, Three() as three:
+        path = Path(folder) / "figure.glb"
+        path.write_bytes(data)
+        jobs = {
+            "statwalk": lambda: ours(data),
+            "orjson.loads of its JSON": lambda: orjson.loads(text) and None,
+            "three.js GLTFLoader": three.job("load", path=str(path)),
+            "pygltflib": lambda: pygltflib(path),
+        }
+        seconds = least(jobs, ROUNDS)
+    show(f"load {len(data) / 1e6:.1f} MB ({len(text) // 1000} KB of JSON)", seconds, {"three.js GLTFLoader": 2, "pygltflib": 150})
+
+
+if __name__ == "__main__":
+    main()
