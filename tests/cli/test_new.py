@@ -36,6 +36,15 @@ def test_a_model_that_is_not_there(tmp_path):
 
 
 @needs_assets
+def test_a_file_where_the_folder_should_be(tmp_path):
+    (tmp_path / "taken").write_text("")
+    made = statwalk("new", GLTF / "RobotExpressive.glb", "taken", cwd=tmp_path)
+    assert (made.returncode, made.stdout) == (2, "")
+    assert "taken" in made.stderr
+    assert made.stderr.count("\n") == 1
+
+
+@needs_assets
 def test_a_model_that_stays_where_it_is_is_named_from_the_folder(tmp_path):
     (tmp_path / "robot.glb").write_bytes((GLTF / "RobotExpressive.glb").read_bytes())
     statwalk("new", "robot.glb", "machines/robot", "--no-copy", cwd=tmp_path)

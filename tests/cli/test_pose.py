@@ -43,10 +43,15 @@ def test_time_wraps_with_loop(file):
         assert found["local"][1, 3:7] == pytest.approx(read_model(model(), "t").clips["Bend"].sample(0.25).rotation[1])
 
 
+def test_a_dot_in_the_name_stays(file):
+    run(file, "--out", str(file.with_name("walk.0.3")))
+    assert file.with_name("walk.0.3.npz").is_file()
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
-    [(["--clip", "Walk"], "There are: Bend"), (["--time", "nan"], "finite")],
-    ids=["unknown clip", "no time"],
+    [(["--clip", "Walk"], "There are: Bend"), (["--time", "nan"], "finite"), (["--out", "/"], "folder")],
+    ids=["unknown clip", "no time", "a folder"],
 )
 def test_mistakes_are_explained(file, options, said):
     result = run(file, *options)

@@ -44,6 +44,6 @@ def main() -> None:
     asked = sys.argv[1:2]
     try:
         command(asked if asked and asked[0] in VERBS else list(VERBS))()
-    except StatwalkError as error:
+    except (StatwalkError, OSError) as error:
         Console(stderr=True, highlight=False).print(f"[bold red]statwalk:[/] {escape(str(error))}", soft_wrap=True)
         sys.exit(2)

@@ -66,13 +66,16 @@ def pose(
     """Writes one pose of a character: world and local transforms, joint names, vertices and normals."""
     if not np.isfinite(time):
         raise typer.BadParameter(f"--time is {time}; it must be a finite number of seconds")
+    if out.is_dir():
+        raise typer.BadParameter(f"--out is the folder {out}; it must be a file")
+    written = out if out.suffix == ".npz" else out.with_name(f"{out.name}.npz")
     try:
         character = character_of(file)
         sampled = character.clip(clip).sample(time, loop=loop) if clip else character.bind_pose
         found = numbers(character, sampled)
-        np.savez(out.with_suffix(".npz"), **found)
+        np.savez(written, **found)
     except (StatwalkError, OSError) as error:
         errors.print(f"[bold red]statwalk pose:[/] {escape(str(error))}", soft_wrap=True)
         raise typer.Exit(2) from None
     shapes = ", ".join(f"{name} {array.shape}" for name, array in found.items())
-    console.print(escape(f"{out.with_suffix('.npz')}: {shapes}"), soft_wrap=True)
+    console.print(escape(f"{written}: {shapes}"), soft_wrap=True)
