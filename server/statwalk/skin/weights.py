@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats, Ints
 
-TOLERANCE = 2e-3
+TOLERANCE, EXACT = 2e-3, 2e-7
+"""off a sum of 1: what quantised weights are, and what 32-bit floats are"""
 
 
 def normalised(joints: Ints, weights: Floats) -> tuple[NDArray[np.uint16], NDArray[np.float32], int]:
@@ -15,13 +16,47 @@ def normalised(joints: Ints, weights: Floats) -> tuple[NDArray[np.uint16], NDArr
 
     A vertex without any weight follows the first of its joints. Sums within quantisation error (8-bit weights) are not counted.
     """
+    found = joints.astype(np.uint16)
+    sums = summed(weights)
+    if np.abs(sums - 1).max(initial=0) < EXACT and not rising(weights).any():
+        used = used_columns(weights)
+        return found[:, :used], weights[:, :used].astype(np.float32), 0
     exact = weights.astype(np.float64)
-    sums = exact.sum(axis=1)
     off = int(np.count_nonzero(np.abs(sums - 1) > TOLERANCE))
     empty = sums <= 0
-    exact[empty, 0], sums[empty] = 1, 1
-    order = np.argsort(-exact, axis=1, kind="stable")
-    exact = np.take_along_axis(exact / sums[:, None], order, axis=1)
-    used = max(1, int(np.count_nonzero(exact.any(axis=0))))
-    sorted_joints = np.take_along_axis(joints, order, axis=1)
-    return sorted_joints[:, :used].astype(np.uint16), exact[:, :used].astype(np.float32), off
+    if empty.any():
+        exact[empty, 0], sums[empty] = 1, 1
+    exact /= sums[:, None]
+    sort_rows(found, exact)
+    used = used_columns(exact)
+    return found[:, :used], exact[:, :used].astype(np.float32), off
+
+
+def summed(weights: Floats) -> NDArray[np.float64]:
+    """(V,) the sums of the rows, in float64."""
+    sums = weights[:, 0].astype(np.float64)
+    for column in range(1, weights.shape[1]):
+        sums += weights[:, column]
+    return sums
+
+
+def rising(weights: Floats) -> NDArray[np.bool_]:
+    """(V,) whether a row is not sorted by falling weight. Most files have them so already."""
+    found = np.zeros(len(weights), bool)
+    for column in range(1, weights.shape[1]):
+        found |= weights[:, column] > weights[:, column - 1]
+    return found
+
+
+def sort_rows(joints: NDArray[np.uint16], weights: NDArray[np.float64]) -> None:
+    """Sort both (V,I) in place by falling weight."""
+    rows = np.flatnonzero(rising(weights))
+    if len(rows):
+        order = np.argsort(-weights[rows], axis=1, kind="stable")
+        weights[rows] = np.take_along_axis(weights[rows], order, axis=1)
+        joints[rows] = np.take_along_axis(joints[rows], order, axis=1)
+
+
+def used_columns(weights: Floats) -> int:
+    """How many columns of sorted weights (V,I) have any."""
+    return max(1, sum(bool(weights[:, column].any()) for column in range(weights.shape[1])))

@@ -29,6 +29,7 @@ from statwalk.files.glb.formats import (
     Allowed,
     element_bytes,
 )
+from statwalk.files.glb.plain import plain_floats
 from statwalk.files.glb.views import Views
 
 Array = NDArray[Any]
@@ -43,6 +44,12 @@ class Accessors:
     arrays: dict[int, Array] = field(default_factory=dict)
     bytes: Allowance = field(default_factory=accessor_bytes)
 
+    def __post_init__(self) -> None:
+        self.usable = plain_floats(self.document, self.views)
+        """those whose numbers were all looked at"""
+        self.arrays.update(self.usable)
+        self.bytes.take(sum(array.nbytes for array in self.usable.values()), "/accessors")
+
     def read(self, row: int, allowed: Allowed, place: str) -> Array:
         """The raw array (count,) or (count, n) of an accessor, which must be of an allowed type; `place` is who asks."""
         entry = self.document["accessors"][row]
@@ -54,6 +61,8 @@ class Accessors:
     def floats(self, row: int, allowed: Allowed, place: str) -> NDArray[np.float32]:
         """The array as finite float32; normalised integers become fractions of 1 (3.6.2.2)."""
         raw = self.read(row, allowed, place)
+        if row in self.usable:
+            return self.usable[row]
         entry = self.document["accessors"][row]
         component = entry["componentType"]
         if component == FLOAT:

@@ -79,7 +79,7 @@ class Animations:
         keys = self.key_times(check.required_reference(sampler, "input", where, self.document["accessors"], "accessor"), f"{where}/input")
         width = count if path == "weights" else 1
         values = self.values(sampler, path, kind, keys, width, where)
-        return Channel(self.joint_of[node], cast("Path", path), keys.times, values, cast("Interpolation", kind), first)
+        return Channel.checked(self.joint_of[node], cast("Path", path), keys.times, values, cast("Interpolation", kind), first)
 
     def key_times(self, row: int, place: str) -> KeyTimes:
         """The times of an accessor, checked once: finite, not negative, rising. Of keys at the same time the last one stays."""

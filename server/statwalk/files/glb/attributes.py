@@ -39,12 +39,20 @@ def normals(
     """(V,3) unit normals: the file's, or smooth ones computed for triangles; None for points and lines without any."""
     given = vector(document, accessors, attributes, "NORMAL", place, len(positions))
     if given is not None:
-        return np.ascontiguousarray(unit(given.T, np.zeros((3, 1), np.float32)).T, np.float32)
+        return unit_normals(given)
     if mode < 4:
         return None
     document.note("a mesh without normals got smooth ones")
     order = np.arange(len(positions)) if indices is None else indices.astype(np.int64)
     return smooth_normals(positions, triangles(order, mode))
+
+
+def unit_normals(given: Floats32) -> Floats32:
+    """The normals (V,3) at unit length; the same array where they are, within what 32-bit floats can say."""
+    x, y, z = given.T
+    if np.abs(x * x + y * y + z * z - 1).max() < 1e-6:
+        return given
+    return np.ascontiguousarray(unit(given.T, np.zeros((3, 1), np.float32)).T, np.float32)
 
 
 def influences(document: Document, accessors: Accessors, attributes: Json, count: int, place: str) -> tuple[Array, Floats32] | None:

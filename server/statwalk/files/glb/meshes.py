@@ -152,11 +152,11 @@ def bind(
         return part
     key = (part.mesh, part.primitive, skin)
     if key not in known:
-        used = found.joints[found.weights > 0]
-        if used.size and int(used.max()) >= len(skins[skin].joints):
+        used = found.joints * (found.weights > 0)
+        if int(used.max()) >= len(skins[skin].joints):
             where = f"/meshes/{part.mesh}/primitives/{part.primitive}/attributes/JOINTS_0"
             raise ModelError(f"it points at joint {int(used.max())}; skin {skin} has {len(skins[skin].joints)}", place=where)
-        joints, weights, off = normalised(np.where(found.weights > 0, found.joints, 0), found.weights)
+        joints, weights, off = normalised(used, found.weights)
         if off:
             document.note(f"skin weights did not sum to 1 and were normalised: {off} of {len(weights)} vertices of mesh {part.mesh}")
         known[key] = replace(part, skin=skin, joints=joints, weights=weights)

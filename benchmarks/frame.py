@@ -1,0 +1,80 @@
+"""A posed frame as a complete GLB: 5,000 vertices skinned and written into a prepared file; `python benchmarks/frame.py`.
+
+Ours is timed with all it does: skeleton, skin, bounds, file. pygltflib and three.js's exporter are given vertices that are posed already.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from models import figure
+from pygltflib import GLTF2, Accessor, Attributes, Buffer, BufferView, Mesh, Node, Primitive, Scene
+from rounds import Three, least, show
+from statwalk.files.glb import read_model
+from statwalk.files.glb.template import FrameTemplate, PosedCast
+from statwalk.skin.primitive import Part
+
+ROUNDS = 60
+GOALS = {"pygltflib": 25.0, "three.js GLTFExporter": 35.0}
+
+
+def pygltflib(part: Part, indices: np.ndarray) -> bytes:
+    """The vertices as a GLB, the document made anew as its users do."""
+    arrays = (indices, part.positions, part.normals)
+    blobs = [np.ascontiguousarray(array).tobytes() for array in arrays]
+    starts = np.cumsum([0, *map(len, blobs)]).tolist()
+    gltf = GLTF2(
+        scene=0,
+        scenes=[Scene(nodes=[0])],
+        nodes=[Node(mesh=0)],
+        meshes=[Mesh(primitives=[Primitive(attributes=Attributes(POSITION=1, NORMAL=2), indices=0)])],
+        accessors=[
+            Accessor(bufferView=0, componentType=5123, count=len(indices), type="SCALAR"),
+            Accessor(
+                bufferView=1,
+                componentType=5126,
+                count=len(part.positions),
+                type="VEC3",
+                min=part.positions.min(axis=0).tolist(),
+                max=part.positions.max(axis=0).tolist(),
+            ),
+            Accessor(bufferView=2, componentType=5126, count=len(part.positions), type="VEC3"),
+        ],
+        bufferViews=[
+            BufferView(buffer=0, byteOffset=start, byteLength=len(blob), target=34962 if row else 34963)
+            for row, (start, blob) in enumerate(zip(starts, blobs, strict=False))
+        ],
+        buffers=[Buffer(byteLength=starts[-1])],
+    )
+    gltf.set_binary_blob(b"".join(blobs))
+    return b"".join(gltf.save_to_bytes())
+
+
+def main() -> None:
+    """Print the table."""
+    data = figure(5_000)
+    character = read_model(data, "figure")
+    poses = character.clip("clip 0").sample(np.array([0.3]))
+    template, cast = FrameTemplate([(character, 1)]), PosedCast(poses, np.zeros((1, 3)), np.zeros(1))
+    posed = character.vertices(poses.take(0))[0]
+    indices = character.parts[0].indices
+    assert indices is not None
+    with tempfile.TemporaryDirectory() as folder, Three() as three:
+        path = Path(folder) / "figure.glb"
+        path.write_bytes(data)
+        seconds = least(
+            {
+                "statwalk": lambda: template.frame(1, "00ff", [cast]) and None,
+                "skin alone": lambda: character.surface.pose(character.world(poses.take(0))[:, :3], poses.weights[0]) and None,
+                "pygltflib": lambda: pygltflib(posed, indices.astype(np.uint16)) and None,
+                "three.js GLTFExporter": three.job("frame", path=str(path)),
+            },
+            ROUNDS,
+        )
+    show(f"frame of {len(posed.positions)} vertices, {len(template.frame(1, '', [cast])) // 1000} KB", seconds, GOALS)
+
+
+if __name__ == "__main__":
+    main()
