@@ -5,10 +5,12 @@ Here files and stage meet; below this floor neither knows the other.
 
 from __future__ import annotations
 
+import tempfile
 from pathlib import Path
 
 from statwalk.character import Character
 from statwalk.errors import ContentError, UnknownNameError
+from statwalk.files import bundle
 from statwalk.files.characterfile import load_character
 from statwalk.files.glb import read_model
 from statwalk.files.machinefile import load_machine
@@ -16,6 +18,7 @@ from statwalk.stage.role import Role
 
 PACKAGE = Path(__file__).resolve().parent
 MODEL_SUFFIXES = (".glb", ".gltf")
+ZIP_SUFFIX = ".zip"
 TEXT_SUFFIXES = (".yaml", ".yml")
 LARGEST_MODEL_BYTES = 64 << 20
 
@@ -32,12 +35,12 @@ def shipped_machines() -> list[str]:
 
 
 def load(source: str | Path) -> Character | Role:
-    """A Character from a model (.glb, .gltf) or a character file (.yaml); a Role from a machine folder or a shipped machine's name.
+    """A Character from a model (.glb, .gltf, .zip) or a character file (.yaml); a Role from a machine folder or a shipped machine's name.
 
     Raises ContentError where a file says something wrong and UnknownNameError where there is nothing of that name.
     """
     path = Path(source)
-    if path.suffix.lower() in (*MODEL_SUFFIXES, *TEXT_SUFFIXES):
+    if path.suffix.lower() in (*MODEL_SUFFIXES, ZIP_SUFFIX, *TEXT_SUFFIXES):
         return load_character_file(path)
     if path.is_dir():
         return load_role(path)
@@ -52,12 +55,27 @@ def load_character_file(path: Path) -> Character:
         raise ContentError("there is no such file", file=str(path))
     if path.suffix.lower() in TEXT_SUFFIXES:
         return load_character(path)
+    if path.suffix.lower() == ZIP_SUFFIX:
+        return load_zip(path)
     if path.stat().st_size > LARGEST_MODEL_BYTES:
         raise ContentError(f"the model is larger than {LARGEST_MODEL_BYTES >> 20} MiB", file=str(path))
     try:
         return read_model(path.read_bytes(), path.stem, path.parent)
     except ContentError as error:
         raise error.in_file(str(path)) from None
+
+
+def load_zip(path: Path) -> Character:
+    """The Character of a zip that holds a model and its files."""
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            model = bundle.unpack(path, Path(folder))
+        except ContentError as error:
+            raise error.in_file(str(path)) from None
+        try:
+            return read_model(model.read_bytes(), path.stem, model.parent)
+        except ContentError as error:
+            raise error.in_file(f"{path}/{model.relative_to(folder)}") from None
 
 
 def load_role(folder: Path) -> Role:

@@ -8,9 +8,11 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 import httpx
 import pytest
+import tinymodel
 from serving import open_and_never_read
 from watcher import Watcher
 from websockets.exceptions import ConnectionClosed
@@ -62,6 +64,14 @@ def test_the_page_and_the_default_machine_are_there() -> None:
         main = httpx.get(f"http://{address}{MAIN}").json()
     assert page.headers["content-type"].startswith("text/html")
     assert (main["clock"], main["actors"][0]["machine"]) == ("real", "faq-walker")
+
+
+def test_uploads_are_kept_in_the_data_folder(tmp_path: Path) -> None:
+    with served("--data", str(tmp_path)) as (_, address):
+        headers = {"content-type": "model/gltf-binary"}
+        assert httpx.put(f"http://{address}/api/characters/tiny", content=tinymodel.model(), headers=headers).status_code == 201
+    with served("--data", str(tmp_path)) as (_, address):
+        assert httpx.get(f"http://{address}/api/characters/tiny").status_code == 200
 
 
 def refused(*arguments: str) -> str:

@@ -80,8 +80,8 @@ class Library:
         self.owners[name] = machine
         return name
 
-    def adopt(self, folder: Path) -> None:
-        """Reads a machine folder of the depot; a machine that was given or shipped goes before one of the same name.
+    def adopt(self, folder: Path, role: Role | None = None) -> None:
+        """Reads a machine folder of the depot, whose `role` may be at hand; one that was given or shipped goes before it.
 
         :raises ContentError: if the file must be refused.
         """
@@ -92,6 +92,7 @@ class Library:
             version = f"{names[0] if names else folder.name}.{sha256[:8]}"
             if folder.name not in self.entries:
                 self.entries = self.entries | {folder.name: Entry(folder.name, folder, file, version, made=True)}
+                self.roles |= {folder.name: role} if role else {}
 
     def drop(self, machine: str) -> None:
         """Forgets a machine of the depot."""

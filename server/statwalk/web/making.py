@@ -12,9 +12,10 @@ from pydantic import Field, StringConstraints
 from statwalk.character import Character
 from statwalk.errors import ContentError
 from statwalk.files.faqnames import proposed
+from statwalk.files.machinefile import load_machine
 from statwalk.files.newmachine import named_motions, write_folder
-from statwalk.loading import load_role
 from statwalk.machine.table import NAME as STATE
+from statwalk.stage.role import Role
 from statwalk.web.depot import Depot
 from statwalk.web.door import registry_of
 from statwalk.web.jsonbody import BoundedRoute
@@ -67,18 +68,20 @@ def check_free(name: str, library: Library, depot: Depot) -> None:
         raise Problem(409, f"the data folder holds {MOST_UPLOADS} machines, which is the most it may; delete one")
 
 
-def write(name: str, states: Mapping[str, str], character: Character, depot: Depot) -> Path:
-    """The machine folder in its place, after it was read and checked once.
+def write(name: str, states: Mapping[str, str], character: Character, depot: Depot) -> tuple[Path, Role]:
+    """The machine folder in its place, after it was read and checked once; the machine, ready to run.
 
     :raises ContentError: if the machine would have to be refused.
+    :raises UnknownNameError: if a clip is none of the character's.
     """
     with depot.working() as folder, depot.working() as written:
         (folder / "model.glb").write_bytes(character.model_glb)
         sha256, _ = depot.keep_model(folder / "model.glb")
         model = Path("..", "..", depot.models.name, f"{sha256}.glb")  # from the folder's place as from the one it is written in
         write_folder(name, named_motions(character, states), model, written)
-        load_role(written)
-        return depot.keep_machine(name, written)
+        file = load_machine(written)
+        role = Role.build(name, character, file.definition, file.root_joint)
+        return depot.keep_machine(name, written), role
 
 
 @router.post("", status_code=201)
@@ -91,7 +94,7 @@ def make_machine(new: NewMachine, registry: Stages, response: Response) -> dict[
         check_free(check_name(new.name), library, depot)
         states = states_of(new, character)
         try:
-            library.adopt(write(new.name, states, character, depot))
+            library.adopt(*write(new.name, states, character, depot))
         except ContentError as error:
             raise Problem(422, error.message, field=error.place) from None
     response.headers["Location"] = f"/api/machines/{new.name}"

@@ -1,0 +1,63 @@
+"""The issue's way over a real server: a robot is dropped, a machine made of it, and it walks; another stage does not notice."""
+
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import httpx
+import pytest
+from serving import serving
+from statwalk.web.app import create_app
+from statwalk.web.settings import Settings
+from watcher import Watcher
+from where import GLTF, needs_assets
+
+pytestmark = needs_assets
+
+
+@pytest.fixture
+def address(tmp_path: Path) -> Iterator[str]:
+    with serving(create_app(Settings(data=tmp_path))) as address:
+        yield address
+
+
+@pytest.fixture
+def rest(address: str) -> Iterator[httpx.Client]:
+    with httpx.Client(base_url=f"http://{address}", timeout=30) as rest:
+        yield rest
+
+
+def dropped(rest: httpx.Client, name: str) -> str:
+    """The path of a stage with the machine made of a model."""
+    model = (GLTF / f"{name}.glb").read_bytes()
+    rest.put(f"/api/characters/{name}", content=model, headers={"content-type": "model/gltf-binary"}).raise_for_status()
+    rest.post("/api/machines", json={"name": name, "character": name}).raise_for_status()
+    stage = rest.post("/api/stages", json={"clock": "manual", "actors": [{"machine": name}]})
+    return stage.raise_for_status().headers["Location"]
+
+
+@pytest.mark.parametrize("name", ["RobotExpressive", "Quaternius_PlatformerCharacter", "KayKit_Knight", "Quaternius_Fox"])
+def test_a_dropped_character_walks(rest: httpx.Client, name: str) -> None:
+    stage = dropped(rest, name)
+    assert rest.get(stage).json()["actors"][0]["state"] == "STAT"
+    rest.post(f"{stage}/events", json={"event": "FORWARD"}).raise_for_status()
+    shown = rest.post(f"{stage}/step", json={"ticks": 1}).json()
+    assert shown["actors"][0]["state"] == "WALK"
+
+
+def test_the_stream_names_the_model_it_plays(address: str, rest: httpx.Client) -> None:
+    with Watcher(address, dropped(rest, "RobotExpressive")) as viewer:
+        model = viewer.hello["casts"][0]["model"]
+    assert rest.get(model).content == (GLTF / "RobotExpressive.glb").read_bytes()
+
+
+def test_another_stage_goes_on_meanwhile(address: str, rest: httpx.Client) -> None:
+    with Watcher(address, "/api/stages/main") as viewer, ThreadPoolExecutor(1) as aside:
+        first = viewer.frame().tick
+        upload = aside.submit(dropped, rest, "KayKit_Knight")
+        ticks = [first]
+        while not upload.done():
+            ticks.append(viewer.frame().tick)
+        assert upload.result()
+    assert ticks == sorted(set(ticks))
+    assert len(ticks) > 5
