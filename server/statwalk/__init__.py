@@ -1,5 +1,7 @@
 """statwalk animates characters from state tables: proved, streamed to a browser, tested without one.
 
+From Python:
+
     import statwalk
 
     fox = statwalk.load("fox.glb")                  # a Character
