@@ -2,8 +2,10 @@
 
 import time
 
+import httpx
 import pytest
 from statwalk.stage.stage import Stage
+from statwalk.web.app import create_app
 from statwalk.web.hosted import HostedStage
 from statwalk.web.library import Library
 from statwalk.web.mailbox import Mailbox
@@ -57,3 +59,11 @@ def test_a_pause_is_not_caught_up(library: Library) -> None:
     hosted.pause(False)
     hosted.advance_to(time.perf_counter())
     assert hosted.stage.tick <= 1
+
+
+@pytest.mark.anyio
+async def test_main_stays() -> None:
+    """The page opens on it."""
+    async with httpx.AsyncClient(transport=httpx.ASGITransport(create_app()), base_url="http://localhost") as client:
+        assert (await client.delete("/api/stages/main")).status_code == 409
+        assert (await client.get("/api/stages/main")).status_code == 200

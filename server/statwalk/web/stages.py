@@ -12,8 +12,9 @@ from statwalk.web.door import registry_of, stage_of
 from statwalk.web.glbframes import whole
 from statwalk.web.hosted import HostedStage
 from statwalk.web.jsonbody import BoundedRoute
+from statwalk.web.problem import Problem
 from statwalk.web.recordings import recorded
-from statwalk.web.registry import Registry
+from statwalk.web.registry import MAIN, Registry
 from statwalk.web.schemas import ActorView, NewStage, Pause, Seek, Speed, StageView, Step, Tick
 
 router = APIRouter(prefix="/api/stages", tags=["stages"], route_class=BoundedRoute)
@@ -75,7 +76,9 @@ def get_stage(hosted: Held) -> StageView:
 
 @router.delete("/{stage_id}", status_code=204)
 def close_stage(stage_id: str, registry: Stages) -> None:
-    """Closes a stage; its viewers are sent away with code 4404."""
+    """Closes a stage; its viewers are sent away with code 4404. `main`, which the page opens on, stays."""
+    if stage_id == MAIN:
+        raise Problem(409, f"{MAIN!r} is the stage that the page opens on; it stays")
     registry.close(stage_id)
 
 
