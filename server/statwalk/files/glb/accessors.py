@@ -45,6 +45,7 @@ class Accessors:
     bytes: Allowance = field(default_factory=accessor_bytes)
 
     def __post_init__(self) -> None:
+        self.entries = self.document["accessors"]
         self.usable = plain_floats(self.document, self.views)
         """those whose numbers were all looked at"""
         self.arrays.update(self.usable)
@@ -52,7 +53,7 @@ class Accessors:
 
     def read(self, row: int, allowed: Allowed, place: str) -> Array:
         """The raw array (count,) or (count, n) of an accessor, which must be of an allowed type; `place` is who asks."""
-        entry = self.document["accessors"][row]
+        entry = self.entries[row]
         if entry.get("type") not in allowed[0] or entry.get("componentType") not in allowed[1]:
             found = f"{check.shown(entry.get('type'))} of {check.shown(entry.get('componentType'))}"
             raise ModelError(f"accessor {row} is {found}; it must be {' or '.join(allowed[0])} of {allowed[1]}", place=place)
@@ -60,10 +61,11 @@ class Accessors:
 
     def floats(self, row: int, allowed: Allowed, place: str) -> NDArray[np.float32]:
         """The array as finite float32; normalised integers become fractions of 1 (3.6.2.2)."""
+        usable = self.usable.get(row)
+        if usable is not None and self.entries[row]["type"] in allowed[0]:
+            return usable
         raw = self.read(row, allowed, place)
-        if row in self.usable:
-            return self.usable[row]
-        entry = self.document["accessors"][row]
+        entry = self.entries[row]
         component = entry["componentType"]
         if component == FLOAT:
             return self.finite(raw, row)

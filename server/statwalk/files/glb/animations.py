@@ -45,6 +45,9 @@ class Animations:
     numbers: Allowance = field(default_factory=key_numbers)
     known_times: dict[int, KeyTimes] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        self.nodes, self.entries = self.document["nodes"], self.document["accessors"]
+
     def clips(self) -> dict[str, Clip]:
         """Every animation as a clip, by its name made unique, in the order of the file."""
         entries = self.document["animations"]
@@ -69,14 +72,14 @@ class Animations:
         row = check.required_reference(entry, "sampler", place, samplers, "sampler of this animation")
         sampler, where = samplers[row], f"{animation}/samplers/{row}"
         target = check.as_object(entry.get("target"), f"{place}/target")
-        node = check.reference(target, "node", f"{place}/target", self.document["nodes"], "node")
+        node = check.reference(target, "node", f"{place}/target", self.nodes, "node")
         path = check.text(target, "path", f"{place}/target")
         first, count = self.weight_span.get(-1 if node is None else node, (0, 0))
         if node is None or path not in FORMATS or (path == "weights" and not count):
             self.document.note(f"animation channels for {check.shown(path)} of nothing that has it are left out")
             return None
         kind = check.one_of(sampler, "interpolation", where, INTERPOLATIONS, "LINEAR")
-        keys = self.key_times(check.required_reference(sampler, "input", where, self.document["accessors"], "accessor"), f"{where}/input")
+        keys = self.key_times(check.required_reference(sampler, "input", where, self.entries, "accessor"), f"{where}/input")
         width = count if path == "weights" else 1
         values = self.values(sampler, path, kind, keys, width, where)
         return Channel.checked(self.joint_of[node], cast("Path", path), keys.times, values, cast("Interpolation", kind), first)
@@ -98,7 +101,7 @@ class Animations:
 
     def values(self, sampler: Json, path: str, kind: str, keys: KeyTimes, width: int, place: str) -> NDArray[np.float32]:
         """(K,n) key values, or (K,3,n) of a cubic spline: in-tangent, value, out-tangent."""
-        row = check.required_reference(sampler, "output", place, self.document["accessors"], "accessor")
+        row = check.required_reference(sampler, "output", place, self.entries, "accessor")
         values = self.accessors.floats(row, FORMATS[path], f"{place}/output")
         given = len(keys.times) if keys.keys is None else len(self.accessors.array(sampler["input"]))
         expected = given * width * (3 if kind == "CUBICSPLINE" else 1)

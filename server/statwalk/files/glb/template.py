@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from statwalk.character import Character
 from statwalk.files.glb import container
@@ -52,7 +51,7 @@ class FrameTemplate:
     def frame(self, tick: int, state_hash: str, casts: Sequence[PosedCast]) -> bytes:
         """One frame: a complete GLB with every actor of `casts` (in the order of the entries) in its pose, at its place."""
         data = bytearray(self.template)
-        bounds: list[NDArray[np.float64]] = []
+        bounds: list[Floats] = []
         with np.errstate(over="ignore", invalid="ignore"):
             for character, blocks, cast in zip(self.characters, self.layout.blocks, casts, strict=True):
                 worlds = stage_worlds(character, cast)
@@ -62,20 +61,19 @@ class FrameTemplate:
         data[self.text_start : self.text_start + len(text)] = text
         return bytes(data)
 
-    def write(self, data: bytearray, character: Character, block: ActorBlock, world: Floats, weights: Floats) -> list[NDArray[np.float64]]:
+    def write(self, data: bytearray, character: Character, block: ActorBlock, world: Floats, weights: Floats) -> list[Floats]:
         """One actor's positions and normals into the binary chunk; the bounds (6,) of each of its parts."""
         surface = character.surface
         count = surface.positions.shape[1]
         if not count:
             return []
         positions, normals = (finite(values) for values in surface.pose(world, weights))
-        starts = [span.start for span in surface.spans]
-        bounds = np.concatenate([np.minimum.reduceat(positions, starts, axis=1), np.maximum.reduceat(positions, starts, axis=1)])
+        bounds = [np.concatenate([positions[:, span].min(axis=1), positions[:, span].max(axis=1)]) for span in surface.spans]
         for values, start in ((positions, block.positions), (normals, block.normals)):
             np.ndarray((count, 3), "<f4", data, self.binary_start + start)[:] = values.T
-        return list(bounds.T.astype(np.float64))
+        return bounds
 
-    def text(self, tick: int, state_hash: str, bounds: Sequence[NDArray[np.float64]]) -> bytes:
+    def text(self, tick: int, state_hash: str, bounds: Sequence[Floats]) -> bytes:
         """The JSON chunk: hash, tick and bounds printed into its slots, in their order."""
         numbers = (number for row in bounds for number in row.tolist())
         return self.layout.text % (state_hash.zfill(16).encode(), tick, *numbers)

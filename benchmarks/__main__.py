@@ -1,0 +1,11 @@
+"""All tables, one after the other: `python benchmarks`."""
+
+import frame
+import load
+import morph
+import skin
+import tick
+
+for table in (tick, skin, morph, load, frame):
+    table.main()
+    print()
