@@ -1,8 +1,12 @@
 """Which states the clips of real models propose to be, and the machines that are made with these names."""
 
+from pathlib import Path
+
 import pytest
+import tinymodel
 from statwalk.errors import ContentError, UnknownNameError
 from statwalk.files.faqnames import proposed
+from statwalk.files.glb import read_model
 from statwalk.files.machinefile import load_machine, read_machine
 from statwalk.files.newmachine import machine_text, named_motions, write_folder
 from statwalk.loading import load_character_file
@@ -148,6 +152,36 @@ def test_a_walk_goes_on_whatever_its_clip_is_called():
     stage, actor = actor_of({"Idle": "STAT", "Punch": "WALK"})
     stage.send(actor, "FORWARD")
     assert shown(stage, actor) == ["STAT", "WALK"]
+
+
+ODD = [
+    "\0",
+    "a\nb",
+    "\x7f",
+    "\x85",
+    "\u2028",
+    "\ufffe",
+    "\U0001ffff",
+    "🦊 run",
+    "'\"\\",
+    "# x",
+    "- a",
+    "{a: b}",
+    "&x *y !z",
+    "null",
+    "1e3",
+    "~",
+    " ",
+    "İ",
+    "*",
+]
+
+
+@pytest.mark.parametrize("clip", ODD, ids=ascii)
+def test_odd_clips_come_back_from_the_machine_file(clip):
+    model = read_model(tinymodel.changed("/animations/0/name", clip), "tiny")
+    text = machine_text("tiny", named_motions(model, proposed(model.clips)), Path("tiny.glb"), inline=True)
+    assert [state.motion for state in read_machine(text).states.values()] == list(model.clips)
 
 
 @needs_assets

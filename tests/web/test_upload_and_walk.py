@@ -1,12 +1,13 @@
 """The issue's way over a real server: a robot is dropped, a machine made of it, and it walks; another stage does not notice."""
 
+import socket
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import httpx
 import pytest
-from serving import serving
+from serving import serving, wait_for
 from statwalk.web.app import create_app
 from statwalk.web.settings import Settings
 from watcher import Watcher
@@ -49,6 +50,16 @@ def test_the_stream_names_the_model_it_plays(address: str, rest: httpx.Client) -
     with Watcher(address, dropped(rest, "RobotExpressive")) as viewer:
         model = viewer.hello["casts"][0]["model"]
     assert rest.get(model).content == (GLTF / "RobotExpressive.glb").read_bytes()
+
+
+def test_an_upload_that_ends_early_leaves_nothing(address: str, tmp_path: Path) -> None:
+    host, port = address.split(":")
+    with socket.create_connection((host, int(port))) as sender:
+        head = f"PUT /api/characters/x HTTP/1.1\r\nHost: {address}\r\nContent-Type: model/gltf-binary\r\nContent-Length: 1000\r\n\r\n"
+        sender.sendall(head.encode() + bytes(500))
+        wait_for(lambda: list(tmp_path.glob("tmp/*/upload")))
+    wait_for(lambda: not list(tmp_path.glob("tmp/*")))
+    assert not list(tmp_path.glob("names/*"))
 
 
 def test_another_stage_goes_on_meanwhile(address: str, rest: httpx.Client) -> None:

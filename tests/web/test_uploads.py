@@ -65,9 +65,11 @@ async def test_other_forms_are_kept_as_a_glb(client: httpx.AsyncClient, data: by
 
 async def test_the_list_shows_what_came_with_the_server_and_what_was_uploaded(client: httpx.AsyncClient) -> None:
     sha256 = (await put(client)).json()["sha256"]
+    assert (await client.get("/api/characters")).json()[-1]["machines"] == []
+    await make(client)
     shown = {one["name"]: one for one in (await client.get("/api/characters")).json()}
     assert (shown["walker"]["uploaded"], shown["walker"]["machine"]) == (False, "faq-walker")
-    assert (shown["tiny"]["uploaded"], shown["tiny"]["machine"], shown["tiny"]["sha256"]) == (True, None, sha256)
+    assert (shown["tiny"]["uploaded"], shown["tiny"]["machine"], shown["tiny"]["sha256"]) == (True, "robot", sha256)
 
 
 async def test_a_character_is_replaced(client: httpx.AsyncClient, tmp_path: Path) -> None:

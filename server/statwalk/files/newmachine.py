@@ -173,8 +173,10 @@ def as_text(rows: list[list[str]]) -> str:
 
 
 def quoted(text: str) -> str:
-    """The text as YAML reads it back."""
-    return text if PLAIN.fullmatch(text) else json.dumps(text, ensure_ascii=False)
+    """The text as YAML reads it back, with what cannot be seen written out."""
+    if PLAIN.fullmatch(text):
+        return text
+    return "".join(one if one.isprintable() else f"\\U{ord(one):08x}" for one in json.dumps(text, ensure_ascii=False))
 
 
 def machine_text(title: str, motions: list[Motion], model: Path, inline: bool) -> str:

@@ -24,7 +24,8 @@ def list_characters(library: Shelf) -> list[dict[str, Any]]:
 
 def view_upload(kept: Kept, library: Library) -> dict[str, Any]:
     """An uploaded character in the list; `machines` are those made of this very content."""
-    machines = library.depot.machines_of(kept.sha256) if library.depot else []
+    made = [entry for entry in library.entries.values() if entry.made]
+    machines = [entry.name for entry in made if entry.file.character_path.stem == kept.sha256]
     facts = {"name": kept.name, "machine": machines[0] if machines else None, "uploaded": True}
     return facts | {"sha256": kept.sha256, "bytes": kept.bytes, "machines": machines}
 

@@ -29,6 +29,7 @@ Shelf = Annotated[Library, Depends(library_of)]
 MOST_AT_ONCE = 8
 MOST_CHILDREN = 2
 CHUNK_BYTES = 1 << 20
+ARRIVAL_SECONDS = 600.0
 BODY = {"requestBody": {"required": True, "content": {kind: {"schema": {"type": "string", "format": "binary"}} for kind in MODEL.types}}}
 
 
@@ -140,13 +141,16 @@ async def working(depot: Depot) -> AsyncIterator[Path]:
 async def receive(request: Request, file: Path) -> None:
     """The body, as it comes, into a file; the door counts its bytes.
 
-    :raises Problem: 400, if it ends early, or there is none.
+    :raises Problem: 400, if it ends early, or there is none; 408, if it takes too long.
     """
     taken = 0
     try:
-        async with await anyio.open_file(file, "wb", buffering=CHUNK_BYTES) as opened:
-            async for chunk in request.stream():
-                taken += await opened.write(chunk)
+        with anyio.fail_after(ARRIVAL_SECONDS):
+            async with await anyio.open_file(file, "wb", buffering=CHUNK_BYTES) as opened:
+                async for chunk in request.stream():
+                    taken += await opened.write(chunk)
+    except TimeoutError:
+        raise Problem(408, f"the upload took more than {ARRIVAL_SECONDS:.0f} s", field="body") from None
     except ClientDisconnect:
         raise Problem(400, "the upload ended early", field="body") from None
     if not taken:
