@@ -30,6 +30,14 @@ def test_zeros_for_everything():
     assert refused_at(lambda root: blank(root, 6, 4_000_000_000)) == "/accessors/6/count"
 
 
+def test_bytes_that_become_floats():
+    def change(root):
+        blank(root, 3, 60_000_000)
+        root["accessors"][3] |= {"componentType": 5121, "normalized": True}
+
+    assert refused_at(change) == "/accessors/3/count"
+
+
 def test_a_mesh_of_zeros():
     def change(root):
         for row in (0, 1, 2, 3, 4):

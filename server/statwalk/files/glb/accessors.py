@@ -23,6 +23,7 @@ from statwalk.files.glb.formats import (
     COMPONENTS,
     ELEMENTS,
     FLOAT,
+    FLOAT_BYTES,
     INDICES,
     LARGEST_INTEGER,
     MATRIX_ROWS,
@@ -69,6 +70,7 @@ class Accessors:
         component = entry["componentType"]
         if component == FLOAT:
             return self.finite(raw, row)
+        self.bytes.take(2 * raw.size * FLOAT_BYTES, f"/accessors/{row}/count")
         values = raw.astype(np.float32)
         if check_normalized(entry, f"/accessors/{row}"):
             values = np.maximum(values / np.float32(LARGEST_INTEGER[component]), np.float32(-1))

@@ -15,6 +15,7 @@ COMPONENTS: dict[int, np.dtype[np.generic]] = {
     FLOAT: np.dtype("<f4"),
 }
 COMPONENT_BYTES = {kind: dtype.itemsize for kind, dtype in COMPONENTS.items()}
+FLOAT_BYTES = COMPONENT_BYTES[FLOAT]
 COMPONENT_OF_DTYPE = {dtype: kind for kind, dtype in COMPONENTS.items()}
 ELEMENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 ELEMENT_OF_WIDTH = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
