@@ -82,3 +82,7 @@ def test_b_splines_are_written_as_keys_near_the_curve(curved, time):
 
 def test_baked_clips_have_no_error(curved):
     assert khronos.errors(model_glb(curved)) == []
+
+
+def test_turns_are_written_at_unit_length():
+    assert khronos.errors(model_glb(read_model(model(), "tiny"))) == []

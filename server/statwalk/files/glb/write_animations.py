@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from statwalk.character import Character
 from statwalk.files.glb.builder import Builder
 from statwalk.files.glb.check import Json
+from statwalk.maths import quat
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Channel, Clip
 
@@ -32,8 +33,9 @@ def animation(builder: Builder, character: Character, clip: Clip) -> Json | None
 
 
 def sampler(builder: Builder, channel: Channel) -> Json:
-    """The keys of one channel."""
-    values = np.ascontiguousarray(channel.values, np.float32)
+    """The keys of one channel; turns at unit length, as glTF wants them (3.11), whatever the source had."""
+    is_turn = channel.path == "rotation" and channel.interpolation != "CUBICSPLINE"
+    values = np.ascontiguousarray(quat.normalize(channel.values) if is_turn else channel.values, np.float32)
     width = 1 if channel.path == "weights" else values.shape[-1]
     return {
         "input": builder.array(channel.times if channel.times.dtype == np.float32 else channel.times.astype(np.float32), bounds=True),
