@@ -3,9 +3,10 @@
 import frame
 import load
 import morph
+import pose
 import skin
 import tick
 
-for table in (tick, skin, morph, load, frame):
+for table in (tick, pose, skin, morph, load, frame):
     table.main()
     print()

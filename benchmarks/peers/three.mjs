@@ -63,7 +63,7 @@ const jobs = {
     await new GLTFLoader().parseAsync(data, '');
     return performance.now() - start;
   },
-  async tick({ path, actors }) {
+  async pose({ path, actors }) {
     const { mixer, gltf } = await model(path);
     const start = performance.now();
     for (let actor = 0; actor < actors; actor++) {
