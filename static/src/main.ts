@@ -9,10 +9,14 @@ import "./style/events.css";
 import "./style/help.css";
 import "./style/panels.css";
 import "./style/timeline.css";
+import "./style/bring.css";
+import "./style/mapping.css";
 import { type ViewerKey, Keyboard } from "./input";
 import { Meter } from "./net/meter";
+import { BringDialog } from "./panels/bring";
 import { Chooser } from "./panels/chooser";
 import { byId, el, onTheme, reducedMotion } from "./panels/dom";
+import { dropZone } from "./panels/drop";
 import { EventsPanel } from "./panels/events";
 import { GraphPanel } from "./panels/graph";
 import { HelpDialog } from "./panels/help";
@@ -66,6 +70,13 @@ function freeFocus(): void {
   document.addEventListener("change", (change) => change.target instanceof HTMLSelectElement && change.target.blur());
 }
 
+/** A character of one's own: dropped on the page, or chosen as a file. */
+function bringOwn(chooser: Chooser): void {
+  const dialog = new BringDialog((machine) => chooser.open(machine));
+  dropZone((files) => dialog.take(files));
+  byId("add").addEventListener("click", () => dialog.choose());
+}
+
 function start(name: string): void {
   const session = new Session();
   const scene = new Scene(byId<HTMLCanvasElement>("picture"), chooseQuality(name, location.search), reducedMotion);
@@ -79,7 +90,7 @@ function start(name: string): void {
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session);
   new TablePanel(byId("table"), byId("verdict"), session);
-  new Chooser(byId("chooser"), session);
+  bringOwn(new Chooser(byId("chooser"), session));
   modeBar(byId("modes"), session, picture);
   notices(byId("notices"), session);
   tabs(byId("tabs"), byId("panels"));

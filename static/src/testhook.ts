@@ -95,7 +95,8 @@ export function exposeForTests(session: Session, picture: Picture, drawn: Meter)
   };
   const hook = {
     get ready(): boolean {
-      return picture.ready.value && session.machine.value !== null;
+      const known = session.machine.value !== null && session.machine.value.name === session.cast?.machine;
+      return picture.ready.value && known && session.stage === session.hello.value?.stage;
     },
     stage: () => session.stage,
     tick: () => session.tick,

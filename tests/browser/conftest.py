@@ -40,14 +40,15 @@ def until(page: Page, condition: str, arg: object = None) -> None:
 
 
 class Server:
-    """`statwalk serve` on a port of its own; `start` again after `stop` takes the same port."""
+    """`statwalk serve` on a port and with a data folder of its own; `start` again after `stop` takes the same ones."""
 
-    def __init__(self, *folders: Path) -> None:
+    def __init__(self, data: Path, *folders: Path) -> None:
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             self.port = free.getsockname()[1]
         self.url = f"http://127.0.0.1:{self.port}"
-        self.command = [sys.executable, "-m", "statwalk.cli", "serve", "--port", str(self.port), *map(str, folders)]
+        options = ["--port", str(self.port), "--data", str(data)]
+        self.command = [sys.executable, "-m", "statwalk.cli", "serve", *options, *map(str, folders)]
         self.process: subprocess.Popen[str] | None = None
 
     def start(self) -> None:
@@ -72,9 +73,9 @@ class Server:
 
 
 @pytest.fixture(scope="session")
-def server() -> Iterator[Server]:
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     """The server as `statwalk serve` starts it."""
-    running = Server()
+    running = Server(tmp_path_factory.mktemp("data"))
     running.start()
     yield running
     running.stop()
@@ -86,7 +87,7 @@ def robot_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     folder = tmp_path_factory.mktemp("made") / "robot"
     made = [sys.executable, "-m", "statwalk.cli", "new", str(GLTF / "RobotExpressive.glb"), str(folder)]
     subprocess.run(made, check=True, capture_output=True, cwd=ROOT)
-    running = Server(folder)
+    running = Server(folder.parent / "data", folder)
     running.start()
     yield running
     running.stop()

@@ -1,28 +1,31 @@
 /** The REST interface, as far as the page uses it; a refusal becomes an Error with the server's own words. */
 
-import type { LogEntry, MachineInfo, MachineSummary, StageInfo, StateHistory } from "./protocol";
+import type { CharacterSummary, LogEntry, MachineInfo, MachineSummary, Mapping, StageInfo, StateHistory } from "./protocol";
 
 export class ApiError extends Error {
   constructor(
     readonly status: number,
     message: string,
+    /** Which member or which place of a file is wrong, and why. */
+    readonly places: readonly { field: string; message: string }[] = [],
   ) {
     super(message);
   }
 }
 
 /** The server's problem+json in words: detail, else title, else the status. */
-async function problem(reply: Response): Promise<ApiError> {
-  const body = (await reply.json().catch(() => ({}))) as { detail?: unknown; title?: unknown };
-  const words = [body.detail, body.title].find((text) => typeof text === "string" && text);
-  return new ApiError(reply.status, typeof words === "string" ? words : `the server answered ${reply.status}`);
+export function problemOf(status: number, body: unknown): ApiError {
+  const { detail, title, errors } = (body ?? {}) as { detail?: unknown; title?: unknown; errors?: unknown };
+  const words = [detail, title].find((text) => typeof text === "string" && text);
+  const places = Array.isArray(errors) ? (errors as { field: string; message: string }[]) : [];
+  return new ApiError(status, typeof words === "string" ? words : `the server answered ${status}`, places);
 }
 
 async function call(method: string, path: string, body?: object): Promise<Response> {
   const options: RequestInit = { method };
   if (body) Object.assign(options, { headers: { "content-type": "application/json" }, body: JSON.stringify(body) });
   const reply = await fetch(new URL(`api/${path}`, document.baseURI), options);
-  if (!reply.ok) throw await problem(reply);
+  if (!reply.ok) throw problemOf(reply.status, await reply.json().catch(() => ({})));
   return reply;
 }
 
@@ -44,6 +47,12 @@ export function parseLog(text: string): LogEntry[] {
 
 export const machines = (): Promise<MachineSummary[]> => read("machines");
 export const machine = (name: string): Promise<MachineInfo> => read(`machines/${id(name)}`);
+export const characters = (): Promise<CharacterSummary[]> => read("characters");
+export const mapping = (character: string): Promise<Mapping> => read(`characters/${id(character)}/mapping`);
+export const removeCharacter = (name: string): Promise<Response> => call("DELETE", `characters/${id(name)}`);
+/** A machine of an uploaded character; clips whose state is empty are left out. */
+export const makeMachine = (name: string, character: string, states: Record<string, string>): Promise<Response> =>
+  call("POST", "machines", { name, character, mapping: states });
 export const stage = (stageId: string): Promise<StageInfo> => read(`stages/${id(stageId)}`);
 export const history = (stageId: string): Promise<StateHistory> => read(`stages/${id(stageId)}/history`);
 export const log = async (stageId: string): Promise<LogEntry[]> => parseLog(await (await call("GET", `stages/${id(stageId)}/log`)).text());

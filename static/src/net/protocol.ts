@@ -158,6 +158,28 @@ export interface MachineSummary {
   character: string;
 }
 
+export interface CharacterSummary {
+  name: string;
+  /** A machine that it plays in, if there is one. */
+  machine: string | null;
+  uploaded: boolean;
+}
+
+export interface UploadedCharacter {
+  name: string;
+  joints: number;
+  clips: number;
+  vertices: number;
+  notes: string[];
+}
+
+/** What the clips of a character propose to be; `meanings` explains the states that have one. */
+export interface Mapping {
+  character: string;
+  mapping: Record<string, string>;
+  meanings: Record<string, string>;
+}
+
 export interface StageInfo {
   id: string;
   actors: { id: number; name: string; machine: string; state: string }[];

@@ -46,6 +46,12 @@ export class Chooser {
     if (!this.machines.options.length) await this.list();
   }
 
+  /** Takes up a machine that was just made, and watches it. */
+  async open(machine: string): Promise<void> {
+    await this.list();
+    await this.choose(machine);
+  }
+
   /** Watches `machine`: on the main stage if it is there, else on a stage made for it. */
   private async choose(machine: string): Promise<void> {
     const left = this.own;
