@@ -31,6 +31,7 @@ export class Keyboard {
     for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.letGo());
     document.addEventListener("visibilitychange", () => document.hidden && this.letGo());
     session.actor.on(() => this.letGo());
+    session.leaving.on(() => this.letGo());
   }
 
   private down(press: KeyboardEvent): void {

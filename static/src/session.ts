@@ -20,6 +20,8 @@ export class Session extends Watched {
   readonly looking = this.back.looking;
   readonly verdicts = new Bell<Verdict>();
   readonly notices = new Bell<string>();
+  /** This page is about to leave its stage: what it holds there has to be let go of. */
+  readonly leaving = new Bell<null>();
   readonly received = new Meter();
   readonly trip = new RoundTrip();
   /** The newest frame that was not drawn yet. */
@@ -49,6 +51,7 @@ export class Session extends Watched {
 
   /** Leaves the stage it was at and watches `stage`. */
   watch(stage: string): void {
+    this.leaving.ring(null);
     this.stage = stage;
     this.history.clear();
     this.back.forget();

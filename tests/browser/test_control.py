@@ -49,6 +49,14 @@ def test_losing_the_keyboard_lets_the_key_go(standing: Page) -> None:
     standing.keyboard.up("ArrowUp")
 
 
+def test_leaving_for_another_machine_lets_the_key_go(standing: Page) -> None:
+    standing.keyboard.down("ArrowUp")
+    until(standing, "__viewer.state() === 'WALK'")
+    standing.get_by_label("machine", exact=True).select_option("faq-printed")
+    until(standing, "(await (await fetch('api/stages/main')).json()).actors[0].state === 'STAT'")
+    standing.keyboard.up("ArrowUp")
+
+
 def test_question_mark_lists_the_keys(viewer: Page) -> None:
     viewer.keyboard.press("?")
     dialog = viewer.get_by_role("dialog")
