@@ -58,6 +58,20 @@ def test_sigterm_ends_it_with_viewers_connected_and_one_stalled() -> None:
         stalled.close()
 
 
+SIGNALLED_EARLY = """
+import signal, uvicorn
+from statwalk.web.app import create_app
+from statwalk.web.listen import listening_socket, run
+serve = uvicorn.Server.run
+uvicorn.Server.run = lambda server, sockets: (signal.raise_signal(signal.SIGTERM), serve(server, sockets))
+run(create_app(), listening_socket("127.0.0.1", 0))
+"""
+
+
+def test_a_signal_before_uvicorn_listens_for_it_counts() -> None:
+    assert subprocess.run([sys.executable, "-c", SIGNALLED_EARLY], timeout=20).returncode == 0
+
+
 def test_the_page_and_the_default_machine_are_there() -> None:
     with served() as (_, address):
         page = httpx.get(f"http://{address}/")

@@ -63,10 +63,13 @@ def server(app: ASGIApp) -> uvicorn.Server:
 def run(app: ASGIApp, listener: socket.socket) -> None:
     """Serves until SIGTERM or SIGINT; both end it in good order."""
 
+    serving = server(app)
+
     def stopped(_: int, __: FrameType | None) -> None:
-        """uvicorn raises the signal again once it has stopped; then there is nothing left to do."""
+        """Before uvicorn listens for signals, they end it too; once it has stopped, it raises them again, to no effect."""
+        serving.should_exit = True
 
     sys.setswitchinterval(SWITCH_SECONDS)
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, stopped)
-    server(app).run(sockets=[listener])
+    serving.run(sockets=[listener])
