@@ -29,3 +29,10 @@ def test_examples_run(document: Path, tmp_path: Path, monkeypatch: pytest.Monkey
 def test_links_lead_somewhere(document: Path) -> None:
     for target in LINK.findall(document.read_text()):
         assert (document.parent / target).exists(), f"{document.name} names {target}"
+
+
+@pytest.mark.parametrize("document", [ROOT / "docs" / "systems.md", ROOT / "CONTRIBUTING.md"], ids=lambda path: path.name)
+def test_files_that_are_named_are_there(document: Path) -> None:
+    """`machine/step.py` in the text is server/statwalk/machine/step.py; other paths count from the root."""
+    for name in re.findall(r"`([\w.-]+(?:/[\w.-]+)+)/?`", document.read_text()):
+        assert any((base / name).exists() for base in (ROOT, ROOT / "server" / "statwalk")), f"{document.name} names {name}"
