@@ -1,5 +1,8 @@
 """Logs: order, shared pasts, JSON lines."""
 
+import sys
+import threading
+
 import pytest
 from statwalk.errors import StageError
 from statwalk.stage.log import LogEntry, MemoryLog, dump, load
@@ -40,6 +43,24 @@ def test_a_fork_before_a_fork_keeps_only_the_first_past():
     assert list(fork.until(2)) == [press(1)]
 
 
+def test_a_fork_can_be_read_while_its_origin_is_written():
+    """Each stage of a server has a thread and a lock of its own."""
+    log = MemoryLog([press(tick) for tick in range(1_000)])
+    fork = log.until(1_000)
+    writer = threading.Thread(target=lambda: [log.append(press(tick)) for tick in range(1_000, 30_000)])
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    try:
+        writer.start()
+        read = {len(list(fork))}
+        while writer.is_alive():
+            read.add(len(list(fork)))
+    finally:
+        sys.setswitchinterval(before)
+        writer.join()
+    assert read == {1_000}
+
+
 def test_lines_come_back_as_they_were():
     log = MemoryLog([press(1), LogEntry(2, "set", 7, "pace", 1.25)])
     header, entries = load(dump(log, {"seed": 3, "rate": 60}))
@@ -57,6 +78,11 @@ def test_lines_come_back_as_they_were():
         (['{"statwalk": "log", "semantics": 9}'], "semantics 9, this build reads 1"),
         (['{"statwalk": "log", "semantics": 1}', '{"tick": 1}'], "line 2: an entry has tick"),
         (['{"statwalk": "log", "semantics": 1}', '{"tick":1,"kind":"jump","actor":1,"name":"","value":null}'], "press, hold, release"),
+        (
+            ['{"statwalk": "log", "semantics": 1}', '{"tick":"1","kind":"press","actor":1,"name":"GO","value":null}'],
+            "line 2: tick and actor",
+        ),
+        (['{"statwalk": "log", "semantics": 1}', "", '{"tick": 1}'], "line 3: an entry has tick"),
     ],
 )
 def test_a_bad_line_is_named(lines, message):

@@ -169,6 +169,53 @@ def test_a_fork_without_changes_runs_like_its_origin(stage):
     assert fork.hash == stage.hash
 
 
+def test_a_fork_at_the_head_takes_along_what_was_sent():
+    stage = Stage()
+    actor = stage.add(ROLE)
+    stage.send(actor, "GO")
+    fork = stage.fork()
+    fork.step()
+    assert fork.actor(1).state == "WALK"
+
+
+def test_a_fork_in_the_past_leaves_behind_what_was_sent_there(stage):
+    stage.seek(70)
+    fork = stage.fork()
+    fork.step(20)
+    assert (fork.actor(1).state, [entry.tick for entry in fork.log]) == ("WALK", [0, 11])
+
+
+def test_a_fork_at_the_head_does_not_see_who_comes_after_it():
+    stage = Stage()
+    stage.add(ROLE)
+    fork = stage.fork()
+    stage.add(ROLE)
+    fork.step(2)
+    fork.seek(0)
+    fork.step(2)
+    assert [actor.id for actor in fork.actors] == [1]
+
+
+def test_a_copy_has_all_the_past_and_the_playhead(stage):
+    last = stage.hash
+    stage.seek(40)
+    copy = stage.copy()
+    assert (copy.tick, copy.head, copy.hash) == (40, 90, stage.hash)
+    copy.seek(90)
+    assert (copy.hash, stage.tick) == (last, 40)
+
+
+def test_parameters_of_many_are_set_each_for_its_own():
+    stage = Stage()
+    actors = [stage.add(ROLE) for _ in range(3)]
+    for actor, pace in zip(actors, (0.5, 1.5, 2.0), strict=True):
+        stage.send(actor, "GO")
+        stage.set(actor, "pace", 1.0)
+        stage.set(actor, "pace", pace)
+    stage.step(25)
+    assert [actor.time for actor in actors] == pytest.approx([24 / 60 * pace for pace in (0.5, 1.5, 2.0)])
+
+
 def test_how_time_was_cut_makes_no_difference():
     hashes = set()
     for cuts in ([90], [1] * 90, [7, 53, 30]):

@@ -31,6 +31,14 @@ async def test_its_ticks_are_those_of_the_frames(client, walked, tick):
     assert positions(recording, (tick - 10) / 60) == pytest.approx(positions(frame), abs=1e-3)
 
 
+async def test_without_a_tick_it_is_the_playheads(client, walked):
+    await client.post(f"{walked}/seek", json={"tick": 10})
+    shown = (await client.get(f"{walked}/frame.glb")).content
+    recording = (await client.get(f"{walked}/recording.glb", params={"from": 5})).content
+    assert shown == (await client.get(f"{walked}/frame.glb", params={"tick": 10})).content
+    assert recording == (await client.get(f"{walked}/recording.glb", params={"from": 5, "to": 10})).content
+
+
 async def test_it_is_valid(client, walked):
     answer = await client.get(f"{walked}/recording.glb")
     assert (answer.status_code, answer.headers["content-type"]) == (200, "model/gltf-binary")

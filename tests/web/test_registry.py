@@ -11,7 +11,7 @@ from statwalk.web.library import Library
 from statwalk.web.mailbox import Mailbox
 from statwalk.web.problem import Problem
 from statwalk.web.registry import Registry
-from statwalk.web.schemas import NewActor, NewStage
+from statwalk.web.schemas import NewActor, NewEvent, NewStage
 from statwalk.web.settings import Settings
 
 
@@ -34,6 +34,27 @@ def test_idle_stages_in_real_time_are_let_go_and_no_others(library: Library) -> 
     held.drop_idle()
     assert idle not in held.all()
     assert held.all() == [main, manual, watched]
+
+
+def test_a_stage_that_was_watched_until_now_is_not_idle(library: Library) -> None:
+    """Its viewer may only load the page again."""
+    held = registry(library)
+    hosted, mailbox = held.open(NewStage()), Mailbox("pose")
+    hosted.broadcast.mailboxes = frozenset({mailbox})
+    hosted.touched = time.monotonic() - 2 * held.settings.idle_seconds
+    hosted.leave(mailbox)
+    held.drop_idle()
+    assert held.all() == [hosted]
+
+
+def test_an_input_that_is_seen_at_the_head_goes_to_a_fork_while_the_playhead_is_in_the_past(library: Library) -> None:
+    held = registry(library)
+    hosted = held.open(NewStage(clock="manual", actors=[NewActor(machine="faq-walker")]))
+    hosted.step(10)
+    hosted.seek(4)
+    accepted = held.post(hosted, NewEvent(event="FORWARD"), looked_at=10)
+    assert accepted.stage != hosted.id
+    assert (accepted.tick, hosted.stage.tick) == (10, 4)
 
 
 def test_a_stage_more_than_there_may_be_is_refused(library: Library) -> None:

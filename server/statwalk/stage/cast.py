@@ -5,6 +5,7 @@ A cast is never changed; a tick makes the next one. Poses are float32, times and
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -80,10 +81,11 @@ class Cast:
             self.hash[keep],
         )
 
-    def with_parameter(self, row: int, parameter: int, value: float) -> Cast:
-        """With a parameter of one actor set."""
+    def with_parameters(self, given: Iterable[tuple[int, int, float]]) -> Cast:
+        """With parameters set, in this order: row, parameter, value."""
         parameters = self.machine.parameters.copy()
-        parameters[row, parameter] = value
+        for row, parameter, value in given:
+            parameters[row, parameter] = value
         return replace(self, machine=self.machine._replace(parameters=parameters))
 
     def rehashed(self) -> Cast:

@@ -90,14 +90,15 @@ def _removed(state: StageState, actor: int) -> StageState:
 def _given(cast: Cast, entries: Sequence[LogEntry]) -> tuple[Cast, Inputs]:
     """The cast with its parameters set, and its inputs."""
     rows: list[tuple[int, int, int]] = []
+    parameters: list[tuple[int, int, float]] = []
     for entry in entries:
         row = cast.row(entry.actor)
         if row >= 0 and entry.kind == "set":
-            cast = cast.with_parameter(row, cast.role.parameter(entry.name), float(entry.value))
+            parameters.append((row, cast.role.parameter(entry.name), float(entry.value)))
         elif row >= 0 and entry.kind in KINDS:
             rows.append((row, cast.role.event(entry.name), KINDS[entry.kind]))
     actor, event, kind = np.array(rows, np.int64).reshape(-1, 3).T
-    return cast, Inputs(actor, event, kind)
+    return cast.with_parameters(parameters) if parameters else cast, Inputs(actor, event, kind)
 
 
 def _actions(stepped: Iterable[tuple[Cast, StepResult]], count: int, now: int) -> tuple[Action, ...]:

@@ -75,7 +75,8 @@ class MemoryLog:
 
     def __iter__(self) -> Iterator[LogEntry]:
         """All entries by tick, and in the order they came."""
-        ticks = {tick for end, entries in self._past for tick in entries if tick < end} | set(self._by_tick)
+        # tuple: the stage that the past is shared with may get an entry in another thread meanwhile
+        ticks = {tick for end, entries in self._past for tick in tuple(entries) if tick < end} | set(self._by_tick)
         for tick in sorted(ticks):
             yield from self.at(tick)
 
@@ -88,12 +89,13 @@ def dump(log: Iterable[LogEntry], header: Mapping[str, Any]) -> list[str]:
 
 def load(lines: Iterable[str]) -> tuple[dict[str, Any], list[LogEntry]]:
     """Header and entries of JSON lines. Raises StageError that names the line which cannot be read."""
-    records = [_record(number, line) for number, line in enumerate(lines, 1) if line.strip()]
-    if not records or records[0].get("statwalk") != "log":
+    records = [(number, _record(number, line)) for number, line in enumerate(lines, 1) if line.strip()]
+    header = records[0][1] if records else {}
+    if header.get("statwalk") != "log":
         raise StageError('line 1: not a statwalk log; its first line says {"statwalk": "log", …}')
-    if records[0].get("semantics") != SEMANTICS:
-        raise StageError(f"line 1: the log has semantics {records[0].get('semantics')!r}, this build reads {SEMANTICS}")
-    return records[0], [_entry(number, record) for number, record in enumerate(records[1:], 2)]
+    if header.get("semantics") != SEMANTICS:
+        raise StageError(f"line 1: the log has semantics {header.get('semantics')!r}, this build reads {SEMANTICS}")
+    return header, [_entry(number, record) for number, record in records[1:]]
 
 
 def _record(number: int, line: str) -> dict[str, Any]:
@@ -109,4 +111,6 @@ def _record(number: int, line: str) -> dict[str, Any]:
 def _entry(number: int, record: dict[str, Any]) -> LogEntry:
     if set(record) != {"tick", "kind", "actor", "name", "value"} or record["kind"] not in KINDS:
         raise StageError(f"line {number}: an entry has tick, kind ({', '.join(KINDS)}), actor, name and value")
+    if type(record["tick"]) is not int or type(record["actor"]) is not int or not isinstance(record["name"], str):
+        raise StageError(f"line {number}: tick and actor are whole numbers, name is text")
     return LogEntry(**record)

@@ -154,13 +154,15 @@ class Stage:
             self._forward()
 
     def fork(self) -> Stage:
-        """A stage of its own that shares the past up to the tick that is shown; the way to change it."""
-        fork = Stage(self.seed, self.rate)
-        fork.roles, fork.head, fork._state = dict(self.roles), self.tick, self._state
-        fork._log, fork._snapshots = self._log.until(self.tick), self._snapshots.until(self.tick)
-        fork.actions.extend(action for action in self.actions if action.tick <= self.tick)
-        fork.verdicts.extend(verdict for verdict in self.verdicts if verdict.tick <= self.tick)
-        return fork
+        """A stage of its own that shares the past up to the tick that is shown; the way to change it.
+
+        At the head it takes along what was sent and waits for the next tick.
+        """
+        return self._branch(self.tick)
+
+    def copy(self) -> Stage:
+        """A stage of its own with all of this one's past and its playhead, to look around in."""
+        return self._branch(self.head)
 
     @classmethod
     def of(cls, log: Log, roles: Mapping[str, Role], seed: int, rate: int) -> Stage:
@@ -169,6 +171,16 @@ class Stage:
         stage._log, stage.roles = log, dict(roles)
         stage._state = recast(stage._state, log.at(0), roles)
         return stage
+
+    def _branch(self, head: int) -> Stage:
+        branch = Stage(self.seed, self.rate)
+        branch.roles, branch.head, branch._state = dict(self.roles), head, self._state
+        branch._log, branch._snapshots = self._log.until(head), self._snapshots.until(head)
+        for entry in self._log.at(head + 1) if head == self.head else ():
+            branch._log.append(entry)
+        branch.actions.extend(action for action in self.actions if action.tick <= head)
+        branch.verdicts.extend(verdict for verdict in self.verdicts if verdict.tick <= head)
+        return branch
 
     def _forward(self) -> None:
         """The next tick, known or new."""

@@ -14,7 +14,7 @@ from statwalk.stage.role import Role
 from statwalk.stage.stage import Actor, Stage
 from statwalk.web import messages
 from statwalk.web.library import Library
-from statwalk.web.mailbox import FrameKind, Shown
+from statwalk.web.mailbox import FrameKind, Mailbox, Shown
 from statwalk.web.problem import Problem
 from statwalk.web.schemas import Clock as ClockKind
 from statwalk.web.schemas import NewEvent, NewParameter
@@ -104,11 +104,12 @@ class HostedStage:
     def copy(self) -> Stage:
         """A copy of the stage with all its past, for one who wants to look around in it."""
         with self.turn() as stage:
-            shown = stage.tick
-            stage.seek(stage.head)
-            copy = stage.fork()
-            stage.seek(shown)
-            return copy
+            return stage.copy()
+
+    def leave(self, mailbox: Mailbox) -> None:
+        """A viewer less; until now the stage was in use."""
+        self.broadcast.leave(mailbox)
+        self.touched = time.monotonic()
 
     def status(self) -> dict[str, Any]:
         """Where the stage is."""

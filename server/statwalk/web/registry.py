@@ -98,24 +98,24 @@ class Registry:
             branch = branch.fork()
         return self.hold(HostedStage(secrets.token_hex(4), branch, hosted.clock_kind, self.library))
 
-    def writable(self, hosted: HostedStage, looked_at: int | None = None) -> HostedStage:
-        """The stage itself while the tick looked at (or the playhead) is its newest, else a fork there: the past stays."""
-        with hosted.turn() as stage:
-            tick = stage.tick if looked_at is None else looked_at
-            return hosted if tick >= stage.head else self.fork(hosted, tick)
-
     @contextmanager
     def writing(self, hosted: HostedStage, looked_at: int | None) -> Iterator[HostedStage]:
-        """The stage that an input belongs to, for one caller; a fork that was made for a refused input goes again."""
-        with hosted.turn():
-            target = self.writable(hosted, looked_at)
-            try:
-                with target.turn():
-                    yield target
-            except (StatwalkError, Problem):
-                if target is not hosted:
-                    self.close(target.id)
-                raise
+        """The stage that an input belongs to, for one caller: the stage itself at its newest tick, a fork in its past, which stays.
+
+        A fork that was made for a refused input goes again.
+        """
+        with hosted.turn() as stage:
+            tick = stage.tick if looked_at is None else min(looked_at, stage.head)
+            if tick == stage.tick == stage.head:
+                yield hosted
+                return
+        branch = self.fork(hosted, tick)  # it may have far to go: the stage itself runs on meanwhile
+        try:
+            with branch.turn():
+                yield branch
+        except (StatwalkError, Problem):
+            self.close(branch.id)
+            raise
 
     def post(self, hosted: HostedStage, event: NewEvent, looked_at: int | None = None) -> Accepted:
         """Logs an event, in a fork if it belongs to the past."""

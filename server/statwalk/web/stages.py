@@ -142,5 +142,5 @@ def get_recording(
 ) -> Response:
     """The ticks `from` … `to` (the playhead's, if none is given) as one .glb with an animation, keyed at the stage's ticks."""
     stage = hosted.copy()
-    last = hosted.stage.tick if end is None else end
+    last = stage.tick if end is None else end
     return Response(recorded(stage, start, last), media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})

@@ -39,7 +39,7 @@ async def stream(socket: WebSocket, stage_id: str, frames: str = "pose") -> None
         await socket.accept(subprotocol=messages.VERSION if socket.scope["subprotocols"] else None)
         await Viewer(socket, hosted, mailbox, registry).serve()
     finally:
-        hosted.broadcast.leave(mailbox)
+        hosted.leave(mailbox)
 
 
 def frame_kind(frames: str) -> FrameKind:
