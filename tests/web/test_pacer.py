@@ -1,9 +1,10 @@
 """The thread that gives stages their ticks: it goes on when one fails, wakes for a new one, and ends."""
 
 import threading
+import time
 
 import pytest
-from statwalk.web.pacer import Pacer
+from statwalk.web.pacer import SHORTEST_SLEEP, Pacer
 
 
 class Counting:
@@ -33,6 +34,34 @@ def test_a_stage_that_fails_does_not_stop_the_others(caplog: pytest.LogCaptureFi
     assert good.enough.wait(20)
     pacer.stop()
     assert "a stage failed in its step" in caplog.text
+
+
+class Slow:
+    """Its step takes longer than the time until the next one."""
+
+    def advance_to(self, now: float) -> float:
+        while time.perf_counter() <= now + 0.02:
+            pass
+        return 0.02
+
+
+class Once(threading.Event):
+    """Ends the pacer when it would wait, and keeps for how long."""
+
+    def __init__(self, pacer: Pacer) -> None:
+        super().__init__()
+        self.pacer = pacer
+
+    def wait(self, timeout: float | None = None) -> bool:
+        self.timeout, self.pacer.stopping = timeout, True
+        return True
+
+
+def test_the_time_that_a_step_takes_is_part_of_the_wait() -> None:
+    pacer = Pacer(lambda: [Slow()])
+    waiting = pacer.woken = Once(pacer)
+    pacer.run()
+    assert waiting.timeout == SHORTEST_SLEEP
 
 
 def test_it_wakes_for_a_new_stage_and_ends() -> None:

@@ -12,6 +12,8 @@ from collections.abc import Callable, Iterable
 from typing import Protocol
 
 LONGEST_SLEEP = 0.25
+SHORTEST_SLEEP = 0.001
+"""even where the steps take longer than they last: whoever waits for a stage gets it in between"""
 log = logging.getLogger("statwalk.pacer")
 
 
@@ -50,13 +52,14 @@ class Pacer:
         """The thread."""
         while not self.stopping:
             self.woken.clear()
-            waits = [self.advance(stage) for stage in self.stages()]
-            self.woken.wait(min(waits, default=LONGEST_SLEEP))
+            due = min([self.advance(stage) for stage in self.stages()], default=time.perf_counter() + LONGEST_SLEEP)
+            self.woken.wait(max(due - time.perf_counter(), SHORTEST_SLEEP))  # less what the steps themselves took
 
     def advance(self, stage: Paced) -> float:
-        """One stage's steps; a defect in one stage is logged and does not stop the others."""
+        """One stage's steps; when its next one is due (perf_counter seconds). A defect is logged and does not stop the others."""
+        now = time.perf_counter()
         try:
-            return min(stage.advance_to(time.perf_counter()), LONGEST_SLEEP)
+            return now + min(stage.advance_to(now), LONGEST_SLEEP)
         except Exception:
             log.exception("a stage failed in its step")
-            return LONGEST_SLEEP
+            return now + LONGEST_SLEEP
