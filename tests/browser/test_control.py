@@ -1,8 +1,12 @@
 """Keys and buttons: they change the state, and the pose moves."""
 
+import json
+
+import httpx
 import pytest
-from browser.conftest import until
+from browser.conftest import Server, until
 from playwright.sync_api import Page
+from serving import wait_for
 
 FARTHEST = """start => {
   const now = __viewer.joints();
@@ -49,11 +53,13 @@ def test_losing_the_keyboard_lets_the_key_go(standing: Page) -> None:
     standing.keyboard.up("ArrowUp")
 
 
-def test_leaving_for_another_machine_lets_the_key_go(standing: Page) -> None:
+def test_leaving_for_another_machine_lets_the_key_go(server: Server, standing: Page) -> None:
     standing.keyboard.down("ArrowUp")
     until(standing, "__viewer.state() === 'WALK'")
-    standing.get_by_label("machine", exact=True).select_option("faq-printed")
-    until(standing, "(await (await fetch('api/stages/main')).json()).actors[0].state === 'STAT'")
+    standing.locator("#chooser select").first.select_option("faq-printed")
+    until(standing, "__viewer.stage() !== 'main' && __viewer.ready")
+    log = f"{server.url}/api/stages/main/log"
+    wait_for(lambda: json.loads(httpx.get(log).text.splitlines()[-1])["name"] == "STOP")
     standing.keyboard.up("ArrowUp")
 
 

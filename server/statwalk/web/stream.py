@@ -77,7 +77,7 @@ class Viewer:
             self.mailbox.put_frame(await to_thread.run_sync(self.hosted.now_shown, self.mailbox.frames))
         except StageError as error:
             self.mailbox.cut(REFUSED, str(error)[:100])
-        tasks = [asyncio.ensure_future(part) for part in (self.read(), self.write(), self.inbox.show_past())]
+        tasks = [asyncio.ensure_future(part) for part in (self.read(), self.write_until_gone(), self.inbox.show_past())]
         try:
             await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
         finally:
@@ -97,6 +97,13 @@ class Viewer:
             if message["type"] == "websocket.disconnect":
                 return
             await self.inbox.take(message.get("text") or message.get("bytes") or b"")
+
+    async def write_until_gone(self) -> None:
+        """A viewer that has gone may have said more before it went: the reader ends with that, not here."""
+        try:
+            await self.write()
+        except (OSError, WebSocketDisconnect):
+            await asyncio.Event().wait()
 
     async def write(self) -> None:
         """What the mailbox holds: facts first, then the newest frame."""

@@ -20,8 +20,16 @@ function open(url: string, protocol: string): void {
   socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => (typeof data === "string" ? post({ kind: "text", text: data }) : relay.receive(data));
 }
 
+function close(): void {
+  if (!socket || socket.readyState === WebSocket.CLOSED) return self.close();
+  socket.onmessage = null;
+  socket.onclose = () => self.close();
+  socket.close();
+}
+
 self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   if (data.kind === "open") open(data.url, data.protocol);
   else if (data.kind === "send") socket?.send(data.text);
   else if (data.kind === "taken") relay.taken();
+  else close();
 };

@@ -2,7 +2,7 @@
 
 import type { Handed } from "./relay";
 
-export type ToWorker = { kind: "open"; url: string; protocol: string } | { kind: "send"; text: string } | { kind: "taken" };
+export type ToWorker = { kind: "open"; url: string; protocol: string } | { kind: "send"; text: string } | { kind: "taken" } | { kind: "close" };
 export type FromWorker = { kind: "open" } | { kind: "text"; text: string } | ({ kind: "frame" } & Handed) | { kind: "close"; code: number; reason: string };
 
 /** What the connection needs of a socket; frames are acknowledged below it. */
@@ -31,10 +31,11 @@ export class WorkerSocket implements Line {
     this.post({ kind: "send", text });
   }
 
-  /** The worker's end is the socket's end. */
+  /** Nothing is heard any more; what was sent before still goes out, and the worker ends with its socket. */
   close(): void {
     this.open = false;
-    this.worker.terminate();
+    this.worker.onmessage = null;
+    this.post({ kind: "close" });
   }
 
   private post(message: ToWorker): void {
