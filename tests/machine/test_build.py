@@ -47,3 +47,10 @@ def test_an_unknown_parameter_is_refused():
     text = text_of(TABLE, TICKS, "parameters: {pace: {default: 1, min: 0, max: 2}}").replace("loop: false", "speed: pase")
     with pytest.raises(MachineError, match=r"no parameter 'pase'; did you mean pace\?"):
         build(read_machine(text), {"A": MotionFacts(1), "b": MotionFacts(1)})
+
+
+@pytest.mark.parametrize("bounds", ["min: -1, max: 2", "min: 0, max: 101"])
+def test_a_parameter_that_is_a_speed_keeps_to_what_a_speed_may_be(bounds):
+    text = text_of(TABLE, TICKS, f"parameters: {{pace: {{default: 1, {bounds}}}}}").replace("loop: false", "speed: pace")
+    with pytest.raises(MachineError, match=r"line 10: pace is the speed of A, so it must stay in 0 … 100"):
+        build(read_machine(text), {"A": MotionFacts(1), "b": MotionFacts(1)})

@@ -53,6 +53,13 @@ def test_cycles_of_motions_that_take_no_time():
     assert [kind for kind, _ in found(table, motions={"A": 0, "B": 1})] == ["unused event"]
 
 
+def test_a_dash_under_end_is_no_cycle_whatever_is_idle():
+    """The idle event takes the place of an END that is blank, not of one that is `-`."""
+    for end, times in (("", 2), ("-", 1)):  # once for STOP held down, which swings as well
+        table = f"state | STOP | END\nA | B | {end}\nB | A | {end}"
+        assert [kind for kind, _ in found(table, more="idle: STOP\n", motions={"A": 0, "B": 0})] == ["cycle without time"] * times
+
+
 def test_motions_unknown_and_unused():
     assert found("state | GO | END\nA | B |\nB | | A", motions={"A": 1, "BB": 1}) == [
         ("unknown motion", "B has no motion 'B'; did you mean BB?"),

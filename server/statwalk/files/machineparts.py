@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from statwalk.files.yamltext import Node
+from statwalk.machine.build import LARGEST_SPEED
 from statwalk.machine.definition import (
     ANY,
     END,
@@ -21,7 +22,6 @@ from statwalk.machine.definition import (
 from statwalk.machine.table import NAME, read_cell
 
 LONGEST_SECONDS = 60.0
-LARGEST_SPEED = 100.0
 CELL_KEYS = ("to", "when", "blend", "action")
 CELL_NOT_YET = ("enter", "if", "off", "window", "marker", "curve")
 STATE_NOT_YET = ("blend", "machine", "final", "pose", "mask")

@@ -16,6 +16,7 @@ from statwalk.machine.expand import Cell, expand
 BLANK, OFF, UNDEFINED = -1, -2, -3
 """targets that are no state: nothing stands there, a `-`, a name that is no state"""
 NOW, AT_END = 0, 1
+LARGEST_SPEED = 100.0
 
 
 @dataclass(frozen=True)
@@ -177,7 +178,7 @@ def motions_used(definition: MachineDefinition, motions: Mapping[str, MotionFact
 
 
 def speed_of(definition: MachineDefinition, state: str) -> tuple[float, int]:
-    """Factor and parameter row of a state's speed; raises MachineError for a parameter that does not exist."""
+    """Factor and parameter row of a state's speed; raises MachineError for a parameter that does not exist, or may leave 0…100."""
     one = definition.states[state]
     if isinstance(one.speed, float):
         return one.speed, -1
@@ -187,4 +188,7 @@ def speed_of(definition: MachineDefinition, state: str) -> tuple[float, int]:
             f"the state {state} has no parameter {one.speed!r}{nearest(one.speed, known) or '.'} There are: {', '.join(known) or 'none'}",
             one.line,
         )
-    return definition.parameters[one.speed].default, known.index(one.speed)
+    given = definition.parameters[one.speed]
+    if given.minimum < 0 or given.maximum > LARGEST_SPEED:
+        raise definition.refuse(f"{one.speed} is the speed of {state}, so it must stay in 0 … {LARGEST_SPEED:g}", given.line)
+    return given.default, known.index(one.speed)

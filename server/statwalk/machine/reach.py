@@ -62,7 +62,7 @@ def cycle(edges: Mapping[str, str]) -> list[str]:
     return []
 
 
-def by_end(graph: Graph, idle: str | None) -> dict[str, str]:
-    """The state that follows when a motion ends and nobody touches anything, where there is one."""
-    following = {state: events.get(END, events.get(idle or END)) for state, events in graph.items()}
-    return {state: target for state, target in following.items() if target is not None}
+def by_end(definition: MachineDefinition, cells: Mapping[tuple[str, str], Cell]) -> dict[str, str]:
+    """The state that follows when a motion ends and nobody touches anything, if any; idle counts where END is blank."""
+    found = {state: cells.get((state, END)) or cells.get((state, definition.idle or END)) for state in definition.states}
+    return {state: cell.to for state, cell in found.items() if cell and not cell.off and cell.to in definition.states}

@@ -24,7 +24,7 @@ def verify(definition: MachineDefinition, motions: Mapping[str, MotionFacts] | N
     found = [*undefined_states(definition), *unreachable(definition, graph), *without_exit(definition, graph)]
     found += [*unused_events(definition, cells), *shadowed(definition, cells), *swinging(definition, cells), *parameters(definition)]
     if motions is not None:
-        found += [*unknown_motions(definition, motions), *unused_motions(definition, motions), *timeless(definition, graph, motions)]
+        found += [*unknown_motions(definition, motions), *unused_motions(definition, motions), *timeless(definition, cells, motions)]
     return found + [answer(definition, graph, said) for said in definition.properties]
 
 
@@ -119,10 +119,10 @@ def unused_motions(definition: MachineDefinition, motions: Mapping[str, MotionFa
             yield Finding("unused motion", "warning", f"no state uses the motion {name!r}")
 
 
-def timeless(definition: MachineDefinition, graph: Graph, motions: Mapping[str, MotionFacts]) -> Iterator[Finding]:
+def timeless(definition: MachineDefinition, cells: Cells, motions: Mapping[str, MotionFacts]) -> Iterator[Finding]:
     """Cycles of END through motions that take no time: the state changes in every tick."""
     still = {name for name, state in definition.states.items() if state.motion in motions and motions[state.motion].duration <= 0}
-    following = by_end(graph, definition.idle)
+    following = by_end(definition, cells)
     states = cycle({state: target for state, target in following.items() if state in still and target in still and target != state})
     if states:
         chain = " -> ".join((*states, states[0]))
