@@ -69,6 +69,10 @@ def beginnings(stage: Stage) -> Iterator[Change]:
     for (actor, layer), verdict in first.items():
         if came[actor].tick < oldest:
             yield Change(tick=oldest, actor=actor, layer=layer, state=verdict.from_state)
+    for quiet in stage.actors if stage.tick >= oldest else ():
+        for layer, state in enumerate(quiet.states):  # nothing happened to it since then
+            if came[quiet.id].tick < oldest and (quiet.id, layer) not in first:
+                yield Change(tick=oldest, actor=quiet.id, layer=layer, state=state)
 
 
 def initial(stage: Stage, entry: LogEntry) -> str:

@@ -65,6 +65,7 @@ class Screen:
                 self.layouts[key] = Layout(self.epoch, self.describe(frame, stage))
                 if len(self.layouts) > MOST_LAYOUTS:
                     self.layouts.popitem(last=False)
+            self.layouts.move_to_end(key)
             return self.layouts[key]
 
     def describe(self, frame: Frame, stage: Stage) -> tuple[dict[str, Any], ...]:
