@@ -21,10 +21,11 @@ def way_gone(cast: Cast, done: StepResult, turned: Ints) -> Floats:
     for state in np.unique(states):
         rows = (states == state).nonzero()[0]
         way[rows] = cast.role.roots[state].displacement(begin[rows], end[rows], wraps[rows])
-    for row in turned:
-        root, time = cast.role.roots[done.state.state[row, 0]], done.state.time[row : row + 1, 0]
-        begun = root.displacement(np.zeros(1), time, np.zeros(1, np.int64))
-        way[row : row + 1] = compose(way[row : row + 1], begun)
+    begun = done.state.state[turned, 0]
+    for state in np.unique(begun):
+        rows = turned[begun == state]
+        start, wraps = np.zeros(len(rows)), np.zeros(len(rows), np.int64)
+        way[rows] = compose(way[rows], cast.role.roots[state].displacement(start, done.state.time[rows, 0], wraps))
     return way
 
 
