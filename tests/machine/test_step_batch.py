@@ -85,5 +85,5 @@ def test_actors_come_and_go():
     made = machine([["B", "", "", "A"]] * 4, [4] * 4)
     state = step(made, fresh(made, 3), DT, 1, inputs_for([(1, 0, 0)])).state
     assert state.take(np.array([True, False, True])).state.tolist() == [[0], [0]]
-    assert state.remove(0).state.tolist() == [[1], [0]]
-    assert same(state.remove(2).append(state.take(np.array([2]))), state)
+    assert state.take(np.array([1, 2])).state.tolist() == [[1], [0]]
+    assert same(state.take(np.array([0, 1])).append(state.take(np.array([2]))), state)

@@ -52,10 +52,6 @@ class MachineState(NamedTuple):
         """The chosen actors, as indices or as a mask."""
         return MachineState._make(array[rows] for array in self.arrays())
 
-    def remove(self, rows: NDArray[np.integer[Any]] | int) -> MachineState:
-        """All but the actors with these indices."""
-        return MachineState._make(np.delete(array, rows, axis=0) for array in self.arrays())
-
     def copy(self) -> MachineState:
         """The same in memory of its own."""
         return MachineState._make(array.copy() for array in self.arrays())
