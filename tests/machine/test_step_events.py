@@ -102,6 +102,7 @@ def test_what_waits_for_the_end_is_dropped_when_the_state_is_left():
     actor.step("GO")
     actor.step("STOP")
     assert (actor.state, actor.said, actor.reasons[-1]) == ("C", ["STOP taken", "GO dropped"], "A was left before its end")
+    assert actor.last.verdicts[-1].from_state == actor.machine.states.index("A")
 
 
 def test_the_first_that_changes_the_state_ends_the_matter():

@@ -176,7 +176,8 @@ class Turn:
             if waiting.until == FOREVER:
                 self.queue.remove(waiting)
                 if not self.held[waiting.event]:
-                    self.verdict(waiting.event, "dropped", f"{self.machine.states[old]} was left before its end")
+                    reason = f"{self.machine.states[old]} was left before its end"
+                    self.record.verdicts.append(Verdict(self.tick, self.actor, self.layer, waiting.event, "dropped", reason, old, -1))
         self.wait_again()
 
     def wait_again(self) -> None:

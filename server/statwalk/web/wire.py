@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from statwalk.maths.elementary import sincos
 from statwalk.stage.frame import CastFrame, Frame
 
 MAGIC = 0x31575453
@@ -47,8 +48,7 @@ def root_rows(position: NDArray[Any], heading: NDArray[Any]) -> WORDS:
     """(n,7): metres, and the turn by `heading` radians about y as a quaternion."""
     rows = np.zeros((len(heading), 7), np.float32)
     rows[:, :3] = position
-    rows[:, 4] = np.sin(heading / 2)
-    rows[:, 6] = np.cos(heading / 2)
+    rows[:, 4], rows[:, 6] = sincos(heading / 2)
     return rows
 
 
