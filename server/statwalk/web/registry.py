@@ -18,6 +18,8 @@ from statwalk.web.schemas import Accepted, NewActor, NewEvent, NewParameter, New
 from statwalk.web.settings import Settings
 
 MAIN = "main"
+MANUAL_PATIENCE = 6
+"""times as long an idle stage is kept where the client decides when time passes"""
 
 
 class Registry:
@@ -128,9 +130,9 @@ class Registry:
             return Accepted(tick=target.stage.tick, seq=target.set_parameter(new), stage=target.id)
 
     def drop_idle(self) -> None:
-        """Lets go of real-time stages that nobody has watched or used for a while; `main` stays."""
+        """Lets go of stages that nobody has watched or used for a while, longer where the clock is the client's; `main` stays."""
         now = time.monotonic()
         for hosted in self.all():
-            unused = now - hosted.touched > self.settings.idle_seconds
-            if unused and hosted.id != MAIN and hosted.clock_kind == "real" and not hosted.broadcast.mailboxes:
+            patience = self.settings.idle_seconds * (MANUAL_PATIENCE if hosted.clock_kind == "manual" else 1)
+            if now - hosted.touched > patience and hosted.id != MAIN and not hosted.broadcast.mailboxes:
                 self.stages.pop(hosted.id, None)
