@@ -65,7 +65,13 @@ def test_all_that_a_machine_says():
     machine = read_machine(GOOD)
     assert (machine.title, machine.initial, list(machine.events)) == ("A robot", "STAT", ["FORWARD", "STOP"])
     cell = machine.cells["WALK", "STOP"]
-    assert (cell.to, cell.when, cell.blend, cell.action, cell.line) == ("STAT", "end", 0.1, "halt", 13)  # the line that says where it leads
+    assert (cell.to, str(cell.when), cell.blend, str(cell.action), cell.line) == (
+        "STAT",
+        "end",
+        0.1,
+        "halt",
+        13,
+    )  # the line that says where it leads
     assert (machine.states["WALK"].speed, machine.states["STAT"].loop, machine.states["WALK"].loop) == ("pace", True, None)
     assert (machine.keys["ArrowUp"].press, machine.keys["ArrowUp"].hold, machine.keys["ArrowUp"].release) == ("FORWARD", True, "STOP")
     assert (machine.parameters["pace"].maximum, machine.defaults.buffer) == (2, 0.5)

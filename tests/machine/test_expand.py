@@ -36,7 +36,7 @@ def test_a_star_is_never_end():
 
 def test_what_a_cell_leaves_out_follows_the_defaults():
     cell = cells("defaults: {when: end, blend: 0.7}")["A", "GO"]
-    assert (cell.when, cell.blend, cell.action) == ("end", 0.7, None)
+    assert (str(cell.when), cell.blend, cell.action) == ("end", 0.7, None)
 
 
 def test_rows_and_columns_of_defaults_may_stand_in_the_table():

@@ -12,7 +12,7 @@ B |  | A
 
 def test_cells_say_state_restart_and_moment():
     cell = read_cell("WALK! at end", "t", 3)
-    assert (cell.to, cell.restart, cell.off, cell.when, cell.line) == ("WALK", True, False, "end", 3)
+    assert (cell.to, cell.restart, cell.off, str(cell.when), cell.line) == ("WALK", True, False, "end", 3)
     assert read_cell("-", "t", 1).off
     assert read_cell("WALK", "t", 1).when is None
 

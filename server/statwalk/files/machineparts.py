@@ -7,17 +7,15 @@ from dataclasses import replace
 
 from statwalk.files.yamltext import Node
 from statwalk.machine.build import LARGEST_SPEED
+from statwalk.machine.celldefinition import AT_END, NOW, ActionDefinition, CellDefinition, Defaults, Moment
 from statwalk.machine.definition import (
     ANY,
     END,
-    CellDefinition,
-    Defaults,
     EventDefinition,
     KeyDefinition,
     ParameterDefinition,
     PropertyDefinition,
     StateDefinition,
-    When,
 )
 from statwalk.machine.table import NAME, read_cell
 
@@ -93,13 +91,13 @@ def defaults(node: Node | None) -> Defaults:
     )
 
 
-def when(node: Node) -> When:
+def when(node: Node) -> Moment:
     """`now` or `end`."""
     match node.text():
         case "now":
-            return "now"
+            return NOW
         case "end":
-            return "end"
+            return AT_END
         case other:
             if other.split(" ")[0] in ("marker", "window"):
                 raise node.refuse(f"`{other[:40]}`: markers and windows are not supported yet, only now and end")
@@ -155,12 +153,12 @@ def cell_text(node: Node) -> str:
     return node.text()
 
 
-def action(node: Node) -> str:
+def action(node: Node) -> ActionDefinition:
     """The name of an action, of at most 100 characters."""
     text = node.text()
     if not text or len(text) > 100 or not text.isprintable():
         raise node.refuse("an action is a name of 1 to 100 characters")
-    return text
+    return ActionDefinition(text)
 
 
 def key(node: Node, inputs: Iterable[str]) -> KeyDefinition:

@@ -116,9 +116,9 @@ def build(definition: MachineDefinition, motions: Mapping[str, MotionFacts]) -> 
     states, events = tuple(definition.states), definition.columns
     used = motions_used(definition, motions)
     cells = expand(definition)
-    actions = tuple(dict.fromkeys(cell.action for cell in cells.values() if cell.action))
+    actions = tuple(dict.fromkeys(str(cell.action) for cell in cells.values() if cell.action))
     speeds = [speed_of(definition, state) for state in states]
-    facts = [motions[definition.states[state].motion] for state in states]
+    facts = [motions[definition.states[state].clips[0]] for state in states]
     loops = [bool(facts[row].loop) if one.loop is None else one.loop for row, one in enumerate(definition.states.values())]
     return Machine(
         name=definition.name,
@@ -128,7 +128,7 @@ def build(definition: MachineDefinition, motions: Mapping[str, MotionFacts]) -> 
         idle=events.index(definition.idle) if definition.idle else -1,
         actions=actions,
         motions=used,
-        motion=np.array([used.index(one.motion) for one in definition.states.values()], np.int16),
+        motion=np.array([used.index(one.clips[0]) for one in definition.states.values()], np.int16),
         loop=np.array(loops, bool),
         duration=np.array([fact.duration for fact in facts], np.float64),
         speed=np.array([factor for factor, _ in speeds], np.float64),
@@ -158,23 +158,23 @@ def table_arrays(
     for (state, event), cell in cells.items():
         place = state_rows[state], event_rows[event]
         target[place] = OFF if cell.off else state_rows.get(cell.to, UNDEFINED)
-        when[place] = AT_END if cell.when == "end" else NOW
+        when[place] = AT_END if cell.when.kind == "end" else NOW
         restart[place] = cell.restart
         blend[place] = cell.blend
-        action[place] = actions.index(cell.action) if cell.action else -1
+        action[place] = actions.index(str(cell.action)) if cell.action else -1
     return {"target": target, "when": when, "restart": restart, "blend": blend, "action": action}
 
 
 def motions_used(definition: MachineDefinition, motions: Mapping[str, MotionFacts]) -> tuple[str, ...]:
     """The motions of the states, each once; raises MachineError for one that does not exist."""
     for name, state in definition.states.items():
-        if state.motion not in motions:
-            known = ", ".join(motions) or "none"
-            raise definition.refuse(
-                f"the state {name} has no motion {state.motion!r}{nearest(state.motion, tuple(motions)) or '.'} There are: {known}",
-                state.line,
-            )
-    return tuple(dict.fromkeys(state.motion for state in definition.states.values()))
+        for clip in state.clips:
+            if clip not in motions:
+                known = ", ".join(motions) or "none"
+                raise definition.refuse(
+                    f"the state {name} has no motion {clip!r}{nearest(clip, tuple(motions)) or '.'} There are: {known}", state.line
+                )
+    return tuple(dict.fromkeys(clip for state in definition.states.values() for clip in state.clips))
 
 
 def speed_of(definition: MachineDefinition, state: str) -> tuple[float, int]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from statwalk.machine.definition import ANY, END, CellDefinition, MachineDefinition
+from statwalk.machine.celldefinition import ActionDefinition, CellDefinition, Moment
+from statwalk.machine.definition import ANY, END, MachineDefinition
 
 Source = Literal["cell", "row default", "column default", "table default"]
 
@@ -19,10 +20,10 @@ class Cell:
     to: str
     restart: bool
     off: bool
-    when: Literal["now", "end"]
+    when: Moment
     blend: float
     """seconds"""
-    action: str | None
+    action: ActionDefinition | None
     line: int
 
 

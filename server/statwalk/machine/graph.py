@@ -23,10 +23,10 @@ def full_table(definition: MachineDefinition) -> dict[str, dict[str, dict[str, A
     for (state, event), cell in expand(definition).items():
         table[state][event] = {
             "to": None if cell.off else cell.to,
-            "when": cell.when,
+            "when": str(cell.when),
             "blend": cell.blend,
             "restart": cell.restart,
-            "action": cell.action,
+            "action": str(cell.action) if cell.action else None,
             "source": cell.source,
             "line": cell.line,
         }

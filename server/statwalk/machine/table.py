@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from statwalk.errors import MachineError
-from statwalk.machine.definition import ANY, CellDefinition
+from statwalk.machine.celldefinition import AT_END, CellDefinition
+from statwalk.machine.definition import ANY
 
 NAME = re.compile(r"\w[\w.-]{0,99}")
 CELL = re.compile(r"(?P<state>\w[\w.-]{0,99})(?P<restart>!?)(?:\s+at\s+(?P<moment>\S+))?")
@@ -38,7 +39,7 @@ def read_cell(text: str, file: str, line: int) -> CellDefinition:
     moment = match["moment"]
     if moment not in (None, "end"):
         raise MachineError(f"`at {moment[:40]}`: markers are not supported yet, only `at end`", file=file, place=place)
-    return CellDefinition(match["state"], line, restart=bool(match["restart"]), when="end" if moment else None)
+    return CellDefinition(match["state"], line, restart=bool(match["restart"]), when=AT_END if moment else None)
 
 
 def read_table(text: str, file: str, first_line: int = 1) -> Table:

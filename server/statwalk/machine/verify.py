@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from statwalk.machine.build import MotionFacts
-from statwalk.machine.definition import ANY, END, CellDefinition, MachineDefinition, nearest
+from statwalk.machine.celldefinition import CellDefinition
+from statwalk.machine.definition import ANY, END, MachineDefinition, nearest
 from statwalk.machine.expand import Cell, expand
 from statwalk.machine.findings import Finding
 from statwalk.machine.properties import answer
@@ -79,7 +80,7 @@ def swinging(definition: MachineDefinition, cells: Cells) -> Iterator[Finding]:
         moves = {
             state: cell.to
             for (state, column), cell in cells.items()
-            if column == event and cell.when == "now" and not cell.off and cell.to in definition.states and cell.to != state
+            if column == event and cell.when.kind == "now" and not cell.off and cell.to in definition.states and cell.to != state
         }
         states = cycle(moves)
         if states:
@@ -106,14 +107,15 @@ def parameters(definition: MachineDefinition) -> Iterator[Finding]:
 def unknown_motions(definition: MachineDefinition, motions: Mapping[str, MotionFacts]) -> Iterator[Finding]:
     """States whose motion the character has not."""
     for name, state in definition.states.items():
-        if state.motion not in motions:
-            message = f"{name} has no motion {state.motion!r}{nearest(state.motion, tuple(motions))}"
-            yield Finding("unknown motion", "error", message, state.line, name)
+        for clip in state.clips:
+            if clip not in motions:
+                message = f"{name} has no motion {clip!r}{nearest(clip, tuple(motions))}"
+                yield Finding("unknown motion", "error", message, state.line, name)
 
 
 def unused_motions(definition: MachineDefinition, motions: Mapping[str, MotionFacts]) -> Iterator[Finding]:
     """Motions of the character that no state uses."""
-    used = {state.motion for state in definition.states.values()}
+    used = {clip for state in definition.states.values() for clip in state.clips}
     for name in motions:
         if name not in used:
             yield Finding("unused motion", "warning", f"no state uses the motion {name!r}")
@@ -121,7 +123,8 @@ def unused_motions(definition: MachineDefinition, motions: Mapping[str, MotionFa
 
 def timeless(definition: MachineDefinition, cells: Cells, motions: Mapping[str, MotionFacts]) -> Iterator[Finding]:
     """Cycles of END through motions that take no time: the state changes in every tick."""
-    still = {name for name, state in definition.states.items() if state.motion in motions and motions[state.motion].duration <= 0}
+    at_once = {name for name, facts in motions.items() if facts.duration <= 0}
+    still = {name for name, state in definition.states.items() if at_once.issuperset(state.clips)}
     following = by_end(definition, cells)
     states = cycle({state: target for state, target in following.items() if state in still and target in still and target != state})
     if states:
