@@ -21,6 +21,11 @@ def mix(before: Words, arrays: Iterable[NDArray[Any]]) -> Words:
     return _scramble(_scramble(before) + (words * _factors(words.shape[1])).sum(-1, dtype=np.uint64))
 
 
+def chance_keys(seed: int, ids: NDArray[np.int64]) -> Words:
+    """The keys (N,) that the chance of each actor is drawn from: of the stage's seed and its id, and of nothing else."""
+    return mix(np.full(len(ids), seed & _WORD, np.uint64), [ids])
+
+
 def _words(array: NDArray[Any]) -> Words:
     """The bits of `array` (N, …) as words (N, K)."""
     flat = np.ascontiguousarray(array).reshape(len(array), -1)
