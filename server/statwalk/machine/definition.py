@@ -67,6 +67,8 @@ class OuterDefinition:
     line: int
     outer: str = ""
     """the outer state around this one"""
+    final: bool = False
+    """when it ends, so does the outer state around it"""
 
 
 @dataclass(frozen=True)
@@ -162,7 +164,10 @@ class LayerDefinition:
 
 @dataclass(frozen=True)
 class MachineDefinition:
-    """All that a machine file says about behaviour. Cells stand under (state, event); either may be `*`, the state may be an outer one."""
+    """All that a machine file says about behaviour.
+
+    Cells stand under (state, event); either may be `*`, the state may be an outer one, or `OUTER.*` for the `*` of a sub-machine.
+    """
 
     name: str
     states: Mapping[str, StateDefinition]
