@@ -23,7 +23,7 @@ def test_the_table_is_an_integer_array():
 def test_what_else_the_cells_say():
     machine = machine_of(TABLE, TICKS, MORE)
     assert (machine.when[0, 0], machine.when[1, 1], bool(machine.restart[0, 0])) == (AT_END, NOW, True)
-    assert (float(machine.blend[1, 1]), machine.actions[machine.action[1, 1]]) == (0.5, "bow")
+    assert (float(machine.blend[1, 1]), str(machine.actions[machine.action[1, 1]])) == (0.5, "bow")
     assert machine.buffer.tolist() == pytest.approx([1, 0.3, 0])
 
 

@@ -45,7 +45,7 @@ def test_a_change_says_all_that_the_stage_needs():
     actor.step("GO")
     change = actor.last.changes
     row = [column[0] for column in change]
-    assert row == [0, 0, 0, 1, 0, 0, np.float32(0.4), False, 0.0]
+    assert row == [0, 0, 0, 1, 0, 0, np.float32(0.4), False, 0.0, 0]
 
 
 def test_actions_come_out_in_order():

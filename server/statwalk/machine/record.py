@@ -19,6 +19,10 @@ class Verdict(NamedTuple):
     from_state: int
     to_state: int
     """-1 where the state stayed"""
+    cell: tuple[str, str] = ("", "")
+    """row and column of the cell that decided, as written in the file; empty where none did"""
+    values: tuple[tuple[str, float], ...] = ()
+    """name and value of all that the cell's conditions asked for"""
 
 
 class Change(NamedTuple):
@@ -33,6 +37,8 @@ class Change(NamedTuple):
     blend: float
     restart: bool
     time: float
+    curve: int
+    """row of CURVES"""
 
 
 class Action(NamedTuple):
@@ -41,15 +47,21 @@ class Action(NamedTuple):
     tick: int
     actor: int
     name: str
+    arguments: tuple[str | float, ...] = ()
+    other: int = -1
+    """id of the actor that was touched, or raised the event; -1 none"""
+    layer: int = 0
 
 
 @dataclass(eq=False)
 class Waiting:
-    """An event in the queue; `until`: the tick in which its buffer has run out, NEW or FOREVER."""
+    """An event in the queue; `until`: the tick in which its buffer has run out, NEW, MOMENT or FOREVER."""
 
     event: int
     until: int
     held: bool = False
+    other: int = -1
+    """as in Action"""
 
 
 @dataclass

@@ -11,13 +11,28 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.machine.build import Machine
 from statwalk.machine.record import Action, Change, Record, Verdict, Waiting
+from statwalk.machine.runform import Machine
 from statwalk.machine.state import ENDED, FOREVER, NEW, OWED, RUNNING, MachineState
-from statwalk.machine.turn import HOLD, PRESS, RELEASE, Turn
+from statwalk.machine.turn import HOLD, PRESS, RAISED, RELEASE, TOUCH, TRAVEL, Turn
 from statwalk.maths.arrays import Bools, Floats, Ints
 
-__all__ = ["HOLD", "NOTHING", "PRESS", "RELEASE", "Action", "Changes", "Inputs", "StepResult", "Verdict", "step"]
+__all__ = [
+    "HOLD",
+    "NOTHING",
+    "PRESS",
+    "RAISED",
+    "RELEASE",
+    "TOUCH",
+    "TRAVEL",
+    "Action",
+    "Changes",
+    "Inputs",
+    "StepResult",
+    "Surroundings",
+    "Verdict",
+    "step",
+]
 
 
 NEARLY = 1e-6
@@ -25,11 +40,32 @@ NEARLY = 1e-6
 
 
 class Inputs(NamedTuple):
-    """What came from outside for this tick, (M,) each, in the order of the log: row of the batch, event, and PRESS, HOLD or RELEASE."""
+    """What came from outside for this tick, (M,) each: what was touched, what others raised, then the log's, in its order."""
 
     actor: Ints
+    """row of the batch"""
     event: Ints
+    """column; of TRAVEL the state of the base to go to, -1 to go nowhere"""
     kind: Ints
+    """PRESS, HOLD, RELEASE, TOUCH, RAISED or TRAVEL"""
+    other: Ints | None = None
+    """id of the actor that was touched, or raised the event; -1, or None for all: none"""
+
+
+class Surroundings(NamedTuple):
+    """What is not the machine's own, of N actors and L layers."""
+
+    rate: Floats
+    """(N, L) factor of time of each motion, beside its speed: what a blend of clips of several durations needs, else 1"""
+    measured: Floats
+    """(3, N) as shown at the tick before: metres per second along the ground, radians per second (left positive), height in metres"""
+    key: NDArray[np.uint64]
+    """(N,) of each actor's chance"""
+
+    @classmethod
+    def none(cls, actors: int, layers: int) -> Surroundings:
+        """Standing still."""
+        return cls(np.ones((actors, layers)), np.zeros((3, actors)), np.zeros(actors, np.uint64))
 
 
 NOTHING = Inputs(*(np.zeros(0, np.int64) for _ in range(3)))
@@ -51,6 +87,8 @@ class Changes(NamedTuple):
     """the same state began its motion again"""
     time: NDArray[np.float64]
     """seconds into the new motion"""
+    curve: NDArray[np.uint8]
+    """row of CURVES"""
 
 
 class StepResult(NamedTuple):
@@ -78,10 +116,14 @@ class Advance(NamedTuple):
     wraps: NDArray[np.int64]
 
 
-def step(machine: Machine, state: MachineState, dt: float, tick: int, inputs: Inputs = NOTHING) -> StepResult:
+def step(
+    machine: Machine, state: MachineState, dt: float, tick: int, inputs: Inputs = NOTHING, surroundings: Surroundings | None = None
+) -> StepResult:
     """All actors after `dt` seconds, in the tick that `tick` names; `state` is left as it is."""
-    moved = advance(machine, state, dt)
-    after = state._replace(time=moved.time, ended=moved.ended)
+    state = state._replace(smoothed=state.parameters)
+    around = surroundings or Surroundings.none(*state.state.shape)
+    moved = advance(machine, state, dt, around.rate)
+    after = state._replace(time=moved.time, passed=moved.time, ended=moved.ended)
     by_actor: dict[int, list[tuple[int, int]]] = {}
     for actor, event, kind in zip(inputs.actor.tolist(), inputs.event.tolist(), inputs.kind.tolist(), strict=True):
         by_actor.setdefault(actor, []).append((event, kind))
@@ -96,9 +138,9 @@ def step(machine: Machine, state: MachineState, dt: float, tick: int, inputs: In
     return StepResult(after, changes_of(record.changes), record.verdicts, record.actions, state.time, moved.time, moved.wraps)
 
 
-def advance(machine: Machine, state: MachineState, dt: float) -> Advance:
+def advance(machine: Machine, state: MachineState, dt: float, rate: Floats) -> Advance:
     """Rule 0: motions advance by one step; END is raised at the end of a motion and at each wrap of one that loops."""
-    factor = speeds(machine, state)
+    factor = speeds(machine, state) * rate
     time: NDArray[np.float64] = state.time + dt * factor
     over = np.asarray(time >= machine.duration[state.state] - NEARLY)
     at_end, ended = over, state.ended
@@ -123,7 +165,7 @@ def speeds(machine: Machine, state: MachineState) -> Floats:
     factor: Floats = machine.speed[state.state]
     if machine.parameters:
         row = machine.speed_parameter[state.state]
-        given = np.take_along_axis(state.parameters, np.maximum(row, 0).astype(np.intp), axis=1)
+        given = np.take_along_axis(state.smoothed, np.maximum(row, 0).astype(np.intp), axis=1)
         factor = np.where(row >= 0, given, factor)
     return factor
 
@@ -160,7 +202,7 @@ def begin(machine: Machine, state: MachineState, moved: Advance, record: Record,
         carry=float(moved.carry[at]),
         queue=[Waiting(event, until, held) for event, until, held in waiting if event >= 0],
         held=state.held[actor].tolist(),
-        parameters=state.parameters[actor].tolist(),
+        parameters=state.smoothed[actor].tolist(),
     )
 
 
@@ -185,4 +227,4 @@ def changes_of(changes: Sequence[Change]) -> Changes:
     return Changes._make(np.array(column, kind) for column, kind in zip(columns, CHANGE_KINDS, strict=True))
 
 
-CHANGE_KINDS = (np.int64, np.int64, np.int16, np.int16, np.int16, np.int16, np.float32, np.bool_, np.float64)
+CHANGE_KINDS = (np.int64, np.int64, np.int16, np.int16, np.int16, np.int16, np.float32, np.bool_, np.float64, np.uint8)

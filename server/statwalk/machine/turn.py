@@ -6,12 +6,12 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from statwalk.machine.build import BLANK, OFF, UNDEFINED, Machine
 from statwalk.machine.record import Action, Change, Record, Verdict, Waiting
+from statwalk.machine.runform import AT_END, BLANK, OFF, UNDEFINED, Machine
 from statwalk.machine.state import ENDED, FOREVER, MOST_WAITING, NEW, OWED, RUNNING
 
-PRESS, HOLD, RELEASE = 0, 1, 2
-"""kinds of inputs: a tap, a key that goes down, a key that comes up"""
+PRESS, HOLD, RELEASE, TOUCH, RAISED, TRAVEL = range(6)
+"""kinds of inputs: a tap, a key that goes down, a key that comes up, a touch, raised by another actor, a state to travel to"""
 MOST_CHANGES = 8
 
 
@@ -84,11 +84,11 @@ class Turn:
             self.meet_blank(event, waiting)
         elif target < 0:
             self.drop(event, waiting, "the cell is -" if target == OFF else f"{self.undefined(event)} is no state")
-        elif self.machine.waits_for_end[self.state][event] and (self.at_end or self.ended != ENDED):
+        elif self.machine.whens[self.state][event] == AT_END and (self.at_end or self.ended != ENDED):
             self.wait(event, waiting, FOREVER, "the cell says: at end")
         else:
             self.forget(waiting)
-            self.take(event, "the motion has ended" if self.machine.waits_for_end[self.state][event] else "")
+            self.take(event, "the motion has ended" if self.machine.whens[self.state][event] == AT_END else "")
 
     def meet_blank(self, event: int, waiting: Waiting | None) -> None:
         """Rule 3: in a blank cell an event waits for its buffer, through changes of state."""
@@ -144,7 +144,7 @@ class Turn:
         if not silent:
             self.verdict(event, "taken", reason or ("" if starts else "stays"), target if starts else -1)
             if action >= 0:
-                self.record.actions.append(Action(self.tick, self.actor, machine.actions[action]))
+                self.record.actions.append(Action(self.tick, self.actor, machine.actions[action].name, machine.actions[action].arguments))
         if starts:
             self.change(event, target, action)
         return starts
@@ -156,7 +156,18 @@ class Turn:
         self.state, self.ended, self.at_end = target, RUNNING, False
         self.time = self.entering(target) if self.ending else 0.0
         self.record.changes.append(
-            Change(self.actor, self.layer, here, target, event, action, float(machine.blend[here, event]), target == here, self.time)
+            Change(
+                self.actor,
+                self.layer,
+                here,
+                target,
+                event,
+                action,
+                float(machine.blend[here, event]),
+                target == here,
+                self.time,
+                int(machine.curve[here, event]),
+            )
         )
         if target != here:
             self.leave(here)
