@@ -11,7 +11,7 @@ PACKAGE = ROOT / "server" / "statwalk"
 FLOORS = (
     {"errors"},
     {"maths"},
-    {"rig", "motion", "machine", "skin"},
+    {"rig", "motion", "machine", "skin", "world"},
     {"character"},
     {"files", "stage"},
     {"loading"},

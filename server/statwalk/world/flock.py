@@ -1,0 +1,125 @@
+"""Flocks and swarms (FL1, FAQ Q34): particles that see their nearest neighbours, hold a preferred distance and go for a goal.
+
+One flock is N members as arrays; metres, seconds. A member's flight depends on what it sees, not on how the work is divided.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from statwalk.maths import vector
+from statwalk.maths.arrays import Bools, Floats
+from statwalk.world.obstacles import Obstacles, pushed_out, repulsion
+from statwalk.world.sight import nearest_seen
+
+SETTLING_S = 0.7
+"""seconds in which a member comes to the speed, or to the place, that it would like"""
+CLOSEST = 0.05
+"""of the preferred distance: nearer than this the force grows no more"""
+
+
+@dataclass(frozen=True)
+class Rules:
+    """What the members of a flock keep to."""
+
+    distance: float = 1.0
+    """metres that a member would like to have to those it sees"""
+    reach: float = 5.0
+    """metres beyond which it sees nobody"""
+    sight_cos: float = -1.0
+    """cosine of half the field of view; −1: all round"""
+    nearest: int = 7
+    """only so many are looked at: near ones hide far ones"""
+    strength: float = 4.0
+    """metres per second squared: scales the forces"""
+    min_speed: float = 0.0
+    max_speed: float = 5.0
+    max_acceleration: float = 10.0
+    wander: float = 0.0
+    """metres per second squared of chance"""
+    follow: float = 0.0
+    """0…1: how much of the speed of those it sees a member takes over (beyond the FAQ)"""
+    formation: tuple[float, float] | None = None
+    """metres beside and behind the one ahead: the first leads, the others fly in two arms behind it"""
+
+
+class Members(NamedTuple):
+    """Where they are, how they fly, which way they look: (N, 3) each; `forward` has unit length."""
+
+    position: Floats
+    velocity: Floats
+    forward: Floats
+
+
+def flown(members: Members, rules: Rules, goal: Floats | None, obstacles: Obstacles, chance: Floats, dt: float) -> Members:
+    """The flock `dt` seconds later. `goal` (3,): where it would like to be; `chance` (N, 3) −1…1."""
+    wish = _forces(members, rules, chance) + repulsion(obstacles, members.position, rules.distance, rules.strength)
+    wish += _desires(members, rules, goal)
+    velocity = members.velocity + _limited(wish, rules.max_acceleration) * dt
+    velocity = _limited(velocity, rules.max_speed)
+    velocity = _at_least(velocity, rules.min_speed, members.forward)
+    position, velocity = pushed_out(obstacles, members.position + velocity * dt, velocity)
+    moves = vector.dot(velocity, velocity) > 0
+    return Members(position, velocity, np.where(moves[:, None], vector.unit(velocity), members.forward))
+
+
+def _forces(members: Members, rules: Rules, chance: Floats) -> Floats:
+    """Accelerations (N, 3): the sum over those seen, the nearest first; too far attracts and too near repels, by the inverse square.
+
+    (r − d)·d/r² along the direction to the other: the distance that is wanting, scaled by the inverse square of the distance.
+    """
+    total = chance * rules.wander
+    seen, distance = nearest_seen(members.position, members.forward, rules.reach, rules.sight_cos, rules.nearest)
+    for row in range(seen.shape[1]):
+        is_seen = np.isfinite(distance[:, row])
+        other = np.where(is_seen, seen[:, row], 0)
+        gap = np.where(is_seen, distance[:, row], 1)
+        away = np.where((gap > 0)[:, None], (members.position[other] - members.position) / np.where(gap > 0, gap, 1)[:, None], chance)
+        near = np.maximum(gap, CLOSEST * rules.distance)
+        force = rules.strength * rules.distance * (near - rules.distance) / (near * near)
+        total += np.where(is_seen[:, None], away * force[:, None], 0)
+        if rules.follow > 0:
+            total += np.where(
+                is_seen[:, None], (members.velocity[other] - members.velocity) * (rules.follow / rules.nearest / SETTLING_S), 0
+            )
+    return total
+
+
+def _desires(members: Members, rules: Rules, goal: Floats | None) -> Floats:
+    """Accelerations (N, 3) towards the goal, and in a formation (all but the first) towards the place beside and behind the one ahead."""
+    wish = np.zeros_like(members.position)
+    if goal is not None:
+        wish = (_limited((goal - members.position) / SETTLING_S, rules.max_speed) - members.velocity) / SETTLING_S
+    if rules.formation is None or len(wish) < 2:
+        return wish
+    rank = np.arange(1, len(wish))
+    ahead, is_left = np.maximum(rank - 2, 0), rank % 2 == 1
+    place = members.position[ahead] + _beside(members.forward[ahead], is_left, rules.formation)
+    missing = place - members.position[1:]
+    wish[1:] = (members.velocity[ahead] + missing / SETTLING_S - members.velocity[1:]) / SETTLING_S
+    return wish
+
+
+def _beside(forward: Floats, is_left: Bools, formation: tuple[float, float]) -> Floats:
+    """From a member to the place beside and behind it, on the level: (n, 3)."""
+    beside, behind = formation
+    level = vector.unit(forward * np.array([1.0, 0, 1]))
+    left = np.stack([level[:, 2], np.zeros(len(level)), -level[:, 0]], -1)
+    place: Floats = left * np.where(is_left, beside, -beside)[:, None] - level * behind
+    return place
+
+
+def _limited(vectors: Floats, most: float) -> Floats:
+    """The vectors, none longer than `most`."""
+    size = vector.length(vectors)
+    return vectors * np.where(size > most, most / np.where(size > 0, size, 1), 1)[:, None]
+
+
+def _at_least(velocity: Floats, least: float, forward: Floats) -> Floats:
+    """The velocities, none slower than `least`; who stands goes on forward."""
+    size = vector.length(velocity)
+    faster = np.where((size > 0)[:, None], velocity * (least / np.where(size > 0, size, 1))[:, None], forward * least)
+    return np.where((size < least)[:, None], faster, velocity)
