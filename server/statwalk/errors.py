@@ -15,6 +15,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from itertools import islice
+
+MOST_NAMES, MOST_LETTERS = 300, 40
+"""that are compared with a name that does not exist"""
 
 
 class StatwalkError(Exception):
@@ -46,14 +50,18 @@ class MachineError(ContentError):
     """A machine file or table that must be refused; `place` is a line."""
 
 
+def nearest(name: str, known: Iterable[str]) -> str:
+    """`; did you mean WALK?`, or nothing where no name is near; looks at no more names and letters than cost next to nothing."""
+    near = get_close_matches(name[:MOST_LETTERS], list(islice(known, MOST_NAMES)), n=1)
+    return f"; did you mean {near[0]}?" if near else ""
+
+
 class UnknownNameError(StatwalkError):
     """`name` is no `kind` (state, event, clip, machine …) here; `known` lists those that exist."""
 
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         self.kind, self.name, self.known = kind, name, tuple(known)
-        near = get_close_matches(name, self.known, n=1)
-        hint = f"; did you mean {near[0]}?" if near else "."
-        super().__init__(f"no {kind} is called {name!r}{hint} There are: {', '.join(self.known) or 'none'}")
+        super().__init__(f"no {kind} is called {name!r}{nearest(name, self.known) or '.'} There are: {', '.join(self.known) or 'none'}")
 
 
 class StageError(StatwalkError):

@@ -17,15 +17,14 @@ def test_cells_say_state_restart_and_moment():
     assert read_cell("WALK", "t", 1).when is None
 
 
-@pytest.mark.parametrize("text", ["A B", "A!!", "at end", "A at", "--", "A/B", "!", "A at end now", "*"])
+@pytest.mark.parametrize("text", ["A B", "A!!", "at end", "A at", "--", "A/B", "!", "A at end now", "*", "A at left/down", "- at end"])
 def test_other_cells_are_refused(text):
     with pytest.raises(MachineError, match="t, line 7"):
         read_cell(text, "t", 7)
 
 
-def test_markers_are_refused_as_not_supported_yet():
-    with pytest.raises(MachineError, match="not supported yet"):
-        read_cell("A at left-down", "t", 1)
+def test_a_cell_may_wait_for_a_marker():
+    assert str(read_cell("JUMP! at left-down", "t", 1).when) == "marker left-down"
 
 
 def test_rows_and_columns():

@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
-from statwalk.files import machineparts as parts
+from statwalk.files.machine import fields, inputs, layers, levels, senses, wholetable
 from statwalk.files.yamltext import Node, parse, read_text
-from statwalk.machine.definition import EventDefinition, MachineDefinition, nearest
-from statwalk.machine.table import Table, read_csv, read_table
+from statwalk.machine.definition import (
+    END,
+    EventDefinition,
+    LayerDefinition,
+    MachineDefinition,
+    SenseDefinition,
+    TouchDefinition,
+    nearest,
+)
+from statwalk.machine.runform import MEASURED
+from statwalk.machine.table import MOST_CELLS
 
 FILE_NAME = "machine.yaml"
 SEMANTICS = "1"
+SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     "semantics",
     "title",
@@ -22,16 +33,20 @@ KEYS = (
     "root",
     "initial",
     "idle",
+    "fallback",
     "defaults",
     "states",
     "events",
     "table",
     "cells",
+    "layers",
     "keys",
     "parameters",
+    "senses",
+    "colliders",
+    "flock",
     "properties",
 )
-NOT_YET = ("senses", "layers")
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,15 +73,13 @@ def load_machine(folder: Path) -> MachineFile:
     """The machine of a folder. Raises MachineError with file, line and name of what is wrong."""
     path = folder / FILE_NAME
     text = read_text(path, MachineError)
-    root = parse(text, str(path), MachineError)
-    table_node = required(root, "table")
-    table_path = csv_path(table_node, folder)
-    table_text = read_text(table_path, MachineError) if table_path else table_node.text()
-    table = read_csv(table_text, str(table_path)) if table_path else read_table(table_text, str(path), table_node.first_line)
+    root = parse(text, str(path), MachineError, KEYS)
+    character = character_name(root)
+    definition, table_text = define(root, folder.resolve().name, folder)
     entries = root.entries()
     return MachineFile(
-        definition=define(root, table, folder.resolve().name, str(table_path or path)),
-        character_path=folder / character_name(root),
+        definition=definition,
+        character_path=folder / character,
         root_joint=entries["root"].text() if "root" in entries else None,
         root_line=root.key_lines.get("root", 0),
         text=text,
@@ -75,87 +88,92 @@ def load_machine(folder: Path) -> MachineFile:
 
 
 def read_machine(text: str, name: str = "machine", file: str = FILE_NAME) -> MachineDefinition:
-    """The machine that a text says, with its table inline; raises MachineError."""
-    root = parse(text, file, MachineError)
-    node = required(root, "table")
-    return define(root, read_table(node.text(), file, node.first_line), name, file)
+    """The machine that a text says, with its tables inline; raises MachineError."""
+    return define(parse(text, file, MachineError, KEYS), name, None)[0]
 
 
-def define(root: Node, table: Table, name: str, table_file: str) -> MachineDefinition:
-    """The authored machine, all its names checked; raises MachineError."""
+def define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefinition, str]:
+    """The authored machine, all its names checked, and the text of its table; raises MachineError."""
     entries = checked_keys(root)
-    states = {state: parts.state(node) for state, node in required(root, "states").entries().items()}
-    parts.refuse_bad_names(required(root, "states"), "state")
-    check_rows(table, states, table_file)
-    events = {event: EventDefinition(line) for event, line in table.events.items() if event != "END"}
-    events |= parts.events(entries.get("events"))
-    cells = dict(table.cells)
-    if "cells" in entries:
-        cells = parts.refine(cells, entries["cells"], states, events)
-    return MachineDefinition(
+    parameters = inputs.parameters(entries.get("parameters"))
+    colliders, variables = senses.colliders(entries.get("colliders")), (*parameters, *(one for one in MEASURED if one not in parameters))
+    base, above = levels.read(root, parameters, folder), layers.layers(entries.get("layers"), parameters, folder)
+    layers.check_base(base, root)
+    sensed = senses.senses(entries.get("senses"), variables, colliders)
+    events = all_events(entries, [base, *(one.flat for one in above.values())], sensed)
+    check_size(root, [base, *(one.flat for one in above.values())], events)
+    definition = MachineDefinition(
         name=name,
-        states=states,
-        initial=chosen(required(root, "initial"), "state", states),
+        states=base.states,
+        initial=base.initial,
         events=events,
-        cells=cells,
-        defaults=parts.defaults(entries.get("defaults")),
-        idle=chosen(entries["idle"], "event", events) if "idle" in entries else None,
-        keys={key: parts.key(node, events) for key, node in parts.mapping(entries.get("keys"))},
-        parameters={one: parts.parameter(node) for one, node in parts.mapping(entries.get("parameters"))},
-        properties=tuple(parts.sentences(entries.get("properties"))),
-        rows=table.rows,
+        cells=wholetable.cells_of(base, events, variables, root.file),
+        outers=base.outers,
+        layers={layer: layer_of(one, events, variables, root.file) for layer, one in above.items()},
+        defaults=inputs.defaults(entries.get("defaults")),
+        idle=fields.chosen(entries["idle"], "event", events) if "idle" in entries else None,
+        fallback=base.start(fields.chosen(entries["fallback"], "state", (*base.states, *base.outers))) if "fallback" in entries else "",
+        keys=inputs.keys(entries.get("keys"), events),
+        parameters=parameters,
+        senses=sensed,
+        colliders=colliders,
+        properties=tuple(inputs.sentences(entries.get("properties"))),
+        rows=base.top.table.rows,
         title=entries["title"].text() if "title" in entries else "",
         description=entries["description"].text() if "description" in entries else "",
         file=root.file,
     )
+    return definition, base.top.text
+
+
+def layer_of(layer: layers.Layer, events: Mapping[str, EventDefinition], variables: tuple[str, ...], file: str) -> LayerDefinition:
+    """A layer with its cells."""
+    flat = layer.flat
+    return LayerDefinition(
+        states=flat.states,
+        initial=flat.initial,
+        line=layer.line,
+        mask=layer.mask,
+        mode=layer.mode,
+        weight=layer.weight,
+        outers=flat.outers,
+        cells=wholetable.cells_of(flat, events, variables, file),
+        rows=flat.top.table.rows,
+    )
+
+
+def all_events(
+    entries: Mapping[str, Node], flats: Sequence[levels.Flat], sensed: Mapping[str, SenseDefinition | TouchDefinition]
+) -> dict[str, EventDefinition]:
+    """The columns: those of the first table, what `events` adds, those of the other tables, and what senses raise."""
+    tables = [level.table.table.events for flat in flats for level in reversed(flat.levels) if level.table is not None]
+    found = {event: EventDefinition(line) for event, line in tables[0].items() if event != END} | inputs.events(entries.get("events"))
+    for table in tables[1:]:
+        found |= {event: EventDefinition(line) for event, line in table.items() if event != END and event not in found}
+    return found | {event: EventDefinition(one.line) for event, one in sensed.items() if event not in found}
+
+
+def check_size(root: Node, flats: Sequence[levels.Flat], events: Mapping[str, EventDefinition]) -> None:
+    """Raises MachineError where the full tables would have too many cells: states and events are cheap to write, and multiply."""
+    states, columns = sum(len(flat.states) for flat in flats), len(events) + 1
+    if states * columns > MOST_CELLS:
+        message = f"{states:,} states and {columns:,} events make more than {MOST_CELLS:,} cells"
+        raise root.refuse(message, root.key_lines["states"])
 
 
 def checked_keys(root: Node) -> dict[str, Node]:
-    """The top level of the file; raises MachineError for keys that are unknown or not supported yet, and for another semantics."""
-    for key in NOT_YET:
-        if key in root.entries():
-            raise root.refuse(f"`{key}` is not supported yet", root.key_lines[key])
+    """The top level of the file; raises MachineError for keys that are unknown or missing, and for another semantics."""
     entries = root.entries(*KEYS)
     if "semantics" in entries and entries["semantics"].text() != SEMANTICS:
         raise entries["semantics"].refuse(f"this program knows semantics {SEMANTICS}, not {entries['semantics'].text()[:40]!r}")
+    for key in ("states", "initial", "table"):
+        fields.required(root, key)
     return entries
 
 
-def required(root: Node, key: str) -> Node:
-    """The value of a key that must be there."""
-    checked_keys(root)
-    if key not in root.entries():
-        raise root.refuse(f"the key `{key}` is missing")
-    return root.entries()[key]
-
-
-def chosen(node: Node, kind: str, known: Iterable[str]) -> str:
-    """A name that must exist; raises MachineError with the nearest that does."""
-    if node.text() not in known:
-        raise node.unknown(kind, node.text(), known)
-    return node.text()
-
-
-def check_rows(table: Table, states: Iterable[str], file: str) -> None:
-    """Rows of the table are states (or `*`); raises MachineError for one that is not."""
-    for row, line in table.states.items():
-        if row != "*" and row not in states:
-            raise Node(row, line, file, MachineError).unknown("state", row, states)
-
-
-def csv_path(node: Node, folder: Path) -> Path | None:
-    """The file that `table` names, beside the machine file; None where the table stands there itself."""
-    text = node.text().strip()
-    if "\n" in text or not text.lower().endswith(".csv"):
-        return None
-    if Path(text).name != text:
-        raise node.refuse(f"{text[:80]!r}: the table's file lies beside the machine file, so only its name is wanted")
-    return folder / text
-
-
 def character_name(root: Node) -> str:
-    """The character's file; raises MachineError for what is no character file."""
-    node = required(root, "character")
-    if not node.text().lower().endswith((".glb", ".gltf", ".yaml", ".yml")):
-        raise node.refuse(f"{node.text()[:80]!r} is no .glb, .gltf or .yaml file")
+    """The character's file, or the shipped machine whose character it is; raises MachineError for what is neither."""
+    node = fields.required(root, "character")
+    if not SHIPPED.fullmatch(node.text()) and not node.text().lower().endswith((".glb", ".gltf", ".yaml", ".yml")):
+        raise node.refuse(f"{node.text()[:80]!r} is no .glb, .gltf or .yaml file, nor the name of a shipped machine")
     return node.text()

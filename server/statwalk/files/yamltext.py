@@ -11,13 +11,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 import yaml
 
-from statwalk.errors import ContentError
+from statwalk.errors import ContentError, nearest
 
 LARGEST_BYTES = 1 << 20
 DEEPEST = 32
@@ -102,11 +101,8 @@ class Node:
     def unknown(self, kind: str, name: str, known: Iterable[str], line: int | None = None) -> ContentError:
         """The error about a name that does not exist, with the nearest that does."""
         names = list(known)
-        near = get_close_matches(name, names, n=1)
-        hint = f"; did you mean {near[0]}?" if near else "."
-        return self.refuse(
-            f"no {kind} is called {name[:40]!r}{hint} There are: {', '.join(names[:40]) or 'none'}{', …' * (len(names) > 40)}", line
-        )
+        there = f"{', '.join(names[:40]) or 'none'}{', …' * (len(names) > 40)}"
+        return self.refuse(f"no {kind} is called {name[:40]!r}{nearest(name, names) or '.'} There are: {there}", line)
 
     def plain(self) -> Any:
         """The same as str, list and dict, without lines."""
@@ -128,8 +124,8 @@ class Loader(yaml.SafeLoader):
 class Growing:
     """A list or mapping of which some values have been read."""
 
-    def __init__(self, node: Node) -> None:
-        self.node, self.key = node, None if node.is_mapping else ""
+    def __init__(self, node: Node, known: tuple[str, ...] = ()) -> None:
+        self.node, self.known, self.key = node, known, None if node.is_mapping else ""
 
     def take(self, node: Node) -> None:
         """The next value of a list; a mapping's next key, or the value of the last."""
@@ -145,6 +141,8 @@ class Growing:
             value[self.key] = node
             return None
         key = node.text()
+        if self.known and key not in self.known:
+            raise node.unknown("key", key, self.known)
         if key in self.node.key_lines:
             raise node.refuse(f"the key {key[:40]!r} was already given in line {self.node.key_lines[key]}")
         self.node.key_lines[key] = node.line
@@ -163,12 +161,15 @@ def read_text(path: Path, error: type[ContentError]) -> str:
         raise error("this is not UTF-8", file=str(path), place=f"byte {problem.start}") from None
 
 
-def parse(text: str, file: str, error: type[ContentError]) -> Node:
-    """The tree of a YAML document; raises `error` with file and line for whatever is not strict."""
+def parse(text: str, file: str, error: type[ContentError], known: tuple[str, ...] = ()) -> Node:
+    """The tree of a YAML document; raises `error` with file and line for whatever is not strict.
+
+    With `known` the first key of the document that is not among them ends the reading.
+    """
     if len(text.encode("utf-8", "surrogatepass")) > LARGEST_BYTES:
         raise error("the text is larger than 1 MiB", file=file)
     try:
-        return Tree(file, error).built(text)
+        return Tree(file, error, known).built(text)
     except yaml.MarkedYAMLError as problem:
         mark = problem.problem_mark or problem.context_mark
         place = f"line {mark.line + 1}" if mark else ""
@@ -181,8 +182,8 @@ def parse(text: str, file: str, error: type[ContentError]) -> Node:
 class Tree:
     """Builds the nodes from the parser's events, with a list where others recurse."""
 
-    def __init__(self, file: str, error: type[ContentError]) -> None:
-        self.file, self.error = file, error
+    def __init__(self, file: str, error: type[ContentError], known: tuple[str, ...] = ()) -> None:
+        self.file, self.error, self.known = file, error, known
         self.open: list[Growing] = []
         self.root: Node | None = None
         self.count = 0
@@ -239,4 +240,4 @@ class Tree:
         else:
             self.root = node
         if not is_text:
-            self.open.append(Growing(node))
+            self.open.append(Growing(node, () if self.open else self.known))

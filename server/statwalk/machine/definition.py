@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from difflib import get_close_matches
 from typing import Literal
 
 from statwalk.errors import MachineError
+from statwalk.errors import nearest as nearest
 from statwalk.machine.celldefinition import CellDefinition, Defaults
 
 END = "END"
@@ -213,9 +213,3 @@ class MachineDefinition:
     def refuse(self, message: str, line: int) -> MachineError:
         """The error about a line of this machine's file."""
         return MachineError(message, file=self.file, place=f"line {line}" if line else "")
-
-
-def nearest(name: str, known: Mapping[str, object] | tuple[str, ...]) -> str:
-    """`; did you mean WALK?`, or nothing where no name is near."""
-    near = get_close_matches(name, list(known), n=1)
-    return f"; did you mean {near[0]}?" if near else ""

@@ -8,11 +8,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from statwalk.errors import MachineError
-from statwalk.machine.celldefinition import AT_END, CellDefinition
+from statwalk.machine.celldefinition import AT_END, CellDefinition, Moment
 from statwalk.machine.definition import ANY
 
 NAME = re.compile(r"\w[\w.-]{0,99}")
-CELL = re.compile(r"(?P<state>\w[\w.-]{0,99})(?P<restart>!?)(?:\s+at\s+(?P<moment>\S+))?")
+CELL = re.compile(r"(?P<state>\w[\w.-]{0,99})(?P<restart>!?)(?:\s+at\s+(?P<moment>\w[\w.-]{0,99}))?")
 MOST_CELLS = 100_000
 
 
@@ -29,17 +29,17 @@ class Table:
 
 
 def read_cell(text: str, file: str, line: int) -> CellDefinition:
-    """The meaning of `STATE`, `STATE!`, `STATE at end` or `-`; raises MachineError for anything else."""
+    """`STATE`, `STATE!` or `-`, a state perhaps with `at end` or `at MARKER`; raises MachineError for anything else."""
     place = f"line {line}"
     if text == "-":
         return CellDefinition("", line, off=True)
     match = CELL.fullmatch(text)
     if match is None:
-        raise MachineError(f"{text[:40]!r} is no cell; a cell is STATE, STATE! or -, then perhaps `at end`", file=file, place=place)
-    moment = match["moment"]
-    if moment not in (None, "end"):
-        raise MachineError(f"`at {moment[:40]}`: markers are not supported yet, only `at end`", file=file, place=place)
-    return CellDefinition(match["state"], line, restart=bool(match["restart"]), when=AT_END if moment else None)
+        raise MachineError(
+            f"{text[:40]!r} is no cell; a cell is STATE, STATE! or -, then perhaps `at end` or `at MARKER`", file=file, place=place
+        )
+    moment = AT_END if match["moment"] == "end" else Moment("marker", marker=match["moment"]) if match["moment"] else None
+    return CellDefinition(match["state"], line, restart=bool(match["restart"]), when=moment)
 
 
 def read_table(text: str, file: str, first_line: int = 1) -> Table:
