@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 from builders import role
-from statwalk.errors import StageError
 from statwalk.stage.replay import replay
 from statwalk.stage.stage import Stage
 
@@ -78,9 +77,3 @@ def test_a_log_can_lie_in_a_file(logged, tmp_path):
     path = tmp_path / "log.jsonl"
     path.write_text("\n".join(logged.dump()))
     assert replay(path, ROLES.__getitem__).head == logged.head
-
-
-def test_an_actor_without_a_role_is_named():
-    lines = ['{"statwalk": "log", "semantics": 1}', '{"tick":0,"kind":"add","actor":1,"name":"a","value":{}}']
-    with pytest.raises(StageError, match="actor 1 at tick 0 without role"):
-        replay(lines, ROLES.__getitem__)

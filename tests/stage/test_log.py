@@ -3,9 +3,7 @@
 import sys
 import threading
 
-import pytest
-from statwalk.errors import StageError
-from statwalk.stage.log import LogEntry, MemoryLog, dump, load
+from statwalk.stage.log import LogEntry, MemoryLog
 
 
 def press(tick, name="GO"):
@@ -59,32 +57,3 @@ def test_a_fork_can_be_read_while_its_origin_is_written():
         sys.setswitchinterval(before)
         writer.join()
     assert read == {1_000}
-
-
-def test_lines_come_back_as_they_were():
-    log = MemoryLog([press(1), LogEntry(2, "set", 7, "pace", 1.25)])
-    header, entries = load(dump(log, {"seed": 3, "rate": 60}))
-    assert header == {"statwalk": "log", "semantics": 1, "kernels": "numpy", "seed": 3, "rate": 60}
-    assert entries == list(log)
-
-
-@pytest.mark.parametrize(
-    ("lines", "message"),
-    [
-        ([], "line 1: not a statwalk log"),
-        (['{"tick": 1}'], "line 1: not a statwalk log"),
-        (["{"], "line 1: "),
-        (["[]"], "line 1: a JSON object is needed"),
-        (['{"statwalk": "log", "semantics": 9}'], "semantics 9, this build reads 1"),
-        (['{"statwalk": "log", "semantics": 1}', '{"tick": 1}'], "line 2: an entry has tick"),
-        (['{"statwalk": "log", "semantics": 1}', '{"tick":1,"kind":"jump","actor":1,"name":"","value":null}'], "press, hold, release"),
-        (
-            ['{"statwalk": "log", "semantics": 1}', '{"tick":"1","kind":"press","actor":1,"name":"GO","value":null}'],
-            "line 2: tick and actor",
-        ),
-        (['{"statwalk": "log", "semantics": 1}', "", '{"tick": 1}'], "line 3: an entry has tick"),
-    ],
-)
-def test_a_bad_line_is_named(lines, message):
-    with pytest.raises(StageError, match=message.replace("(", r"\(")):
-        load(lines)

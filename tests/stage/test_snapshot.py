@@ -1,7 +1,10 @@
 """Snapshots thin out with age, so that a night costs little memory and going back costs little time."""
 
+import pytest
+from builders import role
 from statwalk.stage.fold import StageState
-from statwalk.stage.snapshot import EVERY, Snapshots
+from statwalk.stage.snapshot import EVERY, Snapshots, size
+from statwalk.stage.stage import Stage
 
 NIGHT = 8 * 60 * 60 * 60  # ticks of eight hours
 
@@ -36,3 +39,38 @@ def test_tick_zero_is_always_there():
 def test_a_fork_has_only_its_past():
     fork = after(600).until(300)
     assert fork.nearest(600).tick == 240
+
+
+@pytest.fixture(scope="module")
+def crowd():
+    stage = Stage()
+    stage.add_many(role(), [((0, 0, number), 0) for number in range(50)])
+    return stage.state
+
+
+def of(state, ticks, most_bytes):
+    snapshots = Snapshots(StageState(), most_bytes)
+    for tick in range(0, ticks + 1, EVERY):
+        snapshots.offer(StageState(tick=tick, casts=state.casts))
+    return snapshots
+
+
+def test_a_state_weighs_what_its_actors_do(crowd):
+    poses = sum(array.nbytes for array in crowd.casts[0].shown)
+    assert poses < size(crowd) < 20 * poses
+
+
+def test_a_crowd_keeps_fewer_and_they_stay_within_bounds(crowd):
+    snapshots = of(crowd, 100 * EVERY, 10 * size(crowd))
+    assert snapshots.bytes <= 10 * size(crowd)
+    assert len(snapshots) >= 5
+
+
+def test_the_newest_stays_however_large(crowd):
+    snapshots = of(crowd, 100 * EVERY, 1)
+    assert snapshots.nearest(100 * EVERY + 7).tick == 100 * EVERY
+    assert len(snapshots) == 2
+
+
+def test_a_fork_knows_what_its_past_weighs(crowd):
+    assert of(crowd, 10 * EVERY, 1 << 30).until(5 * EVERY).bytes == 5 * size(crowd)

@@ -5,7 +5,7 @@ A cast is never changed; a tick makes the next one. Poses are float32, times and
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -103,21 +103,22 @@ def _append(first: Pose, second: Pose) -> Pose:
     return Pose(*(np.concatenate(pair) for pair in zip(first, second, strict=True)))
 
 
-def enter(role: Role, actor: int, name: str, position: Floats, heading: float) -> Cast:
-    """A cast of one: an actor in the machine's initial state, at a place."""
-    machine = fresh(role.machine, 1)
-    shown = role.clips[role.machine.initial].sample(np.zeros(1))
-    fading = Fading.none(1, machine.state.shape[1], inertialize.size(shown))
+def enter(role: Role, ids: Sequence[int], names: Sequence[str], position: Floats, heading: Floats) -> Cast:
+    """A cast of N new actors (`ids` rising) in the machine's initial state, at places (N, 3) with headings (N,)."""
+    count = len(ids)
+    machine = fresh(role.machine, count)
+    shown = role.clips[role.machine.initial].sample(np.zeros(count))
+    fading = Fading.none(count, machine.state.shape[1], inertialize.size(shown))
     return Cast(
         role,
-        np.array([actor]),
-        (name,),
+        np.array(ids, np.int64),
+        tuple(names),
         machine,
         shown,
         shown,
         fading,
-        np.array([position], np.float64),
-        np.array([heading], np.float64),
-        np.zeros((1, 3)),
-        np.zeros(1, np.uint64),
+        np.array(position, np.float64),
+        np.array(heading, np.float64),
+        np.zeros((count, 3)),
+        np.zeros(count, np.uint64),
     ).rehashed()

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from itertools import groupby
 
 import numpy as np
 
-from statwalk.machine.step import HOLD, PRESS, RELEASE, Inputs, StepResult
+from statwalk.machine.step import StepResult
 from statwalk.stage.cast import Cast, enter
+from statwalk.stage.edit import edited
 from statwalk.stage.frame import Action, CastFrame, Frame, Verdict
+from statwalk.stage.given import Given, given
 from statwalk.stage.hash import combine, text
 from statwalk.stage.log import LogEntry
+from statwalk.stage.raised import Notice, Raised, raised_by
 from statwalk.stage.role import Role
 from statwalk.stage.tick import tick
-
-KINDS = {"press": PRESS, "hold": HOLD, "release": RELEASE}
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +30,12 @@ class StageState:
     action_count: int = 0
     actions: tuple[Action, ...] = ()
     verdicts: tuple[Verdict, ...] = ()
+    raised: tuple[Raised, ...] = ()
+    """what was touched or raised, and counts in the next tick"""
+    notices: tuple[Notice, ...] = ()
+    """what an edit did to actors, told in the next tick"""
+    versions: Mapping[str, str] = field(default_factory=dict)
+    """for the name of each role that was ever here the version in force, by its name in the log"""
 
     def find(self, actor: int) -> tuple[Cast, int] | None:
         """The cast and row of an actor, or None."""
@@ -48,38 +56,52 @@ class StageState:
         return Frame(self.tick, self.hash, casts, self.actions, self.verdicts)
 
 
-def forward(state: StageState, entries: Sequence[LogEntry], dt: float) -> StageState:
+def forward(state: StageState, entries: Sequence[LogEntry], dt: float, seed: int) -> StageState:
     """One tick on: inputs count in its step, in the order of the log; who comes or goes is there, or gone, after it."""
     now = state.tick + 1
-    stepped = [tick(*_given(cast, entries), dt, now) for cast in state.casts]
+    told, stepped = stepping(state, entries, dt, seed)
+    casts = tuple(cast for cast, _ in stepped)
     actions = _actions(stepped, state.action_count, now)
-    return StageState(
-        now,
-        tuple(cast for cast, _ in stepped),
-        state.next_id,
-        state.action_count + len(actions),
-        actions,
-        tuple(verdict for cast, done in stepped for verdict in _verdicts(cast, done)),
+    raised, unheard = raised_by(actions, casts)
+    notices = (*state.notices, *(one for each in told for one in each.notices), *unheard)
+    after = replace(
+        state, tick=now, casts=casts, action_count=state.action_count + len(actions), actions=actions, raised=raised, notices=()
     )
+    verdicts = [verdict for cast, done in stepped for verdict in _verdicts(cast, done)]
+    return replace(after, verdicts=(*_notices(after, notices), *verdicts))
 
 
-def recast(state: StageState, entries: Iterable[LogEntry], roles: Mapping[str, Role]) -> StageState:
-    """With the actors who come and go by `entries`."""
-    for entry in entries:
-        if entry.kind == "add":
-            state = _added(state, entry, roles[entry.value["role"]])
-        elif entry.kind == "remove":
-            state = _removed(state, entry.actor)
+def stepping(state: StageState, entries: Sequence[LogEntry], dt: float, seed: int) -> tuple[list[Given], list[tuple[Cast, StepResult]]]:
+    """For each cast what it is given in the next tick, and what comes of it."""
+    told = [given(cast, state.raised, entries) for cast in state.casts]
+    return told, [tick(one.cast, one.inputs, dt, state.tick + 1, seed) for one in told]
+
+
+def recast(state: StageState, entries: Iterable[LogEntry], roles: Mapping[str, Role], dt: float) -> StageState:
+    """With the actors who come and go by `entries`, and with the versions of their roles that edits bring."""
+    for (kind, key), group in groupby(entries, lambda entry: (entry.kind, entry.value["role"] if entry.kind == "add" else "")):
+        if kind == "add":
+            state = _added(state, list(group), key, roles)
+            continue
+        for entry in group:
+            if kind == "remove":
+                state = _removed(state, entry.actor)
+            elif kind == "edit":
+                state = _edited(state, entry, roles, dt)
     return state
 
 
-def _added(state: StageState, entry: LogEntry, role: Role) -> StageState:
-    position, heading = np.array(entry.value["position"], np.float64), float(entry.value["heading"])
-    new = enter(role, entry.actor, entry.name, position, heading)
-    casts = tuple(cast.joined(new) if cast.role.name == role.name else cast for cast in state.casts)
-    if all(cast.role.name != role.name for cast in state.casts):
+def _added(state: StageState, entries: Sequence[LogEntry], key: str, roles: Mapping[str, Role]) -> StageState:
+    """With actors who come one after the other, all in one copy."""
+    name = roles[key].name
+    versions = {name: key, **state.versions}  # whoever comes plays by the version in force
+    places = np.array([[*entry.value["position"], entry.value["heading"]] for entry in entries], np.float64)
+    ids, names = [entry.actor for entry in entries], [entry.name for entry in entries]
+    new = enter(roles[versions[name]], ids, names, places[:, :3], places[:, 3])
+    casts = tuple(cast.joined(new) if cast.role.name == name else cast for cast in state.casts)
+    if all(cast.role.name != name for cast in state.casts):
         casts = (*casts, new)
-    return replace(state, casts=casts, next_id=entry.actor + 1)
+    return replace(state, casts=casts, next_id=ids[-1] + 1, versions=versions)
 
 
 def _removed(state: StageState, actor: int) -> StageState:
@@ -87,32 +109,43 @@ def _removed(state: StageState, actor: int) -> StageState:
     return replace(state, casts=tuple(cast for cast in casts if len(cast.ids)))
 
 
-def _given(cast: Cast, entries: Sequence[LogEntry]) -> tuple[Cast, Inputs]:
-    """The cast with its parameters set, and its inputs."""
-    rows: list[tuple[int, int, int]] = []
-    parameters: list[tuple[int, int, float]] = []
-    for entry in entries:
-        row = cast.row(entry.actor)
-        if row >= 0 and entry.kind == "set":
-            parameters.append((row, cast.role.parameter(entry.name), float(entry.value)))
-        elif row >= 0 and entry.kind in KINDS:
-            rows.append((row, cast.role.event(entry.name), KINDS[entry.kind]))
-    actor, event, kind = np.array(rows, np.int64).reshape(-1, 3).T
-    return cast.with_parameters(parameters) if parameters else cast, Inputs(actor, event, kind)
+def _edited(state: StageState, entry: LogEntry, roles: Mapping[str, Role], dt: float) -> StageState:
+    """With all actors of a role in another version of it."""
+    role = roles[entry.value["role"]]
+    casts, notices = list(state.casts), list(state.notices)
+    for place, cast in enumerate(casts):
+        if cast.role.name == role.name:
+            casts[place], found = edited(cast, role, dt)
+            notices += found
+    versions = {**state.versions, role.name: entry.value["role"]}
+    return replace(state, casts=tuple(casts), notices=tuple(notices), versions=versions)
 
 
 def _actions(stepped: Iterable[tuple[Cast, StepResult]], count: int, now: int) -> tuple[Action, ...]:
     """The actions of a tick, numbered on; the actors' ids in place of their rows."""
-    taken = [(int(cast.ids[action.actor]), action.name) for cast, done in stepped for action in done.actions]
-    return tuple(Action(count + number, now, actor, name) for number, (actor, name) in enumerate(taken, 1))
+    taken = [(int(cast.ids[action.actor]), action) for cast, done in stepped for action in done.actions]
+    return tuple(
+        Action(count + number, now, actor, action.name, action.arguments, action.other) for number, (actor, action) in enumerate(taken, 1)
+    )
 
 
 def _verdicts(cast: Cast, done: StepResult) -> Iterable[Verdict]:
     states, events = cast.role.machine.states, cast.role.machine.events
-    for verdict in done.verdicts:
-        to = states[verdict.to_state] if verdict.to_state >= 0 else ""
-        actor, event = int(cast.ids[verdict.actor]), events[verdict.event]
-        yield Verdict(verdict.tick, actor, verdict.layer, event, verdict.verdict, verdict.reason, states[verdict.from_state], to)
+    for one in done.verdicts:
+        to = states[one.to_state] if one.to_state >= 0 else ""
+        actor, event = int(cast.ids[one.actor]), events[one.event]
+        cell = one.cell if any(one.cell) else None
+        yield Verdict(one.tick, actor, one.layer, event, one.verdict, one.reason, states[one.from_state], to, cell, one.values)
+
+
+def _notices(state: StageState, notices: Iterable[Notice]) -> Iterable[Verdict]:
+    """Verdicts on what no machine could give one on."""
+    for one in notices:
+        if found := state.find(one.actor):
+            cast, row = found
+            here = one.from_state or cast.role.machine.states[cast.machine.state[row, one.layer]]
+            became = "taken" if one.to_state else "dropped"
+            yield Verdict(state.tick, one.actor, one.layer, one.event, became, one.reason, here, one.to_state, other=one.other)
 
 
 def _cast_frame(cast: Cast) -> CastFrame:

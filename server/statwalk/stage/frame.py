@@ -19,6 +19,9 @@ class Action(NamedTuple):
     tick: int
     actor: int
     name: str
+    arguments: tuple[str | float, ...] = ()
+    other: int = -1
+    """id of the actor that was touched, or raised the event; -1 nobody"""
 
 
 class Verdict(NamedTuple):
@@ -33,6 +36,12 @@ class Verdict(NamedTuple):
     from_state: str
     to_state: str
     """empty where the state did not change"""
+    cell: tuple[str, str] | None = None
+    """row and column of the cell as it is written, None where none stands there"""
+    values: tuple[tuple[str, float], ...] = ()
+    """what its condition saw"""
+    other: int = -1
+    """id of the actor that was touched, or raised the event; -1 nobody"""
 
 
 class CastFrame(NamedTuple):

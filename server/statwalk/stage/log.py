@@ -6,29 +6,26 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-import orjson
-
-from statwalk.errors import StageError
-
-SEMANTICS = 1
-KINDS = ("add", "remove", "press", "hold", "release", "set")
+KINDS = ("add", "remove", "press", "hold", "release", "set", "travel", "edit")
 
 
 @dataclass(frozen=True)
 class LogEntry:
     """One thing that came from outside.
 
-    Inputs (press, hold, release, set) count in the step that makes `tick`; an actor added or removed is there, or gone, after it.
+    Inputs (press, hold, release, set, travel) count in the step that makes `tick`; who is added or removed is there, or gone, after it,
+    and so it is with the other version of a role that an edit brings.
     """
 
     tick: int
     kind: str
     """one of KINDS"""
     actor: int
+    """0: nobody (edit)"""
     name: str
-    """event or parameter; for add the actor's name"""
+    """event or parameter; travel: the state to go to, empty to go on as usual; add: the actor's name; edit: the role's"""
     value: Any = None
-    """set: the number; add: role, position (metres), heading (radians)"""
+    """set: the number; add: role, position (metres), heading (radians); edit: role (`name@version`), text of the machine file"""
 
 
 class Log(Protocol):
@@ -79,38 +76,3 @@ class MemoryLog:
         ticks = {tick for end, entries in self._past for tick in tuple(entries) if tick < end} | set(self._by_tick)
         for tick in sorted(ticks):
             yield from self.at(tick)
-
-
-def dump(log: Iterable[LogEntry], header: Mapping[str, Any]) -> list[str]:
-    """A log as JSON lines, the header first."""
-    first = {"statwalk": "log", "semantics": SEMANTICS, "kernels": "numpy", **header}
-    return [orjson.dumps(line).decode() for line in (first, *(vars(entry) for entry in log))]
-
-
-def load(lines: Iterable[str]) -> tuple[dict[str, Any], list[LogEntry]]:
-    """Header and entries of JSON lines. Raises StageError that names the line which cannot be read."""
-    records = [(number, _record(number, line)) for number, line in enumerate(lines, 1) if line.strip()]
-    header = records[0][1] if records else {}
-    if header.get("statwalk") != "log":
-        raise StageError('line 1: not a statwalk log; its first line says {"statwalk": "log", …}')
-    if header.get("semantics") != SEMANTICS:
-        raise StageError(f"line 1: the log has semantics {header.get('semantics')!r}, this build reads {SEMANTICS}")
-    return header, [_entry(number, record) for number, record in records[1:]]
-
-
-def _record(number: int, line: str) -> dict[str, Any]:
-    try:
-        record = orjson.loads(line)
-    except orjson.JSONDecodeError as error:
-        raise StageError(f"line {number}: {error}") from None
-    if not isinstance(record, dict):
-        raise StageError(f"line {number}: a JSON object is needed")
-    return record
-
-
-def _entry(number: int, record: dict[str, Any]) -> LogEntry:
-    if set(record) != {"tick", "kind", "actor", "name", "value"} or record["kind"] not in KINDS:
-        raise StageError(f"line {number}: an entry has tick, kind ({', '.join(KINDS)}), actor, name and value")
-    if type(record["tick"]) is not int or type(record["actor"]) is not int or not isinstance(record["name"], str):
-        raise StageError(f"line {number}: tick and actor are whole numbers, name is text")
-    return LogEntry(**record)

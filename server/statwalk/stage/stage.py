@@ -1,27 +1,22 @@
-"""A stage: actors, a log and a playhead. The only thing here that changes; what it shows follows from its log alone."""
+"""A stage: actors and what they are told. It is the only thing here that changes; what it shows follows from its log alone."""
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from math import isfinite
 
 from statwalk.errors import StageError, UnknownNameError
 from statwalk.stage.actor import Actor
 from statwalk.stage.cast import Cast
-from statwalk.stage.fold import StageState, forward, recast
-from statwalk.stage.frame import Action, Frame, Verdict
-from statwalk.stage.log import Log, LogEntry, MemoryLog, dump
+from statwalk.stage.edit import check_joints
+from statwalk.stage.log import LogEntry
 from statwalk.stage.role import Role
-from statwalk.stage.snapshot import Snapshots
+from statwalk.stage.timeline import LONGEST_HISTORY, Timeline
 
-__all__ = ["Actor", "Stage"]
-
-LONGEST_HISTORY = 10_000
-"""actions and verdicts that a stage remembers; the log and `seek` give all of them again"""
+__all__ = ["LONGEST_HISTORY", "Actor", "Stage"]
 
 
-class Stage:
+class Stage(Timeline):
     """Actors and their time, in fixed steps of 1/`rate` seconds.
 
         stage = Stage(seed=1)
@@ -33,55 +28,6 @@ class Stage:
     `tick` is the playhead: `seek` moves it anywhere in 0…`head`, `step` onwards; at the head, steps make new ticks.
     """
 
-    def __init__(self, seed: int = 0, rate: int = 60) -> None:
-        if rate <= 0:
-            raise StageError(f"a stage needs a rate above 0 Hz, not {rate}")
-        self.seed, self.rate = seed, rate
-        self.roles: dict[str, Role] = {}
-        self.actions: deque[Action] = deque(maxlen=LONGEST_HISTORY)
-        self.verdicts: deque[Verdict] = deque(maxlen=LONGEST_HISTORY)
-        self.head = 0
-        self._state = StageState()
-        self._log: Log = MemoryLog()
-        self._snapshots = Snapshots(self._state)
-
-    # what it is
-
-    @property
-    def tick(self) -> int:
-        """The tick that is shown."""
-        return self._state.tick
-
-    @property
-    def first(self) -> int:
-        """The oldest tick that can be sought."""
-        return 0
-
-    @property
-    def seconds(self) -> float:
-        """The time that is shown."""
-        return self.tick / self.rate
-
-    @property
-    def state(self) -> StageState:
-        """The state that is shown; immutable."""
-        return self._state
-
-    @property
-    def frame(self) -> Frame:
-        """What is shown: poses, places, and what happened in this tick."""
-        return self._state.frame()
-
-    @property
-    def hash(self) -> str:
-        """16 hexadecimal digits: two stages with the same hash have gone through the same states."""
-        return self._state.hash
-
-    @property
-    def log(self) -> list[LogEntry]:
-        """All that came from outside."""
-        return list(self._log)
-
     @property
     def actors(self) -> list[Actor]:
         """Those who are there at this tick, in the order of their ids."""
@@ -92,28 +38,56 @@ class Stage:
         self._find(actor)
         return Actor(actor, self._find)
 
-    def dump(self) -> list[str]:
-        """The log as JSON lines, for `replay`."""
-        return dump(self._log, {"seed": self.seed, "rate": self.rate, "head": self.head})
+    def role(self, name: str) -> Role:
+        """The version of a role that is in force at this tick; raises UnknownNameError where none of that name was ever here."""
+        if name not in self.roles:
+            raise UnknownNameError("role", name, {role.name for role in self.roles.values()})
+        return self.roles[self._state.versions.get(name, name)]
 
-    # what comes from outside
+    # who is there
 
     def add(self, role: Role, position: Sequence[float] = (0.0, 0.0, 0.0), heading: float = 0.0, name: str | None = None) -> Actor:
         """A new actor at `position` (metres), facing +Z turned by `heading` radians to the left. It is there at once."""
-        if self.roles.setdefault(role.name, role) is not role:
-            raise StageError(f"another role on this stage is called {role.name!r}; use the one it was given first")
-        place = [float(part) for part in position]
-        if len(place) != 3 or not all(map(isfinite, (*place, heading))):
-            raise StageError(f"a place is x, y, z and a heading, all finite; not {position!r}, {heading!r}")
-        actor = self._state.next_id
-        value = {"role": role.name, "position": place, "heading": float(heading)}
-        self._recast(LogEntry(self.tick, "add", actor, name or f"{role.name} {actor}", value))
-        return Actor(actor, self._find)
+        return self.add_many(role, [(position, heading)], name and [name])[0]
+
+    def add_many(
+        self, role: Role, places: Iterable[tuple[Sequence[float], float]], names: Sequence[str | None] | None = None
+    ) -> list[Actor]:
+        """New actors at places (position in metres, heading in radians), there at once; all together cost little more than one."""
+        self.roles.setdefault(role.name, role)
+        if self.role(role.name) is not role:
+            raise StageError(f"another role on this stage is called {role.name!r}; use stage.role({role.name!r}), or edit it")
+        key = self._state.versions.get(role.name, role.name)
+        first, known = self._state.next_id, [_checked(*place) for place in places]
+        called = names or [None] * len(known)
+        self._recast(
+            [
+                LogEntry(self.tick, "add", actor, name or f"{role.name} {actor}", {"role": key, "position": place[:3], "heading": place[3]})
+                for actor, place, name in zip(range(first, first + len(known)), known, called, strict=True)
+            ]
+        )
+        return [Actor(actor, self._find) for actor in range(first, first + len(known))]
 
     def remove(self, actor: Actor | int) -> None:
         """The actor leaves, at once."""
-        gone = self._known(actor)
-        self._recast(LogEntry(self.tick, "remove", gone, ""))
+        self._recast([LogEntry(self.tick, "remove", self._known(actor), "")])
+
+    def edit(self, role: Role, text: str = "") -> LogEntry:
+        """Another version of the role of that name, in force at once; `text`, its machine file, goes into the log.
+
+        Everybody who plays it goes on where he is, by the names of states, parameters and events; raises UnknownNameError where there is
+        no role of that name, and StageError where it has other joints.
+        """
+        check_joints(self.role(role.name), role)
+        number = 2 + sum(one.name == role.name and key != role.name for key, one in self.roles.items())
+        key = f"{role.name}@{number}"
+        entry = LogEntry(self.tick, "edit", 0, role.name, {"role": key, "text": text})
+        self._refuse_past()
+        self.roles[key] = role
+        self._recast([entry])
+        return entry
+
+    # what they are told
 
     def send(self, actor: Actor | int, event: str) -> LogEntry:
         """An event, which counts in the next tick; raises UnknownNameError, and StageError when looking at the past."""
@@ -135,78 +109,10 @@ class Stage:
             raise StageError(f"{parameter} must lie in {known.minimum} … {known.maximum}, not at {value}")
         return self._keep(LogEntry(self.tick + 1, "set", self._known(actor), parameter, float(value)))
 
-    # time
-
-    def step(self, n: int = 1) -> None:
-        """`n` ticks on: along what has been as far as it reaches, then into what is new."""
-        for _ in range(n):
-            self._forward()
-
-    def seek(self, tick: int) -> None:
-        """Show another tick between `first` and `head`. Raises StageError outside."""
-        if not self.first <= tick <= self.head:
-            raise StageError(f"tick {tick} is not there: this stage has {self.first} … {self.head}")
-        if tick < self.tick:
-            self._state = self._snapshots.nearest(tick)
-        else:
-            self._state = max(self._state, self._snapshots.nearest(tick), key=lambda state: state.tick)
-        while self.tick < tick:
-            self._forward()
-
-    def fork(self) -> Stage:
-        """A stage of its own that shares the past up to the tick that is shown; the way to change it.
-
-        At the head it takes along what was sent and waits for the next tick.
-        """
-        return self._branch(self.tick)
-
-    def copy(self) -> Stage:
-        """A stage of its own with all of this one's past and its playhead, to look around in."""
-        return self._branch(self.head)
-
-    @classmethod
-    def of(cls, log: Log, roles: Mapping[str, Role], seed: int, rate: int) -> Stage:
-        """A stage at tick 0 whose future is in its log: steps follow it."""
-        stage = cls(seed, rate)
-        stage._log, stage.roles = log, dict(roles)
-        stage._state = recast(stage._state, log.at(0), roles)
-        return stage
-
-    def _branch(self, head: int) -> Stage:
-        branch = Stage(self.seed, self.rate)
-        branch.roles, branch.head, branch._state = dict(self.roles), head, self._state
-        branch._log, branch._snapshots = self._log.until(head), self._snapshots.until(head)
-        for entry in self._log.at(head + 1) if head == self.head else ():
-            branch._log.append(entry)
-        branch.actions.extend(action for action in self.actions if action.tick <= head)
-        branch.verdicts.extend(verdict for verdict in self.verdicts if verdict.tick <= head)
-        return branch
-
-    def _forward(self) -> None:
-        """The next tick, known or new."""
-        is_new = self.tick == self.head
-        if is_new:
-            self._snapshots.offer(self._state)  # nobody comes or goes in this tick any more
-        entries = self._log.at(self.tick + 1)
-        self._state = recast(forward(self._state, entries, 1 / self.rate), entries, self.roles)
-        if is_new:
-            self.head = self.tick
-            self.actions.extend(self._state.actions)
-            self.verdicts.extend(self._state.verdicts)
-
     def _input(self, kind: str, actor: Actor | int, event: str) -> LogEntry:
         known = self._known(actor)
         self._find(known)[0].role.event(event)
         return self._keep(LogEntry(self.tick + 1, kind, known, event))
-
-    def _recast(self, entry: LogEntry) -> None:
-        self._state = recast(self._state, [self._keep(entry)], self.roles)
-
-    def _keep(self, entry: LogEntry) -> LogEntry:
-        if self.tick < self.head:
-            raise StageError(f"tick {self.tick} is past (the stage is at {self.head}): call fork() first, and change the fork")
-        self._log.append(entry)
-        return entry
 
     def _known(self, actor: Actor | int) -> int:
         number = actor.id if isinstance(actor, Actor) else actor
@@ -218,3 +124,11 @@ class Stage:
         if found is None:
             raise UnknownNameError("actor", str(actor), [str(one.id) for one in self.actors])
         return found
+
+
+def _checked(position: Sequence[float], heading: float) -> list[float]:
+    """x, y, z, heading as numbers."""
+    place = [float(part) for part in (*position, heading)]
+    if len(place) != 4 or not all(map(isfinite, place)):
+        raise StageError(f"a place is x, y, z and a heading, all finite; not {position!r}, {heading!r}")
+    return place

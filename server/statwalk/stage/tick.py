@@ -9,24 +9,26 @@ from dataclasses import replace
 
 import numpy as np
 
-from statwalk.machine.step import Changes, Inputs, StepResult, speeds, step
+from statwalk.machine.step import Changes, Inputs, StepResult, Surroundings, speeds, step
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.pose import Pose
 from statwalk.motion import inertialize
 from statwalk.motion.root import compose
 from statwalk.stage.cast import Cast
+from statwalk.stage.hash import chance_keys
 from statwalk.stage.role import Role
 from statwalk.stage.travel import way_gone
 
 
-def tick(cast: Cast, inputs: Inputs, dt: float, now: int) -> tuple[Cast, StepResult]:
+def tick(cast: Cast, inputs: Inputs, dt: float, now: int, seed: int) -> tuple[Cast, StepResult]:
     """The cast one step of `dt` seconds later, as tick `now`, and what its machines did."""
     # 1 advance: motions move on; 2 decide: every event is looked up in the table, END last
-    done = step(cast.role.machine, cast.machine, dt, now, inputs)
+    nothing = Surroundings.none(*cast.machine.state.shape)
+    done = step(cast.role.machine, cast.machine, dt, now, inputs, nothing._replace(key=chance_keys(seed, cast.ids)))
     machine = done.state
 
     # 3 sample: the local pose of each actor's motion, at its time
-    pose = _sample(cast.role, machine.state[:, 0], machine.time[:, 0])
+    pose = sample(cast.role, machine.state[:, 0], machine.time[:, 0])
 
     # 4 blend: what would jump becomes an offset of the pose that was shown, and dies out; the root's velocity goes over into the new one
     fading = cast.fading
@@ -46,7 +48,7 @@ def tick(cast: Cast, inputs: Inputs, dt: float, now: int) -> tuple[Cast, StepRes
     return after.rehashed(), done
 
 
-def _sample(role: Role, states: Ints, times: Floats) -> Pose:
+def sample(role: Role, states: Ints, times: Floats) -> Pose:
     """Local poses (N, …) of actors in `states` (N,) at `times` (N,) seconds: those that play the same motion at once."""
     if (states == states[0]).all():
         only: Pose = role.clips[states[0]].sample(times)
@@ -69,11 +71,11 @@ def _jump(cast: Cast, done: StepResult, rows: Ints, pose: Pose, dt: float) -> tu
     """The offset, and its velocity, that carry what was shown of `rows` over into their new motions."""
     states, times = done.state.state[rows, 0], done.state.time[rows, 0]
     speed = speeds(cast.role.machine, done.state)[rows, 0]
-    following = _sample(cast.role, states, _time_after(cast.role, states, times + dt * speed))
+    following = sample(cast.role, states, time_after(cast.role, states, times + dt * speed))
     return inertialize.transition(cast.before.take(rows), cast.shown.take(rows), pose, following, dt)
 
 
-def _time_after(role: Role, states: Ints, times: Floats) -> Floats:
+def time_after(role: Role, states: Ints, times: Floats) -> Floats:
     """Times (N,) with those of motions that loop brought back into them."""
     duration = role.machine.duration[states]
     return np.where(role.machine.loop[states] & (duration > 0), np.mod(times, np.where(duration > 0, duration, 1)), times)

@@ -1,0 +1,72 @@
+"""Another version of a role while it is played: everybody goes on where he is, by name, and nothing that is shown jumps."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from statwalk.errors import StageError
+from statwalk.machine.state import MachineState
+from statwalk.machine.step import speeds
+from statwalk.maths.arrays import Ints
+from statwalk.maths.pose import Pose
+from statwalk.motion import inertialize
+from statwalk.stage.cast import Cast
+from statwalk.stage.raised import Notice
+from statwalk.stage.remap import Remapped, remap
+from statwalk.stage.role import Role
+from statwalk.stage.tick import sample, time_after
+
+
+def check_joints(old: Role, new: Role) -> None:
+    """Raises StageError where the new version has other joints: what is shown could not go over into what it shows."""
+    joints = [role.character.skeleton for role in (old, new)]
+    if joints[0].names != joints[1].names or old.clips[0].rest.weights.shape != new.clips[0].rest.weights.shape:
+        raise StageError(f"the new version of {old.name} has other joints; an edit keeps the character")
+
+
+def edited(cast: Cast, role: Role, dt: float) -> tuple[Cast, list[Notice]]:
+    """The cast in another version of its role, and what that did to its actors.
+
+    Where the next tick would show another pose than before, a transition begins: over the default blend, from what was shown.
+    """
+    done = remap(cast.role.machine, role.machine, cast.machine)
+    after = replace(cast, role=role, machine=done.state)
+    new, following = (ahead(role, done.state, ticks * dt) for ticks in (1, 2))
+    rows = _differing(ahead(cast.role, cast.machine, dt), new)
+    seconds = role.definition.defaults.blend
+    if len(rows) and seconds > 0:
+        jump = inertialize.transition(cast.before.take(rows), cast.shown.take(rows), new.take(rows), following.take(rows), dt)
+        after = replace(after, fading=cast.fading.begun(rows, np.full(len(rows), seconds), jump, cast.way[rows]))
+    return after, _notices(cast, after, done)
+
+
+def ahead(role: Role, state: MachineState, seconds: float) -> Pose:
+    """The poses (N, …) that the motions come to in so many seconds, without what is left of transitions."""
+    states, times = state.state[:, 0], state.time[:, 0] + seconds * speeds(role.machine, state)[:, 0]
+    return sample(role, states, time_after(role, states, times))
+
+
+def _differing(one: Pose, other: Pose) -> Ints:
+    """The rows in which two poses are not the same, to the bit."""
+    differs = [(first != second).reshape(len(first), -1).any(1) for first, second in zip(one, other, strict=True)]
+    found: Ints = np.logical_or.reduce(differs).nonzero()[0]
+    return found
+
+
+def _notices(before: Cast, after: Cast, done: Remapped) -> list[Notice]:
+    """What the actors are told: which states they had to leave, and which events they lost."""
+    old, new = before.role.machine, after.role.machine
+    found = []
+    for layer, one in enumerate(new.layers):
+        was = [other.name for other in old.layers].index(one.name) if one in old.layers else -1
+        for row, actor in enumerate(before.ids.tolist() if was >= 0 else ()):
+            here, there = old.states[before.machine.state[row, was]], new.states[after.machine.state[row, layer]]
+            if here != there:
+                found.append(Notice(actor, EDIT, -1, f"the edit has no state {here}", layer, here, there))
+    return found + [Notice(int(before.ids[row]), old.events[event], -1, "the edit has no such event") for row, _, event in done.lost]
+
+
+EDIT = "EDIT"
+"""stands in the place of an event where an edit has put an actor in another state"""
