@@ -14,6 +14,7 @@ from statwalk.machine.definition import MachineDefinition
 from statwalk.motion.clip import Clip
 from statwalk.motion.root import STANDING, RootTrack, extract
 from statwalk.rig.evaluate import world_from_local
+from statwalk.stage.colliders import Colliders
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +39,14 @@ class Role:
         machine = build(definition, motions)
         joint = _root(character, root_joint)
         rooted = [_rooted(character, machine, state, joint) for state in range(len(machine.states))]
-        return cls(name, character, machine, definition, tuple(clip for clip, _ in rooted), tuple(root for _, root in rooted))
+        role = cls(name, character, machine, definition, tuple(clip for clip, _ in rooted), tuple(root for _, root in rooted))
+        role.colliders  # noqa: B018 - worked out now, so that a joint that is not there is said now and not in a tick
+        return role
+
+    @cached_property
+    def colliders(self) -> Colliders:
+        """What of its actors can be touched."""
+        return Colliders.of(self.machine, self.character, self.definition)
 
     @cached_property
     def travels(self) -> bool:
