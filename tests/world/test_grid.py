@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from statwalk.world import grid
 from statwalk.world.grid import Grid, overlapping
 
 CHANCE = np.random.default_rng(11)
@@ -37,7 +38,7 @@ def test_an_even_crowd_gives_few_pairs():
 
 def test_around_lists_the_neighbours_of_each_point_in_order():
     points = CHANCE.uniform(-5, 5, (200, 3))
-    near = Grid(points, 1.5).around(points[50:60])
+    near = next(Grid(points, 1.5).around(points[50:60]))
     assert (np.diff(near.first) >= 0).all()
     for row in range(10):
         close = set(np.flatnonzero(np.linalg.norm(points - points[50 + row], axis=1) <= 1.5).tolist())
@@ -46,4 +47,17 @@ def test_around_lists_the_neighbours_of_each_point_in_order():
 
 def test_points_of_a_cube_come_in_order_of_their_rows():
     points = np.tile([0.5, 0.5, 0.5], (5, 1))
-    np.testing.assert_array_equal(Grid(points, 1.0).around(points[:1]).second, range(5))
+    np.testing.assert_array_equal(next(Grid(points, 1.0).around(points[:1])).second, range(5))
+
+
+def test_in_blocks_of_any_size_the_same(monkeypatch):
+    centers = CHANCE.uniform(-3, 3, (80, 3))
+    whole = overlapping(centers, np.full(80, 0.8))
+    monkeypatch.setattr(grid, "BLOCK", 50)
+    for one, other in zip(whole, overlapping(centers, np.full(80, 0.8)), strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_a_heap_of_thousands_is_not_looked_through(monkeypatch):
+    monkeypatch.setattr(grid, "BLOCK", 1000)
+    assert len(overlapping(np.zeros((400, 3)), np.ones(400), most=500).first) < 2000

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from statwalk.world import sight
+from statwalk.world import grid, sight
 from statwalk.world.sight import nearest_seen
 
 CHANCE = np.random.default_rng(5)
@@ -55,6 +55,6 @@ def test_of_equally_near_ones_the_lower_row_comes_first():
 def test_how_the_flock_is_divided_changes_nothing(monkeypatch):
     position, forward = flock(150, 4)
     whole = nearest_seen(position, forward, 3.0, -0.2, 7)
-    monkeypatch.setattr(sight, "BLOCK", 7)
+    monkeypatch.setattr(grid, "BLOCK", 70)
     for one, other in zip(whole, nearest_seen(position, forward, 3.0, -0.2, 7), strict=True):
         np.testing.assert_array_equal(one, other)

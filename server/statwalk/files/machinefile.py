@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
+from statwalk.files import flockpart
 from statwalk.files.machine import fields, inputs, layers, levels, senses, wholetable
 from statwalk.files.yamltext import Node, parse, read_text
 from statwalk.machine.definition import (
@@ -19,7 +20,7 @@ from statwalk.machine.definition import (
     TouchDefinition,
     nearest,
 )
-from statwalk.machine.runform import MEASURED
+from statwalk.machine.runparts import MEASURED
 from statwalk.machine.table import MOST_CELLS
 
 FILE_NAME = "machine.yaml"
@@ -117,6 +118,7 @@ def define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefinitio
         parameters=parameters,
         senses=sensed,
         colliders=colliders,
+        flock=flockpart.flock(entries.get("flock"), parameters),
         properties=tuple(inputs.sentences(entries.get("properties"))),
         rows=base.top.table.rows,
         title=entries["title"].text() if "title" in entries else "",

@@ -9,6 +9,7 @@ from typing import Literal
 from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
 from statwalk.machine.celldefinition import CellDefinition, Defaults
+from statwalk.machine.flockdefinition import FlockDefinition
 
 END = "END"
 """the event that a motion raises when it ends; always the last column"""
@@ -187,6 +188,8 @@ class MachineDefinition:
     senses: Mapping[str, SenseDefinition | TouchDefinition] = field(default_factory=dict)
     """by the event that they raise"""
     colliders: Mapping[str, ColliderDefinition] = field(default_factory=dict)
+    flock: FlockDefinition | None = None
+    """all actors of the role fly as one flock"""
     properties: tuple[PropertyDefinition, ...] = ()
     rows: tuple[tuple[str, ...], ...] = ()
     """the table as written, the header first"""

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from statwalk.character import Character
 from statwalk.errors import MachineError, UnknownNameError
-from statwalk.machine.build import Collider, Machine
+from statwalk.machine.build import Machine
 from statwalk.machine.definition import MachineDefinition
+from statwalk.machine.runparts import Collider
 from statwalk.maths import transform, vector
 from statwalk.maths.arrays import Bools, Floats
 from statwalk.maths.elementary import sincos

@@ -10,7 +10,10 @@ import numpy as np
 
 from statwalk.machine.step import StepResult
 from statwalk.stage.cast import Cast, enter
+from statwalk.stage.cells import cells_of
+from statwalk.stage.contacts import Contacts
 from statwalk.stage.edit import edited
+from statwalk.stage.flocking import Flights, flocks
 from statwalk.stage.frame import Action, CastFrame, Frame, Verdict
 from statwalk.stage.given import Given, given
 from statwalk.stage.hash import combine, text
@@ -18,6 +21,7 @@ from statwalk.stage.log import LogEntry
 from statwalk.stage.raised import Notice, Raised, raised_by
 from statwalk.stage.role import Role
 from statwalk.stage.tick import tick
+from statwalk.stage.touch import touched
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +38,10 @@ class StageState:
     """what was touched or raised, and counts in the next tick"""
     notices: tuple[Notice, ...] = ()
     """what an edit did to actors, told in the next tick"""
+    contacts: Contacts = field(default_factory=Contacts)
+    """who touches whom"""
+    flights: Flights = ()
+    """how the flocks fly"""
     versions: Mapping[str, str] = field(default_factory=dict)
     """for the name of each role that was ever here the version in force, by its name in the log"""
 
@@ -60,12 +68,21 @@ def forward(state: StageState, entries: Sequence[LogEntry], dt: float, seed: int
     """One tick on: inputs count in its step, in the order of the log; who comes or goes is there, or gone, after it."""
     now = state.tick + 1
     told, stepped = stepping(state, entries, dt, seed)
-    casts = tuple(cast for cast, _ in stepped)
+    flights, casts = flocks(state.flights, state.casts, [cast for cast, _ in stepped], (dt, now, seed))
+    contacts, touching = touched(state.contacts, casts)
     actions = _actions(stepped, state.action_count, now)
     raised, unheard = raised_by(actions, casts)
     notices = (*state.notices, *(one for each in told for one in each.notices), *unheard)
     after = replace(
-        state, tick=now, casts=casts, action_count=state.action_count + len(actions), actions=actions, raised=raised, notices=()
+        state,
+        tick=now,
+        casts=casts,
+        action_count=state.action_count + len(actions),
+        actions=actions,
+        raised=(*touching, *raised),
+        notices=(),
+        contacts=contacts,
+        flights=flights,
     )
     verdicts = [verdict for cast, done in stepped for verdict in _verdicts(cast, done)]
     return replace(after, verdicts=(*_notices(after, notices), *verdicts))
@@ -130,12 +147,14 @@ def _actions(stepped: Iterable[tuple[Cast, StepResult]], count: int, now: int) -
 
 
 def _verdicts(cast: Cast, done: StepResult) -> Iterable[Verdict]:
-    states, events = cast.role.machine.states, cast.role.machine.events
+    states, events, cells = cast.role.machine.states, cast.role.machine.events, cells_of(cast.role)
     for one in done.verdicts:
+        here, event = states[one.from_state], events[one.event]
         to = states[one.to_state] if one.to_state >= 0 else ""
-        actor, event = int(cast.ids[one.actor]), events[one.event]
-        cell = one.cell if any(one.cell) else None
-        yield Verdict(one.tick, actor, one.layer, event, one.verdict, one.reason, states[one.from_state], to, cell, one.values)
+        cell = cells.get((one.layer, here, event)) if any(one.cell) else None
+        place = (cell.written, cell.source, cell.line) if cell else (None, "", 0)
+        actor = int(cast.ids[one.actor])
+        yield Verdict(one.tick, actor, one.layer, event, one.verdict, one.reason, here, to, *place, one.values, one.other)
 
 
 def _notices(state: StageState, notices: Iterable[Notice]) -> Iterable[Verdict]:

@@ -7,8 +7,7 @@ import numpy as np
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.world.grid import Grid
 
-BLOCK = 512
-"""members looked at together, which bounds the memory where all are in one place"""
+NOBODY = np.iinfo(np.int64).max
 WIDER = 1.6
 """times the radius: the next look of those who have not found enough"""
 BALL = 4.19
@@ -28,9 +27,10 @@ def nearest_seen(position: Floats, forward: Floats, reach: float, sight_cos: flo
     todo, radius = np.arange(len(position)), first_look(position, reach, count)
     while len(todo):
         grid = Grid(position, radius)
-        for start in range(0, len(todo), BLOCK):
-            block = todo[start : start + BLOCK]
-            rows[block], squares[block] = _nearest(*_seen(grid, block, position, forward, radius, sight_cos), len(block), count)
+        for near in grid.around(position[todo]):
+            block = np.unique(near.first)
+            who, other, square = _seen(todo[near.first], near.second, position, forward, (radius, sight_cos))
+            rows[todo[block]], squares[todo[block]] = _nearest(who, other, square, todo[block], count)
         todo = todo[np.isinf(squares[todo, -1])] if radius < reach else todo[:0]
         radius = min(WIDER * radius, reach)
     return rows, np.sqrt(squares)
@@ -49,34 +49,33 @@ def first_look(position: Floats, reach: float, count: int) -> float:
     return min(float((volume / BALL) ** (1 / 3)), reach)
 
 
-def _seen(grid: Grid, block: Ints, position: Floats, forward: Floats, radius: float, sight_cos: float) -> tuple[Ints, Ints, Floats]:
-    """Row of the block, member that it sees, and the square of their distance (P,), in order of the block's rows."""
-    who, other = grid.around(position[block])
-    me = block[who]
+def _seen(me: Ints, other: Ints, position: Floats, forward: Floats, limits: tuple[float, float]) -> tuple[Ints, Ints, Floats]:
+    """Of pairs (P,) those in which `me` sees the other, and the squares of their distances; `limits` are reach and cosine."""
+    reach, sight_cos = limits
     x, y, z = (axis[other] - axis[me] for axis in np.ascontiguousarray(position.T))
     square = x * x + y * y + z * z
-    near = ((square <= radius * radius) & (me != other)).nonzero()[0]
-    who, other, square, me = who[near], other[near], square[near], me[near]
-    if sight_cos > -1:
-        ahead_x, ahead_y, ahead_z = (axis[me] for axis in np.ascontiguousarray(forward.T))
-        ahead = x[near] * ahead_x + y[near] * ahead_y + z[near] * ahead_z
-        visible = ahead >= sight_cos * np.sqrt(square)
-        who, other, square = who[visible], other[visible], square[visible]
-    return who, other, square
+    near = ((square <= reach * reach) & (me != other)).nonzero()[0]
+    me, other, square = me[near], other[near], square[near]
+    if sight_cos <= -1:
+        return me, other, square
+    ahead_x, ahead_y, ahead_z = (axis[me] for axis in np.ascontiguousarray(forward.T))
+    visible = x[near] * ahead_x + y[near] * ahead_y + z[near] * ahead_z >= sight_cos * np.sqrt(square)
+    return me[visible], other[visible], square[visible]
 
 
-def _nearest(who: Ints, other: Ints, square: Floats, members: int, count: int) -> tuple[Ints, Floats]:
-    """Of those that each member sees the nearest: rows and squares (members, count)."""
-    seen = np.bincount(who, minlength=members)
-    place = np.arange(len(who)) - (seen.cumsum() - seen)[who]
-    table = np.full((members, max(int(seen.max(initial=0)), 1)), np.inf)
-    rows = np.full(table.shape, np.iinfo(np.int64).max)
-    table[who, place], rows[who, place] = square, other
-    nearest, squares = np.full((members, count), -1), np.full((members, count), np.inf)
+def _nearest(me: Ints, other: Ints, square: Floats, members: Ints, count: int) -> tuple[Ints, Floats]:
+    """Of those that each of `members` (M,), which rise, sees the nearest: rows and squares (M, count). `me` rises too."""
+    start = me.searchsorted(members)
+    seen = me.searchsorted(members, "right") - start
+    table = np.full((len(members), max(int(seen.max(initial=0)), 1)), np.inf)
+    rows = np.full(table.shape, NOBODY)
+    line = np.arange(len(members)).repeat(seen)
+    place = np.arange(len(me)) - start[line]
+    table[line, place], rows[line, place] = square, other
+    nearest, squares = np.full((len(members), count), -1), np.full((len(members), count), np.inf)
     for column in range(min(count, table.shape[1])):
         least = table.min(1)
-        chosen = np.where(table == least[:, None], rows, np.iinfo(np.int64).max).min(1)
-        is_seen = np.isfinite(least)
-        nearest[:, column], squares[:, column] = np.where(is_seen, chosen, -1), least
+        chosen = np.where(table == least[:, None], rows, NOBODY).min(1)
+        nearest[:, column], squares[:, column] = np.where(np.isfinite(least), chosen, -1), least
         table[rows == chosen[:, None]] = np.inf
     return nearest, squares

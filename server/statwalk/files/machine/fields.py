@@ -70,3 +70,11 @@ def point(node: Node) -> tuple[float, float, float]:
         raise node.refuse(f"three numbers are wanted, [x, y, z], not {len(parts)}")
     x, y, z = (one.number(-FARTHEST, FARTHEST) for one in parts)
     return x, y, z
+
+
+def whole(node: Node, lowest: int, highest: int) -> int:
+    """A whole number within its limits."""
+    value = node.number(lowest, highest)
+    if value != int(value):
+        raise node.refuse(f"{node.text()[:40]!r} is no whole number")
+    return int(value)
