@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from statwalk.machine.buildcells import Conditions, cell_arrays
 from statwalk.machine.buildstates import LARGEST_SPEED, MotionFacts, state_arrays
 from statwalk.machine.definition import BASE, MachineDefinition, TouchDefinition, nearest
-from statwalk.machine.runform import (
+from statwalk.machine.runform import Machine
+from statwalk.machine.runparts import (
     AT_END,
     AT_MARKER,
     BLANK,
@@ -26,7 +27,6 @@ from statwalk.machine.runform import (
     Condition,
     Key,
     Layer,
-    Machine,
     Parameter,
     Sense,
     Touch,

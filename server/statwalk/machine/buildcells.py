@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from statwalk.machine.celldefinition import ActionDefinition
 from statwalk.machine.definition import MachineDefinition, nearest
 from statwalk.machine.expand import Cell, Choice, expand
-from statwalk.machine.runform import BLANK, CURVES, MATCH, MIXED, OFF, UNDEFINED, Condition, Outcome
+from statwalk.machine.runparts import BLANK, CURVES, MATCH, MIXED, OFF, UNDEFINED, Condition, Outcome
 
 WHENS = ("now", "end", "marker", "window")
 """the kinds of moments by their numbers"""

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 
 class Verdict(NamedTuple):
@@ -23,6 +27,8 @@ class Verdict(NamedTuple):
     """row and column of the cell that decided, as written in the file; empty where none did"""
     values: tuple[tuple[str, float], ...] = ()
     """name and value of all that the cell's conditions asked for"""
+    other: int = -1
+    """id of the actor that was touched, or raised the event; -1 none"""
 
 
 class Change(NamedTuple):
@@ -71,3 +77,32 @@ class Record:
     changes: list[Change] = field(default_factory=list)
     verdicts: list[Verdict] = field(default_factory=list)
     actions: list[Action] = field(default_factory=list)
+
+
+class Changes(NamedTuple):
+    """The motions that start in a tick, (C,) each, in the order in which they came about; an actor may stand there several times."""
+
+    actor: NDArray[np.int64]
+    layer: NDArray[np.int64]
+    from_state: NDArray[np.int16]
+    to_state: NDArray[np.int16]
+    event: NDArray[np.int16]
+    action: NDArray[np.int16]
+    """row of the machine's actions, -1 none"""
+    blend: NDArray[np.float32]
+    """seconds"""
+    restart: NDArray[np.bool_]
+    """the same state began its motion again"""
+    time: NDArray[np.float64]
+    """seconds into the new motion"""
+    curve: NDArray[np.uint8]
+    """row of CURVES"""
+
+
+CHANGE_KINDS = (np.int64, np.int64, np.int16, np.int16, np.int16, np.int16, np.float32, np.bool_, np.float64, np.uint8)
+
+
+def changes_of(changes: Sequence[Change]) -> Changes:
+    """The changes as arrays."""
+    columns: list[tuple[Any, ...]] = list(zip(*changes, strict=True)) if changes else [()] * len(CHANGE_KINDS)
+    return Changes._make(np.array(column, kind) for column, kind in zip(columns, CHANGE_KINDS, strict=True))

@@ -2,126 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.machine.celldefinition import ActionDefinition, Moment
 from statwalk.machine.definition import BlendDefinition
-from statwalk.maths.arrays import Floats
-
-BLANK, OFF, UNDEFINED, MIXED = -1, -2, -3, -4
-"""targets that are no state: nothing stands there, a `-`, a name that is no state, several outcomes (see `alternatives`)"""
-NOW, AT_END, AT_MARKER, IN_WINDOW = range(4)
-CURVES = ("cubic", "quintic")
-"""the curves by their numbers"""
-MATCH = -2.0
-"""in place of the phase at which a motion is entered: at that of the old one"""
-MEASURED = ("speed", "turning", "height", "phase", "time")
-"""what conditions may ask of an actor beside its parameters, where none of them has that name"""
-
-
-class Condition(Protocol):
-    """A small program over numbers; see `machine.conditions`."""
-
-    @property
-    def variables(self) -> tuple[str, ...]:
-        """The names that it asks for."""
-
-    def evaluate(self, values: Floats) -> Floats:
-        """(N,) float64, true where it is not 0, of `values` (V, N) in the order of `Machine.variables`."""
-
-
-class Outcome(NamedTuple):
-    """One thing that a cell can lead to."""
-
-    target: int
-    """row of the table, or UNDEFINED"""
-    restart: bool
-    blend: float
-    """seconds"""
-    curve: int
-    enter: float
-    """phase 0…1 at which the new motion begins, or MATCH"""
-    action: int
-    """row of `actions`, -1 none"""
-    to: str
-    """the target as written"""
-    resume: int = -1
-    """row of `histories`: the inner state left last is meant, once one was left; -1 none"""
-    condition: Condition | None = None
-    said: str = ""
-    """the condition as written"""
-    weight: float | None = None
-    """its share, where the outcomes are drawn"""
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A named number that the outside sets, its bounds, and the seconds in which a new value is reached."""
-
-    name: str
-    default: float
-    minimum: float
-    maximum: float
-    smooth: float = 0.0
-
-
-@dataclass(frozen=True)
-class Key:
-    """What a key sends: `press` when it goes down (kept down where `hold`), `release` when it comes up."""
-
-    press: str | None
-    release: str | None
-    hold: bool
-
-
-@dataclass(frozen=True)
-class Layer:
-    """A table of its own on the same character: the joints that it moves (each with all below it; none: all), and how much."""
-
-    name: str
-    mode: Literal["override", "additive"] = "override"
-    mask: tuple[str, ...] = ()
-    weight: float = 1.0
-    weight_parameter: int = -1
-    """row of `parameters` that gives the weight, -1 none"""
-
-
-class Sense(NamedTuple):
-    """A condition that raises an event when it becomes true, and again only after `release` was (None: after it was false)."""
-
-    event: int
-    when: Condition
-    release: Condition | None
-    said: str
-    """the condition as written"""
-
-
-class Touch(NamedTuple):
-    """A pair of colliders that raises an event."""
-
-    event: int
-    own: str
-    other: str
-    on: Literal["enter", "stay", "leave"]
-
-
-class Collider(NamedTuple):
-    """What can be touched, as in `ColliderDefinition`. Metres."""
-
-    name: str
-    kind: Literal["sphere", "plane"]
-    joint: str
-    """empty: the root"""
-    center: tuple[float, float, float]
-    radius: float
-    normal: tuple[float, float, float]
-    line: int
+from statwalk.machine.runparts import BLANK, MIXED, OFF, UNDEFINED, Collider, Key, Layer, Outcome, Parameter, Sense, Touch
 
 
 @dataclass(frozen=True, eq=False)
@@ -231,7 +121,58 @@ class Machine:
         return found
 
     @cached_property
+    def columns(self) -> dict[str, int]:
+        """Events by their names; END is not among them."""
+        return {name: column for column, name in enumerate(self.events[:-1])}
+
+    @cached_property
+    def received(self) -> NDArray[np.bool_]:
+        """(E, L) which layers an input goes to: those that its event concerns, else the base."""
+        found = self.layer_concerns.T.copy()
+        found[self.end] = False
+        found[:, 0] |= ~found.any(axis=1)
+        return found
+
+    @cached_property
+    def receivers(self) -> list[list[bool]]:
+        """(L, E) the same as Python values."""
+        receivers: list[list[bool]] = self.received.T.tolist()
+        return receivers
+
+    @cached_property
+    def marker_seconds(self) -> NDArray[np.float64]:
+        """(S, K) where the markers of each motion stand, seconds; infinite in place of those that it has not."""
+        return seconds_of(self.markers, self.duration)
+
+    @cached_property
+    def heard(self) -> NDArray[np.float64]:
+        """(S, K) the same for markers with a cell that says what they mean."""
+        says = [
+            {name for name, column in self.columns.items() if self.target[row, column] not in (BLANK, OFF)}
+            for row in range(len(self.states))
+        ]
+        return seconds_of(
+            [[one for one in markers if one[0] in said] for markers, said in zip(self.markers, says, strict=True)], self.duration
+        )
+
+    @cached_property
+    def windows(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """(S, E) each: the seconds at which the window of a cell opens and closes."""
+        opens, closes = np.zeros(self.when.shape), np.zeros(self.when.shape)
+        for place, moment in self.moments.items():
+            opens[place], closes[place] = moment.first * self.duration[place[0]], moment.last * self.duration[place[0]]
+        return opens, closes
+
+    @cached_property
     def whens(self) -> list[list[int]]:
         """`when` as Python numbers."""
         found: list[list[int]] = self.when.tolist()
         return found
+
+
+def seconds_of(markers: Sequence[Sequence[tuple[str, float]]], duration: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(S, K) the seconds at which the markers (name, phase) of each motion stand, filled up with infinity."""
+    found = np.full((len(markers), max(map(len, markers), default=0)), np.inf)
+    for row, several in enumerate(markers):
+        found[row, : len(several)] = [phase * duration[row] for _, phase in several]
+    return found

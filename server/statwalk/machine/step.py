@@ -5,16 +5,20 @@ Whoever has nothing to decide is stepped in a few array operations; the others t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.machine.record import Action, Change, Record, Verdict, Waiting
+from statwalk.machine.advance import advance, speeds
+from statwalk.machine.deciding import deciding
+from statwalk.machine.record import Action, Changes, Verdict, changes_of
 from statwalk.machine.runform import Machine
-from statwalk.machine.state import ENDED, FOREVER, NEW, OWED, RUNNING, MachineState
-from statwalk.machine.turn import HOLD, PRESS, RAISED, RELEASE, TOUCH, TRAVEL, Turn
+from statwalk.machine.sensing import sense
+from statwalk.machine.smoothing import smooth
+from statwalk.machine.state import MachineState
+from statwalk.machine.turn import HOLD, PRESS, RAISED, RELEASE, TOUCH, TRAVEL
+from statwalk.machine.turns import Batch, Given, run
 from statwalk.maths.arrays import Bools, Floats, Ints
 
 __all__ = [
@@ -31,12 +35,9 @@ __all__ = [
     "StepResult",
     "Surroundings",
     "Verdict",
+    "speeds",
     "step",
 ]
-
-
-NEARLY = 1e-6
-"""seconds by which a motion may miss its end: durations are float32 in most files, and sixty sixtieths are hardly ever one"""
 
 
 class Inputs(NamedTuple):
@@ -50,6 +51,9 @@ class Inputs(NamedTuple):
     """PRESS, HOLD, RELEASE, TOUCH, RAISED or TRAVEL"""
     other: Ints | None = None
     """id of the actor that was touched, or raised the event; -1, or None for all: none"""
+
+
+NOTHING = Inputs(*(np.zeros(0, np.int64) for _ in range(3)))
 
 
 class Surroundings(NamedTuple):
@@ -68,29 +72,6 @@ class Surroundings(NamedTuple):
         return cls(np.ones((actors, layers)), np.zeros((3, actors)), np.zeros(actors, np.uint64))
 
 
-NOTHING = Inputs(*(np.zeros(0, np.int64) for _ in range(3)))
-
-
-class Changes(NamedTuple):
-    """The motions that start in a tick, (C,) each, in the order in which they came about; an actor may stand there several times."""
-
-    actor: NDArray[np.int64]
-    layer: NDArray[np.int64]
-    from_state: NDArray[np.int16]
-    to_state: NDArray[np.int16]
-    event: NDArray[np.int16]
-    action: NDArray[np.int16]
-    """row of the machine's actions, -1 none"""
-    blend: NDArray[np.float32]
-    """seconds"""
-    restart: NDArray[np.bool_]
-    """the same state began its motion again"""
-    time: NDArray[np.float64]
-    """seconds into the new motion"""
-    curve: NDArray[np.uint8]
-    """row of CURVES"""
-
-
 class StepResult(NamedTuple):
     """The state after the tick, and what happened in it."""
 
@@ -106,125 +87,42 @@ class StepResult(NamedTuple):
     """(N, L) how often it began anew on the way"""
 
 
-class Advance(NamedTuple):
-    """Rule 0, (N, L) each: motions after one step. `carry`: the seconds left after END, where END came."""
-
-    time: NDArray[np.float64]
-    ended: NDArray[np.uint8]
-    at_end: Bools
-    carry: Floats
-    wraps: NDArray[np.int64]
-
-
 def step(
     machine: Machine, state: MachineState, dt: float, tick: int, inputs: Inputs = NOTHING, surroundings: Surroundings | None = None
 ) -> StepResult:
     """All actors after `dt` seconds, in the tick that `tick` names; `state` is left as it is."""
-    state = state._replace(smoothed=state.parameters)
     around = surroundings or Surroundings.none(*state.state.shape)
+    state = smooth(machine, state, dt)
     moved = advance(machine, state, dt, around.rate)
-    after = state._replace(time=moved.time, passed=moved.time, ended=moved.ended)
-    by_actor: dict[int, list[tuple[int, int]]] = {}
-    for actor, event, kind in zip(inputs.actor.tolist(), inputs.event.tolist(), inputs.kind.tolist(), strict=True):
-        by_actor.setdefault(actor, []).append((event, kind))
-    record = Record()
-    rows = deciding(machine, state, moved, tick, by_actor)
-    if rows:
-        after = after.copy()
-    for actor, layer in rows:
-        turn = begin(machine, state, moved, record, (tick, dt, actor, layer))
-        turn.run(by_actor.get(actor, ()))
-        finish(turn, after)
+    after = state._replace(time=moved.time, passed=moved.time, age=state.age + np.int32(1), ended=moved.ended)
+    some = deciding(machine, state, moved, tick, around.measured, dt)
+    given = Given()
+    if machine.senses:
+        sensing, raised = sense(machine, state, around.measured, dt)
+        after = after._replace(sensing=sensing)
+        give_sensed(machine, raised, given, some)
+    if len(inputs.actor):
+        give_inputs(machine, inputs, given, some)
+    batch = Batch(machine, state, moved, around.measured, around.key, tick, dt)
+    if some.any():
+        after = run(batch, some, given, after)
+    record = batch.record
     return StepResult(after, changes_of(record.changes), record.verdicts, record.actions, state.time, moved.time, moved.wraps)
 
 
-def advance(machine: Machine, state: MachineState, dt: float, rate: Floats) -> Advance:
-    """Rule 0: motions advance by one step; END is raised at the end of a motion and at each wrap of one that loops."""
-    factor = speeds(machine, state) * rate
-    time: NDArray[np.float64] = state.time + dt * factor
-    over = np.asarray(time >= machine.duration[state.state] - NEARLY)
-    at_end, ended = over, state.ended
-    carry, wraps = np.zeros_like(time), np.zeros(time.shape, np.int64)
-    if over.any():
-        at_end, ended, time = over.copy(), ended.copy(), time.copy()
-        here = state.state[over]
-        loop, duration, reached = machine.loop[here], machine.duration[here], time[over]
-        turns = np.where(loop & (duration > 0), np.floor((reached + NEARLY) / np.where(duration > 0, duration, 1.0)), 0.0)
-        wrapped = np.where(duration > 0, np.maximum(reached - turns * duration, 0.0), 0.0)
-        seconds = np.where(loop, wrapped, np.maximum(reached - duration, 0.0))
-        wraps[over] = turns
-        carry[over] = np.divide(seconds, factor[over], out=np.zeros_like(seconds), where=factor[over] > 0)
-        at_end[over] = loop | (ended[over] != ENDED)
-        time[over] = np.where(loop, wrapped, duration)
-        ended[over] = np.where(loop, RUNNING, ENDED)
-    return Advance(time, ended, at_end, carry, wraps)
+def give_sensed(machine: Machine, raised: Bools, given: Given, some: Bools) -> None:
+    """Notes the senses (rows) of `raised` (N, K) for their actors, and in `some` (N, L) the layers that they concern."""
+    for actor, row in np.argwhere(raised).tolist():
+        given.sensed.setdefault(actor, []).append(row)
+        some[actor] |= machine.received[machine.senses[row].event]
 
 
-def speeds(machine: Machine, state: MachineState) -> Floats:
-    """(N, L) factor of time of each motion."""
-    factor: Floats = machine.speed[state.state]
-    if machine.parameters:
-        row = machine.speed_parameter[state.state]
-        given = np.take_along_axis(state.smoothed, np.maximum(row, 0).astype(np.intp), axis=1)
-        factor = np.where(row >= 0, given, factor)
-    return factor
-
-
-def deciding(
-    machine: Machine, state: MachineState, moved: Advance, tick: int, inputs: dict[int, list[tuple[int, int]]]
-) -> list[tuple[int, int]]:
-    """(actor, layer) of all that have an input, something in the queue that is due, or an END that somebody may answer."""
-    some = np.asarray(state.wake <= tick)
-    if moved.at_end.any():
-        waits = (state.waiting_event[:, :, 0] >= 0) | (state.held.max(axis=1, keepdims=True) > 0)
-        some[moved.at_end & (waits | machine.end_matters[state.state])] = True
-    some[list(inputs)] = True
-    return [(actor, layer) for actor, layer in np.argwhere(some).tolist()] if some.any() else []
-
-
-def begin(machine: Machine, state: MachineState, moved: Advance, record: Record, place: tuple[int, float, int, int]) -> Turn:
-    """An actor's turn, from the arrays; `place` is tick, dt, actor, layer."""
-    tick, dt, actor, layer = place
-    at = actor, layer
-    waiting = zip(state.waiting_event[at].tolist(), state.waiting_until[at].tolist(), state.waiting_held[at].tolist(), strict=True)
-    return Turn(
-        machine=machine,
-        record=record,
-        tick=tick,
-        dt=dt,
-        actor=actor,
-        layer=layer,
-        state=int(state.state[at]),
-        time=float(moved.time[at]),
-        ended=int(moved.ended[at]),
-        at_end=bool(moved.at_end[at]),
-        owed=bool(state.ended[at] == OWED),
-        carry=float(moved.carry[at]),
-        queue=[Waiting(event, until, held) for event, until, held in waiting if event >= 0],
-        held=state.held[actor].tolist(),
-        parameters=state.smoothed[actor].tolist(),
-    )
-
-
-def finish(turn: Turn, after: MachineState) -> None:
-    """An actor's turn, back into the arrays of the new state."""
-    at = turn.actor, turn.layer
-    after.state[at], after.time[at], after.ended[at] = turn.state, turn.time, turn.ended
-    count = len(turn.queue)
-    after.waiting_event[at], after.waiting_until[at], after.waiting_held[at] = -1, 0, False
-    if count:
-        after.waiting_event[at][:count] = [one.event for one in turn.queue]
-        after.waiting_until[at][:count] = [one.until for one in turn.queue]
-        after.waiting_held[at][:count] = [one.held for one in turn.queue]
-    soonest = min((one.until for one in turn.queue), default=FOREVER)
-    after.wake[at] = NEW if turn.queue and turn.changes else soonest  # what waits is looked up in the new state, whenever it came about
-    after.held[turn.actor] = turn.held
-
-
-def changes_of(changes: Sequence[Change]) -> Changes:
-    """The changes as arrays."""
-    columns: list[tuple[Any, ...]] = list(zip(*changes, strict=True)) if changes else [()] * len(CHANGE_KINDS)
-    return Changes._make(np.array(column, kind) for column, kind in zip(columns, CHANGE_KINDS, strict=True))
-
-
-CHANGE_KINDS = (np.int64, np.int64, np.int16, np.int16, np.int16, np.int16, np.float32, np.bool_, np.float64, np.uint8)
+def give_inputs(machine: Machine, inputs: Inputs, given: Given, some: Bools) -> None:
+    """Notes the inputs for their actors, and in `some` (N, L) the layers that they concern."""
+    other = [-1] * len(inputs.actor) if inputs.other is None else inputs.other.tolist()
+    for actor, event, kind, who in zip(inputs.actor.tolist(), inputs.event.tolist(), inputs.kind.tolist(), other, strict=True):
+        given.inputs.setdefault(actor, []).append((event, kind, who))
+    travels = inputs.kind == TRAVEL
+    some[inputs.actor[travels], 0] = True
+    which, layers = machine.received[inputs.event[~travels]].nonzero()
+    some[inputs.actor[~travels][which], layers] = True

@@ -6,68 +6,71 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from statwalk.machine.record import Action, Change, Record, Verdict, Waiting
-from statwalk.machine.runform import AT_END, BLANK, OFF, UNDEFINED, Machine
-from statwalk.machine.state import ENDED, FOREVER, MOST_WAITING, NEW, OWED, RUNNING
+from statwalk.machine.moments import in_window
+from statwalk.machine.queueing import MOST_CHANGES
+from statwalk.machine.record import Waiting
+from statwalk.machine.runparts import AT_END, AT_MARKER, BLANK, MIXED, NOW, OFF, UNDEFINED
+from statwalk.machine.state import ENDED, FOREVER, MOMENT, NEW, OWED, RUNNING
+from statwalk.machine.taking import Taking
 
 PRESS, HOLD, RELEASE, TOUCH, RAISED, TRAVEL = range(6)
 """kinds of inputs: a tap, a key that goes down, a key that comes up, a touch, raised by another actor, a state to travel to"""
-MOST_CHANGES = 8
 
 
-@dataclass
-class Turn:
-    """An actor (and layer) while its tick is worked out. Seconds and ticks; `held` as in MachineState."""
+@dataclass(slots=True)
+class Turn(Taking):
+    """An actor (and layer) whose tick is worked out."""
 
-    machine: Machine
-    record: Record
-    tick: int
-    dt: float
-    actor: int
-    layer: int
-    state: int
-    time: float
-    ended: int
-    """RUNNING, ENDED or OWED"""
-    at_end: bool
-    """END came in this tick and has not been answered"""
-    owed: bool
-    """this END is one that a stay has put off"""
-    carry: float
-    """seconds of this tick that were left after END"""
-    queue: list[Waiting]
-    held: list[int]
-    parameters: list[float]
-    changes: int = 0
-    ending: bool = False
-    """END is being answered: the motion that follows takes over `carry`"""
-
-    def run(self, inputs: Iterable[tuple[int, int]]) -> None:
-        """All events of the tick: the waiting ones, the inputs (event, kind), END."""
+    def run(self, sensed: Iterable[int], inputs: Iterable[tuple[int, int, int]]) -> None:
+        """All events of the tick: the waiting ones, markers, senses (rows), inputs (event, kind, other), END."""
         if self.at_end:
             self.wait_again()
         for waiting in tuple(self.queue):
             if waiting in self.queue:  # a change of state may have ended its waiting
-                self.meet(waiting.event, waiting)
-        for event, kind in inputs:
-            self.receive(event, kind)
+                self.meet(waiting.event, waiting, waiting.other)
+        if self.crossed:
+            self.meet_markers()
+        for row in sensed:
+            self.note = f"sensed: {self.machine.senses[row].said}"
+            self.receive(self.machine.senses[row].event, PRESS, -1)
+        self.note = ""
+        for event, kind, other in inputs:
+            self.receive(event, kind, other)
         if self.at_end:
             self.end()
+        if self.layer == 0 and self.goal == self.state:
+            self.goal = -1
 
-    def receive(self, event: int, kind: int) -> None:
-        """An input from outside."""
-        waiting = next((one for one in self.queue if one.event == event), None)
+    def meet_markers(self) -> None:
+        """Markers are events of the columns of their names; where the cell says nothing they mean nothing, and do not wait."""
+        for name in self.crossed:
+            event = self.machine.columns.get(name, -1)
+            if event >= 0 and self.crossed and self.machine.targets[self.state][event] not in (BLANK, OFF):
+                self.meet(event, self.waiting_for(event), -1, fleeting=True)
+
+    def waiting_for(self, event: int) -> Waiting | None:
+        """The event of that name that waits."""
+        return next((one for one in self.queue if one.event == event), None)
+
+    def receive(self, event: int, kind: int, other: int) -> None:
+        """An event from outside of the motion."""
+        if kind == TRAVEL:
+            self.goal = event
+            return
+        concerned = self.machine.receivers[self.layer][event]
+        waiting = self.waiting_for(event)
         if kind == RELEASE:
             self.release(event, waiting)
-            return
-        if event == self.machine.end or (kind == HOLD and self.held[event]):
-            self.verdict(event, "dropped", "it is held already" if self.held[event] else "only a motion raises END")
-            return
-        if kind == HOLD:
-            self.held[event] = max(self.held) + 1
-        if waiting:
-            waiting.until, waiting.held = NEW, False  # a newer one of the same name renews it, in its place
-        self.meet(event, waiting)
+        elif event == self.machine.end or (kind == HOLD and self.held[event]):
+            if concerned:
+                self.verdict(event, "dropped", "it is held already" if self.held[event] else "only a motion raises END")
+        else:
+            if kind == HOLD:
+                self.held[event] = max(self.held) + 1
+            if waiting:
+                waiting.until, waiting.held, waiting.other = NEW, False, other  # a newer one of the same name renews it, in its place
+            if concerned:
+                self.meet(event, waiting, other)
 
     def release(self, event: int, waiting: Waiting | None) -> None:
         """The key is up: what waits only because it was held is dropped; a press of its own goes on waiting."""
@@ -75,153 +78,107 @@ class Turn:
         if waiting and waiting.held:
             self.drop(event, waiting, "it was released")
 
-    def meet(self, event: int, waiting: Waiting | None) -> None:
-        """Rule 2: an event is looked up in the state that the ones before it have led to."""
+    def meet(self, event: int, waiting: Waiting | None, other: int, fleeting: bool = False) -> None:
+        """Rule 2: an event is looked up in the state that the ones before it have led to. `fleeting`: it does not wait in a blank cell."""
         target = self.machine.targets[self.state][event]
+        self.asked = ()
         if self.changes == MOST_CHANGES:
-            self.put_off(event, waiting)
+            self.put_off(event, waiting, other)
         elif target == BLANK:
-            self.meet_blank(event, waiting)
-        elif target < 0:
-            self.drop(event, waiting, "the cell is -" if target == OFF else f"{self.undefined(event)} is no state")
-        elif self.machine.whens[self.state][event] == AT_END and (self.at_end or self.ended != ENDED):
-            self.wait(event, waiting, FOREVER, "the cell says: at end")
+            self.meet_blank(event, waiting, other)
+        elif target in (OFF, UNDEFINED):
+            self.drop(event, waiting, "the cell is -" if target == OFF else f"{self.undefined(event)} is no state", other)
+        elif not self.is_now(event):
+            at_end = self.machine.whens[self.state][event] == AT_END
+            self.wait(event, waiting, FOREVER if at_end else MOMENT, f"the cell says: {self.moment(event)}", other)
+        else:
+            self.fire(event, waiting, other, fleeting)
+
+    def fire(self, event: int, waiting: Waiting | None, other: int, fleeting: bool) -> None:
+        """The moment has come: the cell leads somewhere, unless nothing in it is true."""
+        one = self.choose(event)
+        if one is None and fleeting:
+            self.drop(event, waiting, self.because)
+        elif one is None:
+            self.meet_blank(event, waiting, other, self.because)
+        elif one.target == UNDEFINED:
+            self.drop(event, waiting, f"{one.to} is no state", other)
         else:
             self.forget(waiting)
-            self.take(event, "the motion has ended" if self.machine.whens[self.state][event] == AT_END else "")
+            self.take(event, one, self.reached(event), other)
 
-    def meet_blank(self, event: int, waiting: Waiting | None) -> None:
+    def meet_blank(self, event: int, waiting: Waiting | None, other: int, why: str = "the cell is blank") -> None:
         """Rule 3: in a blank cell an event waits for its buffer, through changes of state."""
         buffer = float(self.machine.buffer[event])
-        begun = waiting is not None and waiting.until not in (NEW, FOREVER)
+        begun = waiting is not None and waiting.until not in (NEW, FOREVER, MOMENT)
         until = waiting.until if waiting and begun else self.tick + math.ceil(buffer / self.dt - 1e-4)
         if self.tick < until:
-            self.wait(event, waiting, until, f"the cell is blank; it waits for {buffer:g} s")
+            self.wait(event, waiting, until, f"{why}; it waits for {buffer:g} s", other)
         else:
-            self.drop(event, waiting, f"the cell is blank, and {buffer:g} s are over" if begun else "the cell is blank")
+            self.drop(event, waiting, f"{why}, and {buffer:g} s are over" if begun else why, other)
 
-    def wait(self, event: int, waiting: Waiting | None, until: int, reason: str) -> None:
-        """The event stays in its place in the queue, or goes to the end of it."""
-        if waiting is None:
-            self.queue.append(Waiting(event, until))
-            self.make_room()
-        elif waiting.until == until:
-            return  # nothing new: that verdict was given before
-        else:
-            waiting.until = until
-            if self.owed and waiting.held:
-                return  # nor is this
-        self.verdict(event, "waits", reason)
+    def is_now(self, event: int) -> bool:
+        """Whether the moment that the cell names has come."""
+        when = self.machine.whens[self.state][event]
+        if when == NOW:
+            return True
+        if when == AT_END:
+            return not self.at_end and self.ended == ENDED
+        moment = self.machine.moments[self.state, event]
+        if when == AT_MARKER:
+            return moment.marker in self.crossed
+        return in_window(moment, float(self.machine.duration[self.state]), self.passed, self.time, self.wraps)
 
-    def put_off(self, event: int, waiting: Waiting | None) -> None:
-        """Rule 5: what is left over after 8 changes comes first in the next tick."""
-        if waiting is None:
-            self.queue.append(Waiting(event, NEW))
-            self.make_room()
-        self.verdict(event, "waits", f"{MOST_CHANGES} changes were made in this tick")
+    def moment(self, event: int) -> str:
+        """The moment that the cell names, in words."""
+        moment = self.machine.moments.get((self.state, event))
+        return "at end" if moment is None else f"at {moment}" if moment.kind == "marker" else str(moment)
 
-    def make_room(self) -> None:
-        """At most 16 wait."""
-        if len(self.queue) > MOST_WAITING:
-            self.drop(self.queue[0].event, self.queue[0], f"more than {MOST_WAITING} were waiting, and it was the oldest")
-
-    def drop(self, event: int, waiting: Waiting | None, reason: str) -> None:
-        """The event is gone."""
-        self.forget(waiting)
-        self.verdict(event, "dropped", reason)
-
-    def forget(self, waiting: Waiting | None) -> None:
-        """It waits no longer."""
-        if waiting is not None:
-            self.queue.remove(waiting)
-
-    def take(self, event: int, reason: str, silent: bool = False) -> bool:
-        """The cell fires; whether a motion has started. `silent`: the same stay as in the tick before."""
-        machine, here = self.machine, self.state
-        target, restart = machine.targets[here][event], bool(machine.restart[here, event])
-        action = int(machine.action[here, event])
-        starts = target != here or restart
-        if not silent:
-            self.verdict(event, "taken", reason or ("" if starts else "stays"), target if starts else -1)
-            if action >= 0:
-                self.record.actions.append(Action(self.tick, self.actor, machine.actions[action].name, machine.actions[action].arguments))
-        if starts:
-            self.change(event, target, action)
-        return starts
-
-    def change(self, event: int, target: int, action: int) -> None:
-        """Rule 5: the old motion's END is cleared, and the new motion starts in this tick."""
-        here, machine = self.state, self.machine
-        self.changes += 1
-        self.state, self.ended, self.at_end = target, RUNNING, False
-        self.time = self.entering(target) if self.ending else 0.0
-        self.record.changes.append(
-            Change(
-                self.actor,
-                self.layer,
-                here,
-                target,
-                event,
-                action,
-                float(machine.blend[here, event]),
-                target == here,
-                self.time,
-                int(machine.curve[here, event]),
-            )
-        )
-        if target != here:
-            self.leave(here)
-
-    def entering(self, state: int) -> float:
-        """Seconds into a motion that takes over the time left after END."""
-        machine = self.machine
-        row, duration = int(machine.speed_parameter[state]), float(machine.duration[state])
-        time = self.carry * (self.parameters[row] if row >= 0 else float(machine.speed[state]))
-        if machine.loop[state]:
-            return math.fmod(time, duration) if duration > 0 else 0.0
-        return min(time, duration)
-
-    def leave(self, old: int) -> None:
-        """What waited for a moment of the old motion waits no more; what is held counts as waiting again."""
-        for waiting in tuple(self.queue):
-            if waiting.until == FOREVER:
-                self.queue.remove(waiting)
-                if not self.held[waiting.event]:
-                    reason = f"{self.machine.states[old]} was left before its end"
-                    self.record.verdicts.append(Verdict(self.tick, self.actor, self.layer, waiting.event, "dropped", reason, old, -1))
-        self.wait_again()
-
-    def wait_again(self) -> None:
-        """Inputs that are held wait again, by the order in which they went down; they are looked up with the waiting ones."""
-        waiting = {one.event for one in self.queue}
-        down = [event for event, order in enumerate(self.held) if order and event not in waiting]
-        for event in sorted(down, key=self.held.__getitem__):
-            self.queue.append(Waiting(event, NEW, held=True))
-            self.make_room()
+    def reached(self, event: int) -> str:
+        """Why the moment has come, in words; empty where the cell says `now`."""
+        when = self.machine.whens[self.state][event]
+        return "" if when == NOW else "the motion has ended" if when == AT_END else f"{self.moment(event).removeprefix('at ')} has come"
 
     def end(self) -> None:
         """Rule 4: what waited for the end, else the END column, else the idle event, else the last pose holds or the loop goes on."""
-        machine, stayed, self.ending = self.machine, False, True
-        target = machine.targets[self.state][machine.end]
+        stayed, self.ending = False, True
         for waiting in [one for one in self.queue if one.until == FOREVER]:
+            one = self.choose(waiting.event)
+            if one is None or one.target == UNDEFINED:
+                self.fire(waiting.event, waiting, waiting.other, False)
+                continue
             self.forget(waiting)
-            if self.take(waiting.event, "at the end of the motion", silent=self.owed and waiting.held):
+            if self.take(waiting.event, one, "at the end of the motion", waiting.other, silent=self.owed and waiting.held):
                 return
             stayed = True
         if stayed:
             # The END column had no say. Of a motion that does not loop nothing is left, and END comes again in each tick until it has.
-            self.ended = RUNNING if machine.loop[self.state] else OWED
-        elif target >= 0:
-            self.take(machine.end, "")
-        elif target == UNDEFINED:
+            self.ended = RUNNING if self.machine.loop[self.state] else OWED
+        else:
+            self.end_column()
+
+    def end_column(self) -> None:
+        """Nothing has waited: the END column, else the idle event."""
+        machine, row = self.machine, self.machine.targets[self.state]
+        self.asked = ()
+        if row[machine.end] == UNDEFINED:
             self.drop(machine.end, None, f"{self.undefined(machine.end)} is no state")
-        elif target == BLANK and machine.idle >= 0 and machine.targets[self.state][machine.idle] >= 0:
-            self.take(machine.idle, "nothing else happened at the end of the motion")
+            return
+        if self.answered(machine.end, "") or row[machine.end] == OFF or machine.idle < 0:
+            return
+        self.answered(machine.idle, "nothing else happened at the end of the motion")
+
+    def answered(self, event: int, reason: str) -> bool:
+        """Whether the cell of END, or of the idle event in its place, has fired."""
+        target = self.machine.targets[self.state][event]
+        one = self.choose(event) if target >= 0 or target == MIXED else None
+        if one is not None and one.target != UNDEFINED:
+            self.take(event, one, reason)
+            return True
+        if target == MIXED:
+            self.drop(event, None, f"{one.to} is no state" if one else self.because)
+        return False
 
     def undefined(self, event: int) -> str:
         """What the table names here and is no state."""
         return self.machine.undefined[self.state, event]
-
-    def verdict(self, event: int, verdict: str, reason: str, to_state: int = -1) -> None:
-        """Records what became of an event."""
-        self.record.verdicts.append(Verdict(self.tick, self.actor, self.layer, event, verdict, reason, self.state, to_state))
