@@ -1,4 +1,4 @@
-"""From a path or a name to something that can be used: a Character, or a Role (a machine folder: character and machine).
+"""From a path or a name to something that can be used: a Character, a Role (a machine folder: character and machine), a Scene.
 
 Here files and stage meet; below this floor neither knows the other.
 """
@@ -6,15 +6,22 @@ Here files and stage meet; below this floor neither knows the other.
 from __future__ import annotations
 
 import tempfile
+from dataclasses import dataclass
+from math import radians
 from pathlib import Path
 
 from statwalk.character import Character
-from statwalk.errors import ContentError, UnknownNameError
+from statwalk.errors import ContentError, MachineError, UnknownNameError
 from statwalk.files import bundle
 from statwalk.files.characterfile import load_character
 from statwalk.files.glb import read_model
-from statwalk.files.machinefile import load_machine
+from statwalk.files.machinefile import FILE_NAME as MACHINE_FILE
+from statwalk.files.machinefile import MachineFile, load_machine
+from statwalk.files.scenefile import FILE_NAME as SCENE_FILE
+from statwalk.files.scenefile import ActorLine, SceneFile, load_scene_file
+from statwalk.stage.actor import Actor
 from statwalk.stage.role import Role
+from statwalk.stage.stage import Stage
 
 PACKAGE = Path(__file__).resolve().parent
 MODEL_SUFFIXES = (".glb", ".gltf")
@@ -44,9 +51,21 @@ def load(source: str | Path) -> Character | Role:
         return load_character_file(path)
     if path.is_dir():
         return load_role(path)
-    if str(source) in shipped_machines():
-        return load_role(shipped_machines_folder() / str(source))
-    raise UnknownNameError("model file, machine folder or shipped machine", str(source), shipped_machines())
+    return load_shipped(str(source), "model file, machine folder or shipped machine")
+
+
+def load_shipped(name: str, kind: str = "shipped machine") -> Role:
+    """The Role of a shipped machine, `faq-walker`, or of one that belongs to a shipped scene, `playground.door`.
+
+    A name is looked up among those there are, never put together to a path. Raises UnknownNameError.
+    """
+    folders = {path.parent.name: path.parent for path in shipped_machines_folder().glob(f"*/{MACHINE_FILE}")}
+    folders |= {
+        f"{path.parent.parent.name}.{path.parent.name}": path.parent for path in shipped_machines_folder().glob(f"*/*/{MACHINE_FILE}")
+    }
+    if name not in folders:
+        raise UnknownNameError(kind, name, sorted(folders))
+    return load_role(folders[name], name)
 
 
 def load_character_file(path: Path) -> Character:
@@ -78,9 +97,78 @@ def load_zip(path: Path) -> Character:
             raise error.in_file(f"{path}/{model.relative_to(folder)}") from None
 
 
-def load_role(folder: Path) -> Role:
-    """The Role of a machine folder: its machine file, and the character that file names."""
+def load_role(folder: Path, name: str = "") -> Role:
+    """The Role of a machine folder: its machine file, and the character that file names. `name`: where it is not the folder's."""
     file = load_machine(folder)
-    character = load_character_file(file.character_path)
+    character = load_character_file(character_path(file))
     file.check_root(character.skeleton.names)
-    return Role.build(folder.resolve().name, character, file.definition, file.root_joint)
+    return Role.build(name or folder.resolve().name, character, file.definition, file.root_joint)
+
+
+def character_path(file: MachineFile) -> Path:
+    """The model or character file of a machine; where it names another shipped machine, that one's. Raises ContentError."""
+    while not file.character_path.suffix:
+        name = file.character_path.name
+        if name not in shipped_machines() or shipped_machines_folder() / name == file.character_path.parent:
+            raise ContentError(f"character: {UnknownNameError('shipped machine', name, shipped_machines())}", file=file.definition.file)
+        file = load_machine(shipped_machines_folder() / name)
+    return file.character_path
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Who stands where on a stage when it opens."""
+
+    name: str
+    title: str
+    description: str
+    seed: int
+    lines: tuple[tuple[Role, ActorLine], ...]
+
+    def enter(self, stage: Stage) -> list[Actor]:
+        """All of them come to a stage; in the order of the file."""
+        found: list[Actor] = []
+        for role, line in self.lines:
+            names, positions = zip(*line.places(), strict=True)
+            heading = radians(line.heading_deg)
+            found += stage.add_many(role, [(position, heading) for position in positions], names)
+        return found
+
+    def open(self, rate: int = 60) -> Stage:
+        """A new stage with all of them."""
+        stage = Stage(self.seed, rate)
+        self.enter(stage)
+        return stage
+
+
+def shipped_scenes() -> list[str]:
+    """The names of the scenes that come with statwalk, sorted."""
+    return sorted(path.parent.name for path in shipped_machines_folder().glob(f"*/{SCENE_FILE}"))
+
+
+def load_scene(source: str | Path) -> Scene:
+    """A scene, from its folder or a shipped one's name; each machine is a sub-folder of it, or a shipped machine.
+
+    Raises ContentError where a file says something wrong and UnknownNameError where there is no such scene.
+    """
+    known = {name: shipped_machines_folder() / name for name in shipped_scenes()}
+    folder = Path(source) if (Path(source) / SCENE_FILE).is_file() else known.get(str(source))
+    if folder is None:
+        raise UnknownNameError("scene", str(source), known)
+    file = load_scene_file(folder)
+    roles: dict[str, Role] = {}
+    for line in file.actors:
+        if line.machine not in roles:
+            roles[line.machine] = _role_of(file, folder, line)
+    return Scene(file.name, file.title, file.description, file.seed, tuple((roles[line.machine], line) for line in file.actors))
+
+
+def _role_of(file: SceneFile, folder: Path, line: ActorLine) -> Role:
+    own = sorted(path.parent.name for path in folder.glob(f"*/{MACHINE_FILE}"))
+    if line.machine in own:
+        return load_role(folder / line.machine, f"{file.name}.{line.machine}")
+    if line.machine in shipped_machines():
+        return load_shipped(line.machine)
+    raise MachineError(
+        str(UnknownNameError("machine", line.machine, [*own, *shipped_machines()])), file=file.file, place=f"line {line.line}"
+    )

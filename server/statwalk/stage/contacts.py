@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -21,7 +21,7 @@ class Contacts:
 
     pairs: tuple[Pair, ...] = ()
     """that somebody's senses name"""
-    touching: NDArray[np.int64] = np.zeros((0, 3), np.int64)  # noqa: RUF009 - never written into
+    touching: NDArray[np.int64] = field(default_factory=lambda: np.zeros((0, 3), np.int64))
     """(T, 3) actor, row of `pairs`, other actor"""
     bodies: Bodies | None = None
     """where the colliders were; their kinds are rows of `names`"""
