@@ -1,14 +1,18 @@
 """One machine, tick by tick: durations are in ticks, inputs are `EVENT` (a press), `+EVENT` (it goes down) and `-EVENT` (it comes up)."""
 
+from collections.abc import Mapping
+
 import numpy as np
 from statwalk.files.machinefile import read_machine
 from statwalk.machine.build import Machine, MotionFacts, build
 from statwalk.machine.state import fresh
-from statwalk.machine.step import HOLD, PRESS, RELEASE, Inputs, StepResult, step
+from statwalk.machine.step import HOLD, PRESS, RELEASE, Inputs, StepResult, Surroundings, step
 
 RATE = 60
 DT = 1 / RATE
 KINDS = {"+": HOLD, "-": RELEASE}
+Markers = Mapping[str, Mapping[str, float]]
+"""motion -> marker -> ticks from its start"""
 
 
 def text_of(table: str, ticks: dict[str, float], more: str = "") -> str:
@@ -18,8 +22,17 @@ def text_of(table: str, ticks: dict[str, float], more: str = "") -> str:
     return f"character: c.glb\ninitial: {next(iter(ticks))}\nstates:\n{states}table: |\n{rows}{more}"
 
 
-def machine_of(table: str, ticks: dict[str, float], more: str = "") -> Machine:
-    return build(read_machine(text_of(table, ticks, more)), {name: MotionFacts(count / RATE) for name, count in ticks.items()})
+def machine_of(table: str, ticks: dict[str, float], more: str = "", markers: Markers | None = None) -> Machine:
+    return built(text_of(table, ticks, more), ticks, markers)
+
+
+def built(text: str, ticks: dict[str, float], markers: Markers | None = None) -> Machine:
+    """The machine of a file; `ticks` are the durations of the motions."""
+    facts = {
+        name: MotionFacts(count / RATE, None, tuple((mark, at / RATE) for mark, at in (markers or {}).get(name, {}).items()))
+        for name, count in ticks.items()
+    }
+    return build(read_machine(text), facts)
 
 
 def inputs_of(machine: Machine, *texts: str, actor: int = 0) -> Inputs:
@@ -32,9 +45,20 @@ def inputs_of(machine: Machine, *texts: str, actor: int = 0) -> Inputs:
 class Ticking:
     """An actor of a machine."""
 
-    def __init__(self, table: str, ticks: dict[str, float], more: str = "") -> None:
-        self.machine = machine_of(table, ticks, more)
-        self.memory = fresh(self.machine, 1)
+    def __init__(self, table: str, ticks: dict[str, float], more: str = "", markers: Markers | None = None) -> None:
+        self.begin(machine_of(table, ticks, more, markers))
+
+    @classmethod
+    def of(cls, text: str, ticks: dict[str, float], markers: Markers | None = None) -> "Ticking":
+        """An actor of the machine that a whole file says; `ticks` are the durations of its motions."""
+        actor = cls.__new__(cls)
+        actor.begin(built(text, ticks, markers))
+        return actor
+
+    def begin(self, machine: Machine) -> None:
+        self.machine = machine
+        self.memory = fresh(machine, 1)
+        self.around = Surroundings.none(1, len(machine.layers))
         self.tick = 0
         self.last: StepResult | None = None
         self.said: list[str] = []
@@ -42,12 +66,27 @@ class Ticking:
 
     def step(self, *inputs: str) -> str:
         """The state after one more tick."""
+        return self.give(inputs_of(self.machine, *inputs))
+
+    def give(self, inputs: Inputs) -> str:
+        """The same with inputs of any kind."""
         self.tick += 1
-        self.last = step(self.machine, self.memory, DT, self.tick, inputs_of(self.machine, *inputs))
+        self.last = step(self.machine, self.memory, DT, self.tick, inputs, self.around)
         self.memory = self.last.state
         self.said = [f"{self.machine.events[one.event]} {one.verdict}" for one in self.last.verdicts]
         self.actions += [one.name for one in self.last.actions]
         return self.state
+
+    def set(self, **parameters: float) -> None:
+        """Parameters, from the next tick on."""
+        values = self.memory.parameters.copy()
+        for name, value in parameters.items():
+            values[0, [one.name for one in self.machine.parameters].index(name)] = value
+        self.memory = self.memory._replace(parameters=values)
+
+    def measure(self, speed: float = 0.0, turning: float = 0.0, height: float = 0.0) -> None:
+        """What was shown at the tick before, from now on."""
+        self.around = self.around._replace(measured=np.array([[speed], [turning], [height]]))
 
     def run(self, count: int) -> str:
         """The state after so many more ticks."""
@@ -66,7 +105,12 @@ class Ticking:
 
     @property
     def state(self) -> str:
-        return self.machine.states[int(self.memory.state[0, 0])]
+        return self.states[0]
+
+    @property
+    def states(self) -> list[str]:
+        """The state of each layer."""
+        return [self.machine.states[state] for state in self.memory.state[0]]
 
     @property
     def time_in_ticks(self) -> float:

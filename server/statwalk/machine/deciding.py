@@ -37,8 +37,7 @@ def deciding(machine: Machine, state: MachineState, moved: Advance, tick: int, m
 
 def marked(places: Floats, state: MachineState, moved: Advance) -> Bools:
     """(N, L) whose motion has crossed one of the markers at `places` (N, L, K) seconds."""
-    found: Bools = any_crossed(places, state.passed[..., None], moved.time[..., None], moved.wraps[..., None]).any(-1)
-    return found
+    return np.asarray(any_crossed(places, state.passed[..., None], moved.time[..., None], moved.wraps[..., None]).any(-1))
 
 
 def come(machine: Machine, state: MachineState, moved: Advance, answers: Answers) -> Bools:
