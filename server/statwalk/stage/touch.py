@@ -23,6 +23,9 @@ from statwalk.stage.contacts import Contacts, Meetings, Pair, meetings
 from statwalk.stage.raised import MOST_RAISED, Raised
 from statwalk.world.collide import Bodies, touches
 
+ORDER = {"stay": 0, "enter": 1, "leave": 2}
+"""of what happens at the same moment"""
+
 
 def touched(before: Contacts, casts: Sequence[Cast]) -> tuple[Contacts, tuple[Raised, ...]]:
     """What is remembered after a tick, and the events that the touches in it raise, by time, actor and event."""
@@ -31,8 +34,13 @@ def touched(before: Contacts, casts: Sequence[Cast]) -> tuple[Contacts, tuple[Ra
         return now, ()
     bodies, row_of_pair = now.since(before, _bodies(casts, now.names)), now.row_of_pair
     found = meetings(touches(bodies, row_of_pair >= 0), bodies, row_of_pair, now.remembered(before))
-    events = [event for cast in casts for touch in cast.role.machine.touches for event in _events(cast, touch, found, now.pairs)]
-    events.sort(key=lambda event: (event.time, event.actor, event.event, event.other))
+    heard = [
+        (event.time, event.actor, ORDER[touch.on], event)
+        for cast in casts
+        for touch in cast.role.machine.touches
+        for event in _events(cast, touch, found, now.pairs)
+    ]
+    events = [event for *_, event in sorted(heard)]
     return replace(now, touching=found.who[found.lasts], bodies=bodies), tuple(_bounded(events))
 
 

@@ -73,6 +73,7 @@ def touches(bodies: Bodies, wanted: Bools) -> Touches:
     end = 1 - left
     lasts = back.is_hit[both] & (left <= 0)
     start = np.where(there.is_hit[both], start, end)
+    end = np.maximum(end, start)  # whoever goes through a sheet is in and out at once, but for rounding
     return Touches(pairs.first[both], pairs.second[both], start, end, lasts, _point(a, b, start), _point(a, b, end))
 
 
