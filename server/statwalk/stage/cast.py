@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.machine.state import MachineState, fresh
-from statwalk.maths.arrays import Floats
+from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.pose import Pose
 from statwalk.motion import inertialize
 from statwalk.stage.fading import Fading
@@ -64,22 +64,25 @@ class Cast:
             np.concatenate([self.hash, other.hash]),
         )
 
-    def without(self, row: int) -> Cast:
-        """Without the actor of that row."""
-        keep = np.arange(len(self.ids)) != row
+    def take(self, rows: Ints) -> Cast:
+        """The actors of some rows, in rising order."""
         return Cast(
             self.role,
-            self.ids[keep],
-            tuple(name for name, kept in zip(self.names, keep, strict=True) if kept),
-            self.machine.take(keep),
-            self.shown.take(keep),
-            self.before.take(keep),
-            Fading(*(array[keep] for array in self.fading)),
-            self.position[keep],
-            self.heading[keep],
-            self.way[keep],
-            self.hash[keep],
+            self.ids[rows],
+            tuple(self.names[row] for row in rows.tolist()),
+            self.machine.take(rows),
+            self.shown.take(rows),
+            self.before.take(rows),
+            Fading(*(array[rows] for array in self.fading)),
+            self.position[rows],
+            self.heading[rows],
+            self.way[rows],
+            self.hash[rows],
         )
+
+    def without(self, row: int) -> Cast:
+        """Without the actor of that row."""
+        return self.take(np.flatnonzero(np.arange(len(self.ids)) != row))
 
     def with_parameters(self, given: Iterable[tuple[int, int, float]]) -> Cast:
         """With parameters set, in this order: row, parameter, value."""

@@ -152,9 +152,9 @@ def _verdicts(cast: Cast, done: StepResult) -> Iterable[Verdict]:
         here, event = states[one.from_state], events[one.event]
         to = states[one.to_state] if one.to_state >= 0 else ""
         cell = cells.get((one.layer, here, event)) if any(one.cell) else None
-        place = (cell.written, cell.source, cell.line) if cell else (None, "", 0)
-        actor = int(cast.ids[one.actor])
-        yield Verdict(one.tick, actor, one.layer, event, one.verdict, one.reason, here, to, *place, one.values, one.other)
+        said = Verdict(one.tick, int(cast.ids[one.actor]), one.layer, event, one.verdict, one.reason, here, to)
+        said = said._replace(values=one.values, other=one.other)
+        yield said._replace(cell=cell.written, source=cell.source, line=cell.line) if cell else said
 
 
 def _notices(state: StageState, notices: Iterable[Notice]) -> Iterable[Verdict]:

@@ -38,6 +38,10 @@ class Verdict(NamedTuple):
     """empty where the state did not change"""
     cell: tuple[str, str] | None = None
     """row and column of the cell as it is written, None where none stands there"""
+    source: str = ""
+    """what kind of a cell that is: of the state itself, or a default"""
+    line: int = 0
+    """of the machine file"""
     values: tuple[tuple[str, float], ...] = ()
     """what its condition saw"""
     other: int = -1

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.machine.runform import Machine
-from statwalk.machine.state import BEGINNING, FOREVER, NEW, RUNNING, MachineState, fresh
+from statwalk.machine.state import BEGINNING, FOREVER, MOMENT, NEW, RUNNING, MachineState, fresh
 from statwalk.maths.arrays import Bools, Ints
 
 SAID = ("condition", "when", "release", "line")
@@ -112,11 +112,12 @@ def _times(
 
 
 def _queue(state: MachineState, layer: int, columns: Ints) -> dict[str, NDArray[Any]]:
-    """What waits in a layer, without the events that are gone, the others closer together."""
+    """What waits in a layer, without the events that are gone, the others closer together; no moment of the old table is awaited."""
     event = np.where(state.waiting_event[:, layer] >= 0, columns[state.waiting_event[:, layer]], -1)
     order = np.argsort(event < 0, axis=1, kind="stable")
     kept = {name: np.take_along_axis(getattr(state, name)[:, layer], order, 1) for name in LAYERED[6:9]}
     some = np.take_along_axis(event, order, 1).astype(np.int16)
+    kept["waiting_until"] = np.where(kept["waiting_until"] >= MOMENT, NEW, kept["waiting_until"])
     empty = {"waiting_until": 0, "waiting_held": False, "waiting_other": -1}
     return {"waiting_event": some} | {name: np.where(some >= 0, array, empty[name]) for name, array in kept.items()}
 

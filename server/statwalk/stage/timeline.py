@@ -107,14 +107,21 @@ class Timeline:
 
         The playhead moves when it is through. In between the stage may go on, and another thread may use it.
         """
-        if not self.first <= tick <= self.head:
-            raise StageError(f"tick {tick} is not there: this stage has {self.first} … {self.head}")
+        self._check(tick)
         state = self._nearest(tick)
         while state.tick < tick:
             for _ in range(min(most, tick - state.tick)):
                 state = self._after(state)
             yield state.tick
         self._state = state
+
+    def state_at(self, tick: int) -> StageState:
+        """The state of a tick, without moving the playhead; raises StageError outside `first` … `head`."""
+        self._check(tick)
+        state = self._nearest(tick)
+        while state.tick < tick:
+            state = self._after(state)
+        return state
 
     def fork(self) -> Self:
         """A stage of its own that shares the past up to the tick that is shown; the way to change it.
@@ -144,6 +151,10 @@ class Timeline:
         branch.actions.extend(action for action in self.actions if action.tick <= head)
         branch.verdicts.extend(verdict for verdict in self.verdicts if verdict.tick <= head)
         return branch
+
+    def _check(self, tick: int) -> None:
+        if not self.first <= tick <= self.head:
+            raise StageError(f"tick {tick} is not there: this stage has {self.first} … {self.head}")
 
     def _nearest(self, tick: int) -> StageState:
         """The latest state at hand that is not after `tick`."""
