@@ -61,10 +61,8 @@ def come(machine: Machine, state: MachineState, moved: Advance, answers: Answers
 
 def open_window(opens: Floats, closes: Floats, passed: Floats, time: Floats, wraps: Rows) -> Bools:
     """The array form of `moments.in_window`; it may say yes too often, never too seldom."""
-    late, early = time >= opens - NEARLY, passed < closes + NEARLY
-    seam = (wraps > 0) | (opens > closes)
-    both = (wraps > 1) | ((wraps > 0) & (opens > closes))
-    return np.where(seam, late | early | both, late & early)
+    reached, before = time >= opens - NEARLY, passed < closes + NEARLY
+    return np.where((wraps > 0) | (opens > closes), reached | before | (wraps > 1) | (wraps > 0) & (opens > closes), reached & before)
 
 
 def true_now(machine: Machine, here: Rows, queue: Rows, blank: Bools, answers: Answers) -> Bools:

@@ -27,12 +27,12 @@ def crossed(markers: tuple[tuple[str, float], ...], duration: float, passed: flo
 
 def in_window(moment: Moment, duration: float, passed: float, time: float, wraps: int) -> bool:
     """Whether the tick touches the window: it is open now, or the motion has jumped over it."""
-    opens, closes = moment.first * duration - NEARLY, moment.last * duration + NEARLY
-    if wraps > 1 or (wraps and opens > closes):
-        return True
-    if wraps or opens > closes:  # one seam: of the tick, or of the window
-        return passed < closes or time >= opens
-    return time >= opens and passed < closes
+    opens, closes = moment.first * duration, moment.last * duration
+    reached, before = time >= opens - NEARLY, passed < closes - NEARLY
+    if wraps:
+        return reached or before or wraps > 1 or opens > closes
+    inside = before or time <= closes + NEARLY
+    return (reached or inside) if opens > closes else (reached and inside)
 
 
 def any_crossed(places: Floats, passed: Floats, time: Floats, wraps: NDArray[np.integer[Any]]) -> Bools:
