@@ -25,6 +25,7 @@ class MotionFacts:
 
 def state_arrays(tables: Mapping[str, MachineDefinition], motions: Mapping[str, MotionFacts]) -> dict[str, Any]:
     """The fields of Machine that stand for each of S states, those of all layers one below the other; raises MachineError."""
+    check_blends(tables)
     states = [(table, name, state) for table in tables.values() for name, state in table.states.items()]
     used = motions_used(tables, motions)
     speeds = [speed_of(table, name) for table, name, _ in states]
@@ -68,6 +69,15 @@ def motions_used(tables: Mapping[str, MachineDefinition], motions: Mapping[str, 
                     f"the state {name} has no motion {clip!r}{nearest(clip, tuple(motions)) or '.'} There are: {known}", state.line
                 )
     return tuple(dict.fromkeys(clip for table in tables.values() for state in table.states.values() for clip in state.clips))
+
+
+def check_blends(tables: Mapping[str, MachineDefinition]) -> None:
+    """Raises MachineError for a blend over what is no parameter."""
+    for _, table, name in named(tables):
+        motion = table.states[name].motion
+        for over in motion.over if isinstance(motion, BlendDefinition) else ():
+            if over not in table.parameters:
+                raise table.refuse(f"{name} is blended over {over!r}, which is no parameter{nearest(over, table.parameters)}", motion.line)
 
 
 def loops(state: StateDefinition, motions: Mapping[str, MotionFacts]) -> bool:
