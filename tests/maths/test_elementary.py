@@ -5,7 +5,12 @@ import pytest
 from statwalk.maths import elementary
 
 ANGLES = np.linspace(-1000, 1000, 20011)
-PAIRS = [("sin", np.sin, ANGLES), ("cos", np.cos, ANGLES), ("exp", np.exp, np.linspace(-700, 700, 9973))]
+PAIRS = [
+    ("sin", np.sin, ANGLES),
+    ("cos", np.cos, ANGLES),
+    ("exp", np.exp, np.linspace(-700, 700, 9973)),
+    ("log", np.log, 10.0 ** np.linspace(-300, 300, 9973)),
+]
 
 
 @pytest.mark.parametrize(("name", "reference", "x"), PAIRS)

@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 
 from statwalk.machine.buildcells import Conditions, cell_arrays
 from statwalk.machine.buildstates import LARGEST_SPEED, MotionFacts, state_arrays
+from statwalk.machine.conditions.parser import parse
+from statwalk.machine.conditions.program import Program
+from statwalk.machine.conditions.words import ConditionError
 from statwalk.machine.definition import BASE, MachineDefinition, TouchDefinition, nearest
 from statwalk.machine.runform import Machine
 from statwalk.machine.runparts import (
@@ -24,7 +27,6 @@ from statwalk.machine.runparts import (
     OFF,
     UNDEFINED,
     Collider,
-    Condition,
     Key,
     Layer,
     Parameter,
@@ -121,7 +123,12 @@ def senses_of(definition: MachineDefinition, conditions: Conditions) -> dict[str
 def conditions_of(definition: MachineDefinition, variables: tuple[str, ...]) -> Conditions:
     """Reads conditions over `variables`; raises MachineError with the line where one cannot be read."""
 
-    def read(text: str, line: int) -> Condition:
-        raise definition.refuse(f"{text[:40]!r} over {', '.join(variables)}: conditions are not supported yet", line)
+    known: dict[str, Program] = {}
+
+    def read(text: str, line: int) -> Program:
+        try:
+            return known.setdefault(text, known.get(text) or parse(text, variables))
+        except ConditionError as error:
+            raise definition.refuse(f"{text[:80]!r}, column {error.column}: {error}", line) from None
 
     return read

@@ -1,4 +1,4 @@
-"""sin, cos, atan2, acos, exp from + − × ÷ √ and exact bit operations alone.
+"""sin, cos, atan2, acos, exp, log from + − × ÷ √ and exact bit operations alone.
 
 NumPy picks its own sine by the CPU it finds, so its last bits differ between machines; these do not, and a replay of a log
 gives the same poses everywhere. float64 results are within 1e-14 (relative); float32 input is computed in float64 and rounded
@@ -38,6 +38,9 @@ _EXP = (
     1.0, 1.0, 0.5000000000000019, 0.1666666666666668, 0.04166666666648795, 0.008333333333319589, 0.0013888888952352863,
     0.00019841269890076403, 2.4801485441561313e-05, 2.755724088722987e-06, 2.763265472252779e-07, 2.5110049204818658e-08,
 )  # fmt: skip
+# atanh(sqrt q) / sqrt q for q in 0..(3 - sqrt 8)^2: its series, whose next term is below 1e-18
+_LOG = tuple(1.0 / (2 * k + 1) for k in range(12))
+_ROOT_HALF = 0.7071067811865476
 # pi and ln 2 in pieces with few bits, so that whole multiples of the first pieces are exact (Cody and Waite)
 _PI = (3.141592651605606, 1.9841871583270443e-09, 1.034036596358821e-18)
 _LN2 = (0.6931471796706319, 8.893134238886677e-10)
@@ -119,3 +122,15 @@ def exp(x: ArrayLike) -> Floats:
     rest = wide - doublings * _LN2[0] - doublings * _LN2[1]
     power: Floats = np.ldexp(polynomial(rest, _EXP), doublings.astype(np.int32))
     return power.astype(dtype, copy=False)
+
+
+def log(x: ArrayLike) -> Floats:
+    """The natural logarithm of `x` > 0."""
+    wide, dtype = _wide(x)
+    mantissa, doublings = np.frexp(wide)
+    is_small = mantissa < _ROOT_HALF
+    mantissa = np.where(is_small, 2.0 * mantissa, mantissa)
+    doublings = doublings - is_small
+    part = (mantissa - 1.0) / (mantissa + 1.0)
+    found = doublings * _LN2[0] + (doublings * _LN2[1] + 2.0 * part * polynomial(part * part, _LOG))
+    return np.asarray(found, dtype)
