@@ -62,6 +62,12 @@ def test_blends_over_one_and_two_parameters():
     assert states["DRIFT"].motion == BlendDefinition(("pace", "side"), {"walk": (1, 0), "strafe": (1, 1)}, 9)
 
 
+def test_clips_of_a_blend_have_markers_of_their_own():
+    said = "run: 3.2}, markers: {walk: {left: 0.1, right: 0.6}, run: {left: 0.2}}}"
+    motion = read_machine(TEXT.replace("run: 3.2}}", said)).states["MOVE"].motion
+    assert motion.markers == {"walk": {"left": 0.1, "right": 0.6}, "run": {"left": 0.2}}
+
+
 def test_markers_and_smooth_parameters():
     machine = read_machine(TEXT)
     assert (machine.states["MOVE"].markers, machine.parameters["pace"].smooth) == ({"left-down": 0.05}, 0.25)
@@ -78,6 +84,7 @@ def test_markers_and_smooth_parameters():
         ("[Spine, Hand]", "[]", "line 15: a mask is of 1 to 1,024 joints"),
         ("      WAVE  |  ", "      WAIVE |  ", "line 23: no state is called 'WAIVE'; did you mean WAVE?"),
         ("REST/GO", "REST/GOO", "line 27: no event is called 'GOO'; did you mean GO?"),
+        ("run: 3.2}}", "run: 3.2}, markers: {rum: {}}}", "line 8: no clip of the blend is called 'rum'; did you mean run?"),
         ("[1, 1]", "[1]", "line 9: the clip strafe needs 2 numbers, one for each parameter"),
         ("over: [pace, side]", "over: [pace, pace]", "line 9: a blend is over one parameter, or over two that differ"),
         ("smooth: 0.25", "smooth: -1", "line 4: '-1' is not a finite number from 0 to 60"),

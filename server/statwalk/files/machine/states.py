@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from statwalk.files.machine import fields
 from statwalk.files.yamltext import Node
@@ -34,18 +34,29 @@ def state(node: Node, outer: str, parameters: Mapping[str, ParameterDefinition])
 
 
 def motion(node: Node, parameters: Mapping[str, ParameterDefinition]) -> str | BlendDefinition:
-    """A clip's name, `none`, or `{over: speed, clips: {walk: 1.4, run: 3.2}}`."""
+    """A clip's name, `none`, or a blend: `{over: speed, clips: {walk: 1.4, run: 3.2}, markers: {walk: {left-down: 0.1}, …}}`."""
     if node.is_text:
         if not node.text():
             raise node.refuse("a motion is the name of a clip, a blend, or none")
         return NO_MOTION if node.text() == NONE else node.text()
-    entries = node.entries("over", "clips")
+    entries = node.entries("over", "clips", "markers")
     over, clips = fields.required(node, "over"), fields.required(node, "clips")
     axes = [over] if over.is_text else over.items()
     names = tuple(fields.chosen(one, "parameter", parameters) for one in axes)
     if not 1 <= len(set(names)) == len(names) <= 2:
         raise entries["over"].refuse("a blend is over one parameter, or over two that differ")
-    return BlendDefinition(names, points(clips, len(names)), node.line)
+    found = points(clips, len(names))
+    return BlendDefinition(names, found, node.line, sync_markers(entries.get("markers"), found))
+
+
+def sync_markers(node: Node | None, clips: Collection[str]) -> dict[str, dict[str, float]]:
+    """For each clip of a blend, phases 0…1 of named moments; raises MachineError for what is none of its clips."""
+    found = {}
+    for name, one in fields.mapping(node).items():
+        if node is not None and name not in clips:
+            raise node.unknown("clip of the blend", name, clips, node.key_lines[name])
+        found[name] = markers(one)
+    return found
 
 
 def points(node: Node, axes: int) -> dict[str, tuple[float, ...]]:
