@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from statwalk.machine.conditions.program import Program
 from statwalk.machine.runform import Machine
-from statwalk.machine.runparts import Condition
 from statwalk.machine.state import MachineState
 from statwalk.maths.arrays import Bools, Floats
 
@@ -44,19 +44,19 @@ class Answers:
         found["time"] = state.age[at] * self.dt
         return np.array([*state.smoothed[self.rows].T, *(found[name] for name in machine.variables[len(machine.parameters) :])])
 
-    def truths(self, condition: Condition) -> Bools:
+    def truths(self, condition: Program) -> Bools:
         """(n,) whether it is true."""
         if id(condition) not in self._truths:  # conditions live as long as their machine
             self._truths[id(condition)] = np.asarray(condition.evaluate(self.values) != 0)
         return self._truths[id(condition)]
 
-    def is_true(self, condition: Condition, index: int) -> bool:
+    def is_true(self, condition: Program, index: int) -> bool:
         """Whether it is true of the actor at `index` in `rows`."""
         if id(condition) not in self._lists:
             self._lists[id(condition)] = self.truths(condition).tolist()
         return self._lists[id(condition)][index]
 
-    def asked(self, conditions: Iterable[Condition], index: int) -> Asked:
+    def asked(self, conditions: Iterable[Program], index: int) -> Asked:
         """Name and value of all that the conditions asked for, of the actor at `index`."""
         names = dict.fromkeys(name for condition in conditions for name in condition.variables)
         return tuple((name, float(self.values[self.machine.variables.index(name), index])) for name in names)

@@ -129,6 +129,6 @@ def conditions_of(definition: MachineDefinition, variables: tuple[str, ...]) -> 
         try:
             return known.setdefault(text, known.get(text) or parse(text, variables))
         except ConditionError as error:
-            raise definition.refuse(f"{text[:80]!r}, column {error.column}: {error}", line) from None
+            raise definition.refuse(f"{text[:80]!r}: {error}", line) from None
 
     return read

@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.machine.celldefinition import ActionDefinition
+from statwalk.machine.conditions.program import Program
 from statwalk.machine.definition import MachineDefinition, nearest
 from statwalk.machine.expand import Cell, Choice, expand
-from statwalk.machine.runparts import BLANK, CURVES, MATCH, MIXED, OFF, UNDEFINED, Condition, Outcome
+from statwalk.machine.runparts import BLANK, CURVES, MATCH, MIXED, OFF, UNDEFINED, Outcome
 
 WHENS = ("now", "end", "marker", "window")
 """the kinds of moments by their numbers"""
-Conditions = Callable[[str, int], Condition]
+Conditions = Callable[[str, int], Program]
 """a condition from its text and the line it stands in"""
 Place = tuple[int, int]
 """state and event, as rows"""

@@ -75,7 +75,9 @@ def check_blends(tables: Mapping[str, MachineDefinition]) -> None:
     """Raises MachineError for a blend over what is no parameter."""
     for _, table, name in named(tables):
         motion = table.states[name].motion
-        for over in motion.over if isinstance(motion, BlendDefinition) else ():
+        if not isinstance(motion, BlendDefinition):
+            continue
+        for over in motion.over:
             if over not in table.parameters:
                 raise table.refuse(f"{name} is blended over {over!r}, which is no parameter{nearest(over, table.parameters)}", motion.line)
 

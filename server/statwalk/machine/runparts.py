@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, NamedTuple, Protocol
+from typing import Literal, NamedTuple
 
-from statwalk.maths.arrays import Floats
+from statwalk.machine.conditions.program import Program
 
 BLANK, OFF, UNDEFINED, MIXED = -1, -2, -3, -4
 """targets that are no state: nothing stands there, a `-`, a name that is no state, several outcomes (see `alternatives`)"""
@@ -16,17 +16,6 @@ MATCH = -2.0
 """in place of the phase at which a motion is entered: at that of the old one"""
 MEASURED = ("speed", "turning", "height", "phase", "time")
 """what conditions may ask of an actor beside its parameters, where none of them has that name"""
-
-
-class Condition(Protocol):
-    """A small program over numbers; see `machine.conditions`."""
-
-    @property
-    def variables(self) -> tuple[str, ...]:
-        """The names that it asks for."""
-
-    def evaluate(self, values: Floats) -> Floats:
-        """(N,) float64, true where it is not 0, of `values` (V, N) in the order of `Machine.variables`."""
 
 
 class Outcome(NamedTuple):
@@ -46,7 +35,7 @@ class Outcome(NamedTuple):
     """the target as written"""
     resume: int = -1
     """row of `histories`: the inner state left last is meant, once one was left; -1 none"""
-    condition: Condition | None = None
+    condition: Program | None = None
     said: str = ""
     """the condition as written"""
     weight: float | None = None
@@ -89,8 +78,8 @@ class Sense(NamedTuple):
     """A condition that raises an event when it becomes true, and again only after `release` was (None: after it was false)."""
 
     event: int
-    when: Condition
-    release: Condition | None
+    when: Program
+    release: Program | None
     said: str
     """the condition as written"""
 
