@@ -62,7 +62,7 @@ def main() -> None:
     role = load_role(WALKER)
     stages = {actors: crowd(role, actors) for actors in (1, 100, 1000)}
     ticks: dict[str, Callable[[], None]] = {str(actors): stage.step for actors, stage in stages.items()}
-    ticks["peer"] = peer(role, role.clips[role.machine.states.index("WALK")])
+    ticks["peer"] = peer(role, role.motions[role.machine.states.index("WALK")].clip)
     least = dict.fromkeys(ticks, np.inf)
     for _ in range(ROUNDS):
         for name, tick in ticks.items():

@@ -38,7 +38,7 @@ def joints_on_stage(pose, position, heading):
 
 def motion_on_stage(state, offset):
     """(T, J, 3): a motion by itself, a tick at a time from `offset` seconds on; those that loop run twice."""
-    clip, root, loops = WALKER.clips[state], WALKER.roots[state], bool(MACHINE.loop[state])
+    clip, root, loops = WALKER.motions[state].clip, WALKER.motions[state].root, bool(MACHINE.loop[state])
     times = np.arange(offset, clip.duration * (1 + loops), 1 / 60)
     wrapped = np.mod(times, clip.duration) if loops else times
     place = np.zeros((len(times), 3))

@@ -16,7 +16,7 @@ def test_an_unknown_root_joint_names_the_joints():
 
 
 def test_clips_stand_in_place_where_there_is_a_root():
-    assert not role().clips[1].sample(0.5).translation[0, [0, 2]].any()
+    assert not role().motions[1].clip.sample(0.5).translation[0, [0, 2]].any()
 
 
 def test_a_role_knows_whether_it_travels():

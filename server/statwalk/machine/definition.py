@@ -30,6 +30,8 @@ class BlendDefinition:
     clips: Mapping[str, tuple[float, ...]]
     """for each clip where it stands: one number for each parameter"""
     line: int
+    markers: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    """for each clip, phases 0…1 of named moments: the clips run in step where they have some in common"""
 
 
 @dataclass(frozen=True)

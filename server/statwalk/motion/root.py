@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from statwalk.maths import quat, transform
-from statwalk.maths.arrays import Floats
+from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.elementary import atan2, sin, sincos
 from statwalk.motion.channel import Channel
 from statwalk.motion.clip import Clip
@@ -41,7 +41,7 @@ class RootTrack:
         here: Floats = start + (self.places[key + 1] - start) * part.clip(0, 1)[:, None]
         return here
 
-    def displacement(self, start: Floats, end: Floats, wraps: Floats) -> Floats:
+    def displacement(self, start: Floats, end: Floats, wraps: Ints) -> Floats:
         """From `start` to `end` (N,) seconds through `wraps` (N,) repeats: x, z, yaw (N, 3) in the frame of the actor at `start`."""
         origin, now = self.at(start), self.at(end)
         if not wraps.any():

@@ -17,6 +17,7 @@ from statwalk.maths.pose import Pose
 from statwalk.motion import inertialize
 from statwalk.stage.fading import Fading
 from statwalk.stage.hash import Words, mix
+from statwalk.stage.posing import composite
 from statwalk.stage.role import Role
 
 
@@ -57,7 +58,7 @@ class Cast:
             self.machine.append(other.machine),
             _append(self.shown, other.shown),
             _append(self.before, other.before),
-            Fading(*(np.concatenate(pair) for pair in zip(self.fading, other.fading, strict=True))),
+            Fading._make(np.concatenate(pair) for pair in zip(self.fading, other.fading, strict=True)),
             np.concatenate([self.position, other.position]),
             np.concatenate([self.heading, other.heading]),
             np.concatenate([self.way, other.way]),
@@ -73,7 +74,7 @@ class Cast:
             self.machine.take(rows),
             self.shown.take(rows),
             self.before.take(rows),
-            Fading(*(array[rows] for array in self.fading)),
+            Fading._make(array[rows] for array in self.fading),
             self.position[rows],
             self.heading[rows],
             self.way[rows],
@@ -110,7 +111,7 @@ def enter(role: Role, ids: Sequence[int], names: Sequence[str], position: Floats
     """A cast of N new actors (`ids` rising) in the machine's initial state, at places (N, 3) with headings (N,)."""
     count = len(ids)
     machine = fresh(role.machine, count)
-    shown = role.clips[role.machine.initial].sample(np.zeros(count))
+    shown = composite(role, machine)
     fading = Fading.none(count, machine.state.shape[1], inertialize.size(shown))
     return Cast(
         role,

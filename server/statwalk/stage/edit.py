@@ -7,22 +7,21 @@ from dataclasses import replace
 import numpy as np
 
 from statwalk.errors import StageError
-from statwalk.machine.state import MachineState
-from statwalk.machine.step import speeds
 from statwalk.maths.arrays import Ints
 from statwalk.maths.pose import Pose
 from statwalk.motion import inertialize
 from statwalk.stage.cast import Cast
+from statwalk.stage.fading import Fading
+from statwalk.stage.posing import ahead
 from statwalk.stage.raised import Notice
 from statwalk.stage.remap import Remapped, remap
 from statwalk.stage.role import Role
-from statwalk.stage.tick import sample, time_after
 
 
 def check_joints(old: Role, new: Role) -> None:
     """Raises StageError where the new version has other joints: what is shown could not go over into what it shows."""
     joints = [role.character.skeleton for role in (old, new)]
-    if joints[0].names != joints[1].names or old.clips[0].rest.weights.shape != new.clips[0].rest.weights.shape:
+    if joints[0].names != joints[1].names or old.character.bind_pose.weights.shape != new.character.bind_pose.weights.shape:
         raise StageError(f"the new version of {old.name} has other joints; an edit keeps the character")
 
 
@@ -32,20 +31,23 @@ def edited(cast: Cast, role: Role, dt: float) -> tuple[Cast, list[Notice]]:
     Where the next tick would show another pose than before, a transition begins: over the default blend, from what was shown.
     """
     done = remap(cast.role.machine, role.machine, cast.machine)
-    after = replace(cast, role=role, machine=done.state)
+    fading, lost = _layered(cast, role)
+    after = replace(cast, role=role, machine=done.state, fading=fading)
     new, following = (ahead(role, done.state, ticks * dt) for ticks in (1, 2))
-    rows = _differing(ahead(cast.role, cast.machine, dt), new)
+    rows = np.union1d(_differing(ahead(cast.role, cast.machine, dt), new), lost)
     seconds = role.definition.defaults.blend
     if len(rows) and seconds > 0:
         jump = inertialize.transition(cast.before.take(rows), cast.shown.take(rows), new.take(rows), following.take(rows), dt)
-        after = replace(after, fading=cast.fading.begun(rows, np.full(len(rows), seconds), jump, cast.way[rows]))
+        after = replace(after, fading=fading.replaced(rows, np.full(len(rows), seconds), jump, cast.way[rows]))
     return after, _notices(cast, after, done)
 
 
-def ahead(role: Role, state: MachineState, seconds: float) -> Pose:
-    """The poses (N, …) that the motions come to in so many seconds, without what is left of transitions."""
-    states, times = state.state[:, 0], state.time[:, 0] + seconds * speeds(role.machine, state)[:, 0]
-    return sample(role, states, time_after(role, states, times))
+def _layered(cast: Cast, role: Role) -> tuple[Fading, Ints]:
+    """What fades, in the layers of the new version; the rows in whom a layer fades that is gone."""
+    old, new = ([layer.name for layer in one.machine.layers] for one in (cast.role, role))
+    gone = [layer for layer, name in enumerate(old) if name not in new]
+    lost = np.flatnonzero(cast.fading.is_under_way[:, gone].any(1))
+    return cast.fading.with_layers([old.index(name) if name in old else -1 for name in new]), lost
 
 
 def _differing(one: Pose, other: Pose) -> Ints:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Bools, Floats, Ints
 from statwalk.maths.easing import smoothstep
@@ -15,31 +17,76 @@ ROUNDING_S = 1e-6
 """less than this left of a transition is nothing: 12 times 1/60 s is 0.2 s"""
 
 
+class Beginning(NamedTuple):
+    """Transitions that begin, of n actors."""
+
+    rows: Ints
+    """(n,)"""
+    seconds: Floats
+    """(n, L) how long each layer's lasts; 0 where none begins"""
+    quintic: Bools
+    """(n, L) the curve"""
+    offset: Floats
+    """(n, D) what was shown at the tick before, less the new motions: all layers together"""
+    rate: Floats
+    """(n, D) its velocity per second"""
+
+
 class Fading(NamedTuple):
-    """The transition of each of N actors; over where `elapsed` has reached `duration`."""
+    """The transitions of N actors in L layers; over where `elapsed` has reached `duration`. What is shown has the offsets of all on top."""
 
     start: Floats
-    """(N, D) float32: the offset at its beginning, see `motion.inertialize`"""
+    """(N, L, D) float32: the offset at its beginning, see `motion.inertialize`"""
     rate: Floats
-    """(N, D) float32: its velocity then, per second"""
+    """(N, L, D) float32: its velocity then, per second"""
     elapsed: Floats
     """(N, L) float64 seconds"""
     duration: Floats
     """(N, L) float64 seconds"""
+    quintic: NDArray[np.bool_]
+    """(N, L) the curve, else a cubic"""
     way: Floats
-    """(N, 3) float64: x, z, yaw that the old motion went in a tick"""
+    """(N, 3) float64: x, z, yaw that the old motion of the base went in a tick"""
 
     @classmethod
     def none(cls, actors: int, layers: int, size: int) -> Fading:
         """No transition."""
-        offset, clock = np.zeros((actors, size), np.float32), np.zeros((actors, layers))
-        return cls(offset, offset, clock, clock, np.zeros((actors, 3)))
+        offset, clock = np.zeros((actors, layers, size), np.float32), np.zeros((actors, layers))
+        return cls(offset, offset, clock, clock, np.zeros((actors, layers), bool), np.zeros((actors, 3)))
 
-    def begun(self, rows: Ints, duration: Floats, offset: tuple[Floats, Floats], way: Floats) -> Fading:
-        """With transitions of some rows started at the tick before this one."""
-        fading = Fading(*(array.copy() for array in self))
-        fading.start[rows], fading.rate[rows] = offset
-        fading.elapsed[rows], fading.duration[rows], fading.way[rows] = 0.0, duration[:, None], way
+    def with_layers(self, order: Sequence[int]) -> Fading:
+        """The layers in another order; -1 stands for a new one."""
+        size = self.start.shape[2]
+        new = Fading.none(len(self.way), 1, size)
+        parts = [np.concatenate([ours, blank], 1)[:, list(order)] for ours, blank in zip(self[:5], new[:5], strict=True)]
+        return Fading(parts[0], parts[1], parts[2], parts[3], parts[4], self.way)
+
+    def begun(self, new: Beginning, moved: Bools, way: Floats, dt: float) -> Fading:
+        """With transitions started at the tick before this one; `moved` (L, D): what each layer moves, `way` (n, 3) what was gone then.
+
+        What others still have on top is their own; the rest goes to the uppermost layer that turns and moves it.
+        """
+        fading = Fading._make(array.copy() for array in self)
+        offset, rate = self._less_others(new, dt)
+        free = np.ones(offset.shape, bool)
+        for layer in reversed(range(len(moved))):
+            turns = new.seconds[:, layer] > 0
+            rows, ours = new.rows[turns], (free & moved[layer])[turns]
+            fading.start[rows, layer] = np.where(ours, offset[turns], np.float32(0))
+            fading.rate[rows, layer] = np.where(ours, rate[turns], np.float32(0))
+            fading.elapsed[rows, layer], fading.duration[rows, layer] = 0.0, new.seconds[turns, layer]
+            fading.quintic[rows, layer] = new.quintic[turns, layer]
+            free[turns] &= ~moved[layer]
+        base = new.seconds[:, 0] > 0
+        fading.way[new.rows[base]] = way[base]
+        return fading
+
+    def replaced(self, rows: Ints, seconds: Floats, jump: tuple[Floats, Floats], way: Floats) -> Fading:
+        """With one transition of all layers together in the place of all that the rows (n,) had; cubic, of `seconds` (n,)."""
+        fading = Fading._make(array.copy() for array in self)
+        fading.elapsed[rows], fading.duration[rows], fading.quintic[rows] = 0.0, 0.0, False
+        fading.start[rows, 0], fading.rate[rows, 0] = jump
+        fading.duration[rows, 0], fading.way[rows] = seconds, way
         return fading
 
     def advanced(self, dt: float) -> Fading:
@@ -49,8 +96,8 @@ class Fading(NamedTuple):
 
     @property
     def is_under_way(self) -> Bools:
-        """(N,) bool."""
-        return self.elapsed[:, 0] < self.duration[:, 0]
+        """(N, L) bool."""
+        return self.elapsed < self.duration
 
     @property
     def left(self) -> Floats:
@@ -60,11 +107,10 @@ class Fading(NamedTuple):
 
     def on(self, pose: Pose) -> Pose:
         """The poses (N, …) with what is left of the offsets on top."""
-        rows = self.is_under_way.nonzero()[0]
+        rows = np.flatnonzero(self.is_under_way.any(1))
         if not len(rows):
             return pose
-        clocks = self.elapsed[rows, 0], self.duration[rows, 0]
-        offset = inertialize.decay(self.start[rows], self.rate[rows], *clocks)
+        offset = self.offsets(rows, self.is_under_way[rows])
         if len(rows) == len(self.start):
             return inertialize.add(pose, offset)
         blended = pose.copy()
@@ -72,9 +118,34 @@ class Fading(NamedTuple):
             array[rows] = part
         return blended
 
+    def offsets(self, rows: Ints, which: Bools, earlier: float = 0.0) -> Floats:
+        """What is left (n, D) on some rows of the transitions `which` (n, L), so many seconds before now; the layers' in their order."""
+        if which.shape[1] == 1 and which.all():
+            return self._of_layer(rows, 0, earlier)
+        total = np.zeros((len(rows), self.start.shape[2]), np.float32)
+        for layer in range(which.shape[1]):
+            ours = which[:, layer]
+            if ours.any():
+                total[ours] += self._of_layer(rows[ours], layer, earlier)
+        return total
+
     def blended_way(self, way: Floats) -> Floats:
         """The way (N, 3) of this tick: from the old motion's to the new one's (root motion is blended by velocity)."""
-        if not self.is_under_way.any():
+        is_under_way = self.is_under_way[:, 0]
+        if not is_under_way.any():
             return way
         weight = smoothstep(1 - self.left[:, 0])[:, None]
-        return np.where(self.is_under_way[:, None], self.way + (way - self.way) * weight, way)
+        return np.where(is_under_way[:, None], self.way + (way - self.way) * weight, way)
+
+    def _of_layer(self, rows: Ints, layer: int, earlier: float) -> Floats:
+        elapsed = np.maximum(self.elapsed[rows, layer] - earlier, 0.0)
+        clocks = elapsed, self.duration[rows, layer], self.quintic[rows, layer]
+        return inertialize.decay(self.start[rows, layer], self.rate[rows, layer], *clocks)
+
+    def _less_others(self, new: Beginning, dt: float) -> tuple[Floats, Floats]:
+        """Offset and velocity (n, D) without what other layers still have on top and keep."""
+        others = self.is_under_way[new.rows] & ~(new.seconds > 0)
+        if not others.any():
+            return new.offset, new.rate
+        now, before = (self.offsets(new.rows, others, earlier) for earlier in (0.0, dt))
+        return new.offset - now, new.rate - (now - before) / np.float32(dt)

@@ -2,44 +2,47 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from statwalk.character import Character
-from statwalk.errors import MachineError, UnknownNameError
+from statwalk.errors import UnknownNameError
 from statwalk.machine.build import Machine, MotionFacts, build
 from statwalk.machine.definition import MachineDefinition
-from statwalk.motion.clip import Clip
-from statwalk.motion.root import STANDING, RootTrack, extract
-from statwalk.rig.evaluate import world_from_local
+from statwalk.maths.arrays import Bools, Floats
+from statwalk.motion.blendspace import BlendSpace, Motion
+from statwalk.motion.layering import Mask
 from statwalk.stage.colliders import Colliders
+from statwalk.stage.motions import frame_of, masks_of, motions_of, root_of
 
 
 @dataclass(frozen=True, eq=False)
 class Role:
     """What actors of one kind share. Immutable.
 
-    clips   for each state, in place where the machine names a root joint
-    roots   for each state, the way its motion goes
+    motions  for each state what it plays, in place where the machine names a root joint; None: nothing
+    masks    for each layer what it moves
+    root     the joint whose way moves the actor, -1 none
     """
 
     name: str
     character: Character
     machine: Machine
     definition: MachineDefinition
-    clips: tuple[Clip, ...]
-    roots: tuple[RootTrack, ...]
+    motions: tuple[Motion | None, ...]
+    masks: tuple[Mask, ...]
+    root: int
 
     @classmethod
     def build(cls, name: str, character: Character, definition: MachineDefinition, root_joint: str | None = None) -> Role:
         """The role that `definition` describes; raises MachineError where it names a clip or joint that the character has not."""
-        motions = {key: MotionFacts(clip.duration, clip.loop, clip.markers) for key, clip in character.clips.items()}
-        machine = build(definition, motions)
-        joint = _root(character, root_joint)
-        rooted = [_rooted(character, machine, state, joint) for state in range(len(machine.states))]
-        role = cls(name, character, machine, definition, tuple(clip for clip, _ in rooted), tuple(root for _, root in rooted))
+        facts = {key: MotionFacts(clip.duration, clip.loop, clip.markers) for key, clip in character.clips.items()}
+        machine = build(definition, facts)
+        root = root_of(character, root_joint)
+        motions = motions_of(character, machine, definition, root)
+        role = cls(name, character, machine, definition, motions, masks_of(character, definition), root)
         role.colliders  # noqa: B018 - worked out now, so that a joint that is not there is said now and not in a tick
         return role
 
@@ -50,8 +53,29 @@ class Role:
 
     @cached_property
     def travels(self) -> bool:
-        """Whether any of its motions moves the root."""
-        return any(len(root.times) > 1 for root in self.roots)
+        """Whether any motion of the base moves the root."""
+        return any(motion is not None and motion.travels for motion in self.motions[: len(self.machine.rows(0))])
+
+    @cached_property
+    def blends(self) -> bool:
+        """Whether any of its motions is a blend of clips."""
+        return any(isinstance(motion, BlendSpace) for motion in self.motions)
+
+    @cached_property
+    def plays(self) -> Bools:
+        """(S,) whether a state has a motion."""
+        return np.array([motion is not None for motion in self.motions])
+
+    @cached_property
+    def moved(self) -> Bools:
+        """(L, D) which numbers of an offset of `motion.inertialize` belong to each layer."""
+        joints, weights = len(self.character.skeleton), self.character.bind_pose.weights.shape[-1]
+        return np.stack([mask.offsets(joints, weights) for mask in self.masks])
+
+    @cached_property
+    def root_frame(self) -> Floats | None:
+        """(3, 4) where the parent of the root joint stands in the character's space; None where there is none."""
+        return None if self.root < 0 else frame_of(self.character, self.root)
 
     def event(self, name: str) -> int:
         """The column of an event that can be sent; raises UnknownNameError, which lists them."""
@@ -66,29 +90,3 @@ class Role:
         if name not in known:
             raise UnknownNameError("parameter", name, known)
         return known.index(name)
-
-
-def _root(character: Character, root_joint: str | None) -> int | None:
-    if root_joint is None:
-        return None
-    try:
-        return character.skeleton.index(root_joint)
-    except UnknownNameError as error:
-        raise MachineError(f"root: {error}") from None
-
-
-def _rooted(character: Character, machine: Machine, state: int, joint: int | None) -> tuple[Clip, RootTrack]:
-    """A state's clip without its root motion, and that motion."""
-    clip = replace(character.clips[machine.motions[machine.motion[state]]], loop=bool(machine.loop[state]))
-    if joint is None:
-        return _packed(clip), STANDING
-    parent = int(character.skeleton.parent[joint])
-    frame = None if parent < 0 else world_from_local(character.skeleton, character.bind_pose)[parent].astype(np.float64)
-    in_place, root = extract(clip, joint, clip.loop, frame)
-    return _packed(in_place), root
-
-
-def _packed(clip: Clip) -> Clip:
-    """The clip with its tracks made, so that what is wrong with its keys is said now and not in a tick."""
-    clip.sample(0.0)
-    return clip

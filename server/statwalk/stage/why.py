@@ -13,9 +13,9 @@ from statwalk.machine.step import StepResult
 from statwalk.maths.vector import length
 from statwalk.motion import inertialize
 from statwalk.stage.cast import Cast
-from statwalk.stage.edit import ahead
 from statwalk.stage.fold import StageState, forward, stepping
 from statwalk.stage.frame import Verdict
+from statwalk.stage.posing import ahead
 from statwalk.stage.timeline import Timeline
 
 MOST_JOINTS = 5
