@@ -5,6 +5,7 @@ import pytest
 from statwalk.maths import elementary
 
 ANGLES = np.linspace(-1000, 1000, 20011)
+MAGNITUDES = 10.0 ** np.linspace(-300, 300, 9973)
 PAIRS = [
     ("sin", np.sin, ANGLES),
     ("cos", np.cos, ANGLES),
