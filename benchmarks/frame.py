@@ -67,7 +67,7 @@ def main() -> None:
         seconds = least(
             {
                 "statwalk": lambda: template.frame(1, "00ff", [cast]) and None,
-                "skin alone": lambda: character.surface.pose(character.world(poses.take(0))[:, :3], poses.weights[0]) and None,
+                "skin alone": lambda: character.vertices(poses.take(0)) and None,
                 "pygltflib": lambda: pygltflib(posed, indices.astype(np.uint16)) and None,
                 "three.js GLTFExporter": three.job("frame", path=str(path)),
             },

@@ -1,4 +1,4 @@
-"""Jobs measured in turn, the least time of each counted: what else the machine does then hits all of them alike."""
+"""Jobs measured in turns, the least time of each counted: what else the machine does then hits all of them alike."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import Any
 
 PEER = Path(__file__).resolve().parent / "peers" / "three.mjs"
 Job = Callable[[], float | None]
+TURN = 0.005
 
 
 class Three:
@@ -45,13 +46,22 @@ class Three:
 
 
 def least(jobs: dict[str, Job], rounds: int) -> dict[str, float]:
-    """The least seconds of each job, all of them in turn; a job that returns seconds has timed itself."""
+    """The least seconds of each job, all of them in turn; a job that returns seconds has timed itself.
+
+    A short job is done again and again in its turn, for TURN seconds: a server that draws 60 frames a second has its data and its code
+    at hand, too.
+    """
     found = dict.fromkeys(jobs, float("inf"))
     for _ in range(rounds):
         for name, job in jobs.items():
-            start = perf_counter()
-            own = job()
-            found[name] = min(found[name], perf_counter() - start if own is None else own)
+            end = perf_counter() + TURN
+            while True:
+                start = perf_counter()
+                own = job()
+                now = perf_counter()
+                found[name] = min(found[name], now - start if own is None else own)
+                if now > end:
+                    break
     return found
 
 

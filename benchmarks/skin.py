@@ -37,6 +37,8 @@ def measure(three: Three, path: Path, vertices: int) -> None:
     assert part.weights is not None
     joints, weights = part.joints.astype(np.intp), part.weights
     points = np.concatenate([part.positions, np.ones((vertices, 1), np.float32)], axis=1)
+    positions, normals = np.empty((2, 3 * vertices), np.float32)
+    bounds = np.empty((1, 6), np.float32)
     starts = np.arange(0, joints.size + 1, joints.shape[1])
     sparse = csr_array((weights.ravel(), joints.ravel(), starts), (vertices, len(world)))
 
@@ -53,7 +55,7 @@ def measure(three: Three, path: Path, vertices: int) -> None:
         turned / np.linalg.norm(turned, axis=1, keepdims=True)
 
     jobs = {
-        "statwalk": lambda: surface.pose(world, pose.weights) and None,
+        "statwalk": lambda: surface.pose_into(world, pose.weights, positions, normals, bounds),
         "NumPy einsum": einsum,
         "SciPy CSR": csr,
         "three.js applyBoneTransform": three.job("skin", path=str(path)),

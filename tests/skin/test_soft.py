@@ -2,9 +2,11 @@
 
 import numpy as np
 import pytest
+from kernelsets import kernel_set  # noqa: F401 - a fixture
 from statwalk.skin.deform import surface
 from statwalk.skin.primitive import Primitive, Skin
 
+pytestmark = pytest.mark.usefixtures("kernel_set")
 RANDOM = np.random.default_rng(7)
 JOINTS, VERTICES = 6, 40
 

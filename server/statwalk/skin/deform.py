@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats
+from statwalk.maths.kernels.choose import kernels
 from statwalk.skin import rows as affine
+from statwalk.skin.blocks import Blocks, MorphedBlocks
 from statwalk.skin.morph import Morph, morphed
 from statwalk.skin.primitive import Part, Primitive, Skin
 from statwalk.skin.soft import Influence, Palette, blended_rows, influences
@@ -21,7 +24,7 @@ IDENTITY = np.eye(4, dtype=np.float32)[:3]
 class Surface:
     """V vertices of all parts, one part after the other: `spans` says which are whose.
 
-    positions and normals (3,V) at rest; morphs of either; the palette; the influences of all vertices.
+    positions and normals (3,V) at rest; morphs of either; the palette; bones of the palette and weights (V,I) of all vertices.
     """
 
     parts: tuple[Primitive, ...]
@@ -31,27 +34,56 @@ class Surface:
     position_morphs: tuple[Morph, ...]
     normal_morphs: tuple[Morph, ...]
     palette: Palette
-    influences: tuple[Influence, ...]
+    bones: NDArray[np.intp]
+    weights: NDArray[np.float32]
 
-    def pose(self, world: Floats, weights: Floats) -> tuple[Floats, Floats]:
-        """Positions and unit normals (3,V) for world matrices (J,3,4) and morph weights (W,).
+    def pose_into(
+        self, world: Floats, weights: Floats, positions: NDArray[np.float32], normals: NDArray[np.float32], bounds: NDArray[np.float32]
+    ) -> None:
+        """Writes positions and unit normals (V,3), flat, for world matrices (J,3,4) and morph weights (W,), and each part's bounds (P,6).
 
-        A skinned mesh is placed by its joints alone, not by the node that carries it (glTF 2.0, 3.7.3.1).
+        A skinned mesh is placed by its joints alone, not by the node that carries it (glTF 2.0, 3.7.3.1). Whatever the matrices are,
+        what is written is finite. The three arrays must be contiguous.
         """
-        rows = blended_rows(self.palette.rows(world), self.influences)
-        positions = morphed(self.positions, self.position_morphs, weights)
-        normals = morphed(self.normals, self.normal_morphs, weights)
-        return affine.points(rows, positions), affine.normals(rows, normals)
+        if not self.parts:
+            return
+        compiled = kernels()
+        if compiled is not None:
+            self.blocks.pose(compiled, world, weights, positions, normals, bounds)
+            return
+        moved, turned = self.posed(world, weights)
+        positions.reshape(-1, 3)[:], normals.reshape(-1, 3)[:] = moved.T, turned.T
+        for row, span in zip(bounds, self.spans, strict=True):
+            row[:3], row[3:] = moved[:, span].min(axis=1), moved[:, span].max(axis=1)
+
+    def posed(self, world: Floats, weights: Floats) -> tuple[Floats, Floats]:
+        """The same as (3,V), in NumPy."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            rows = blended_rows(self.palette.rows(world), self.influences)
+            positions = affine.points(rows, morphed(self.positions, self.position_morphs, weights))
+            return affine.finite(positions), affine.normals(rows, morphed(self.normals, self.normal_morphs, weights))
 
     def posed_parts(self, world: Floats, weights: Floats) -> list[Part]:
         """The parts in one pose, named by their indices in the file."""
-        if not self.parts:
-            return []
-        positions, normals = (np.ascontiguousarray(affine.finite(array).T) for array in self.pose(world, weights))
+        flat = np.empty((2, self.positions.size), np.float32)
+        self.pose_into(world, weights, flat[0], flat[1], np.empty((len(self.parts), 6), np.float32))
+        positions, normals = flat.reshape(2, -1, 3)
         return [
             Part(part.node, part.mesh, part.primitive, positions[span], None if part.normals is None else normals[span])
             for part, span in zip(self.parts, self.spans, strict=True)
         ]
+
+    @cached_property
+    def influences(self) -> tuple[Influence, ...]:
+        """Bones and weights as NumPy goes through them, made on first use."""
+        return influences(self.bones, self.weights)
+
+    @cached_property
+    def blocks(self) -> Blocks:
+        """The vertices as compiled kernels go through them, made on first use."""
+        shown = [(self.positions, self.position_morphs), (self.normals, self.normal_morphs)]
+        points, normals = (MorphedBlocks(self.spans, rest, morphs) for rest, morphs in shown)
+        return Blocks(self.spans, (points, normals), self.palette, (self.bones, self.weights))
 
 
 def surface(parts: Sequence[Primitive], skins: Sequence[Skin]) -> Surface:
@@ -72,7 +104,8 @@ def surface(parts: Sequence[Primitive], skins: Sequence[Skin]) -> Surface:
             np.concatenate([*(skin.joints for skin in skins), rigid]).astype(np.int32),
             np.concatenate([*(skin.inverse_bind for skin in skins), np.broadcast_to(IDENTITY, (len(parts), 3, 4))]).astype(np.float32),
         ),
-        influences=influences(bones, weights),
+        bones=bones,
+        weights=weights,
     )
 
 

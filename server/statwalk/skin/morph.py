@@ -8,11 +8,31 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats
+from statwalk.maths.kernels.choose import kernels
+
+FLOAT32 = np.dtype(np.float32)
+IN_ORDER = 0x101
+"""NumPy's flags of an array that is contiguous and aligned"""
 
 
-def inbetween(start: Floats, end: Floats, fraction: float) -> Floats:
-    """The mesh at `fraction` 0…1 of the way from `start` to `end`: s[k] + t·(s[k+1] - s[k]) (RTCA Listing 1, corrected)."""
-    return start + (end - start) * start.dtype.type(fraction)
+def inbetween(start: Floats, end: Floats, fraction: float, out: Floats | None = None) -> Floats:
+    """The mesh at `fraction` 0…1 of the way from `start` to `end`: s[k] + t·(s[k+1] - s[k]) (RTCA Listing 1, corrected).
+
+    It is written into `out` where one is given, of the same shape and kind.
+    """
+    found = np.empty_like(start) if out is None else out
+    compiled = kernels()
+    if compiled is not None and in_order(start) and in_order(end) and in_order(found):
+        compiled.inbetween(start.reshape(-1), end.reshape(-1), fraction, found.reshape(-1))
+        return found
+    np.subtract(end, start, out=found)
+    np.multiply(found, start.dtype.type(fraction), out=found)
+    return np.add(found, start, out=found)
+
+
+def in_order(mesh: Floats) -> bool:
+    """Whether the compiled kernel takes it."""
+    return bool(mesh.dtype == FLOAT32 and mesh.flags.num & IN_ORDER == IN_ORDER)
 
 
 class Morph(NamedTuple):

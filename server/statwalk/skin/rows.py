@@ -10,7 +10,7 @@ import numpy as np
 
 from statwalk.maths.arrays import Floats
 
-SMALLEST_SQUARE = 1e-30
+SMALLEST_SQUARE, LARGEST_SQUARE = 1e-30, 1e30
 
 
 def rows_of(matrices: Floats) -> Floats:
@@ -63,13 +63,16 @@ def cofactor_row(m: Floats, row: int) -> tuple[Floats, Floats, Floats]:
 def unit(vectors: Floats, otherwise: Floats) -> Floats:
     """Vectors (3,V) at unit length; where one has no length, the unit vector along `otherwise` or, failing that, +Z."""
     squared = vectors[0] * vectors[0] + vectors[1] * vectors[1] + vectors[2] * vectors[2]
-    if squared.size == 0 or squared.min() > SMALLEST_SQUARE:
+    good = (squared > SMALLEST_SQUARE) & (squared < LARGEST_SQUARE)
+    if good.all():
         return np.asarray(vectors / np.sqrt(squared))
-    return repaired(vectors, otherwise)
+    out = np.where(good, vectors / np.sqrt(np.where(good, squared, 1)), 0)
+    out[:, ~good] = repaired(vectors[:, ~good], np.broadcast_to(otherwise, vectors.shape)[:, ~good])
+    return out
 
 
 def repaired(vectors: Floats, otherwise: Floats) -> Floats:
-    """The slow way of `unit`: scales each vector first, so that tiny ones keep their direction."""
+    """The slow way of `unit`: scales each vector first, so that tiny and huge ones keep their direction."""
     whole = np.where(largest(vectors) > 0, vectors, otherwise)
     size = largest(whole)
     whole = np.where(size > 0, whole / np.where(size > 0, size, 1), np.array([[0], [0], [1]], vectors.dtype))
@@ -77,8 +80,9 @@ def repaired(vectors: Floats, otherwise: Floats) -> Floats:
 
 
 def largest(vectors: Floats) -> Floats:
-    """The largest component's size of each vector, (V,)."""
-    return np.asarray(np.abs(vectors).max(axis=0))
+    """The largest component's size of each vector, (V,); 0 where one of them is no finite number."""
+    sizes = np.abs(vectors).max(axis=0)
+    return np.where(np.isfinite(sizes), sizes, 0)
 
 
 def finite(values: Floats) -> Floats:
