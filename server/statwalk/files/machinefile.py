@@ -24,6 +24,8 @@ from statwalk.machine.runparts import MEASURED
 from statwalk.machine.table import MOST_CELLS
 
 FILE_NAME = "machine.yaml"
+SCHEMA_PATH = Path(__file__).with_name("machine.schema.json")
+"""JSON Schema (draft 7) of a machine file, for editors"""
 SEMANTICS = "1"
 SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
