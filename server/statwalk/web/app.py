@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import threading
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -11,6 +12,7 @@ from typing import Any
 from fastapi import FastAPI
 from starlette.types import ASGIApp
 
+from statwalk.maths.kernels.choose import kernels
 from statwalk.web import actors, characters, history, machines, making, messages, page, problem, stages, stream, uploads
 from statwalk.web.depot import Depot
 from statwalk.web.guard import Guard
@@ -63,6 +65,7 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     pacer = Pacer(registry.all)
     registry.wake = pacer.wake
     pacer.start()
+    threading.Thread(target=kernels, name="kernels").start()  # so that nobody waits for them who asks for vertices
     housekeeper = asyncio.ensure_future(keep_house(registry))
     try:
         yield

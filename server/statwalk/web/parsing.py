@@ -20,6 +20,7 @@ from statwalk.character import Character
 from statwalk.errors import ContentError, ModelError
 from statwalk.files import bundle
 from statwalk.files.glb import read_model
+from statwalk.maths.kernels import choose
 
 if sys.platform != "win32":
     import resource
@@ -66,8 +67,9 @@ def refusal(status: int, said: bytes) -> ContentError:
 
 
 def main(upload: str, out: str, name: str) -> None:
-    """The child: limits first, then the file."""
+    """The child: limits first, then the file. It poses once: compiled kernels would not be worth their import."""
     limit_self()
+    os.environ[choose.VARIABLE] = "numpy"
     answer: dict[str, Any]
     try:
         character = read_upload(Path(upload), name)
