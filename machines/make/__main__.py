@@ -1,0 +1,23 @@
+"""Makes the models of the scenes: `python machines/make [folder]` (needs the package)."""
+
+import sys
+from pathlib import Path
+
+import bee
+import cannon
+import coin
+import door
+import goose
+
+PLACES = {
+    "playground/door/door.glb": door,
+    "playground/coin/coin.glb": coin,
+    "playground/cannon/cannon.glb": cannon,
+    "geese/goose/goose.glb": goose,
+    "swarm/bee/bee.glb": bee,
+}
+
+if __name__ == "__main__":
+    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[1]
+    for path, maker in PLACES.items():
+        maker.make().write(folder / path)
