@@ -12,26 +12,33 @@ START, RATE = RNG.normal(size=(2, 1, 50)).astype(np.float32)
 RATE *= 5
 
 
-def decay(seconds, duration=0.3, start=START, rate=RATE):
+def decay(seconds, duration=0.3, start=START, rate=RATE, quintic=False):
     times = np.asarray(seconds, np.float64)
     rows = [np.repeat(array, len(times), 0) for array in (start, rate)]
-    return inertialize.decay(*rows, times, np.full(len(times), duration)).astype(np.float64)
+    return inertialize.decay(*rows, times, np.full(len(times), duration), np.full(len(times), quintic)).astype(np.float64)
 
 
-def test_the_offset_starts_where_it_was():
-    assert decay([0.0]) == pytest.approx(START, abs=1e-5)
+both = pytest.mark.parametrize("quintic", [False, True])
 
 
-def test_it_starts_with_its_velocity():
-    assert np.diff(decay([0.0, 1e-4]), axis=0) / 1e-4 == pytest.approx(RATE, abs=0.05)
+@both
+def test_the_offset_starts_where_it_was(quintic):
+    assert decay([0.0], quintic=quintic) == pytest.approx(START, abs=1e-5)
 
 
-def test_it_ends_at_nothing_and_stays_there():
-    assert not decay([0.3, 0.4, 9]).any()
+@both
+def test_it_starts_with_its_velocity(quintic):
+    assert np.diff(decay([0.0, 1e-4], quintic=quintic), axis=0) / 1e-4 == pytest.approx(RATE, abs=0.05)
 
 
-def test_it_ends_without_velocity():
-    assert np.abs(decay([0.299])).max() / 1e-3 < 0.2
+@both
+def test_it_ends_at_nothing_and_stays_there(quintic):
+    assert not decay([0.3, 0.4, 9], quintic=quintic).any()
+
+
+@both
+def test_it_ends_without_velocity(quintic):
+    assert np.abs(decay([0.299], quintic=quintic)).max() / 1e-3 < 0.2
 
 
 def test_position_and_velocity_are_continuous():
@@ -46,6 +53,26 @@ def test_of_all_ways_to_end_at_rest_it_has_the_least_acceleration():
     x, bump = decay(times, 1.0, one, 3 + none)[:, 0], times**2 * (1 - times) ** 2
     costs = [(np.diff((x + amount * bump)[::5], 2) ** 2).sum() for amount in (-3, -1, 0, 1, 3)]
     assert np.argmin(costs) == 2
+
+
+def bollo(x0, v0, t1, t):
+    """The quintic of *Inertialization* (GDC 2018, "Initial acceleration"), coefficient by coefficient."""
+    a0 = (-8 * v0 * t1 - 20 * x0) / t1**2
+    a = -(a0 * t1**2 + 6 * v0 * t1 + 12 * x0) / (2 * t1**5)
+    b = (3 * a0 * t1**2 + 16 * v0 * t1 + 30 * x0) / (2 * t1**4)
+    c = -(3 * a0 * t1**2 + 12 * v0 * t1 + 20 * x0) / (2 * t1**3)
+    return a * t**5 + b * t**4 + c * t**3 + a0 / 2 * t**2 + v0 * t + x0
+
+
+def test_the_quintic_is_bollos():
+    times = np.linspace(0, 0.3, 40)
+    assert decay(times, quintic=True) == pytest.approx(bollo(START, RATE, 0.3, times[:, None]), abs=1e-5)
+
+
+def test_each_actor_has_its_own_curve():
+    rows = [np.repeat(array, 2, 0) for array in (START, RATE)]
+    mixed = inertialize.decay(*rows, np.full(2, 0.1), np.full(2, 0.3), np.array([False, True]))
+    assert mixed.tolist() == np.concatenate([decay([0.1]), decay([0.1], quintic=True)]).tolist()
 
 
 def test_from_rest_it_never_passes_zero():
