@@ -67,7 +67,9 @@ def turns_of(batch: Batch, at: At) -> list[Turn]:
         markers_of(batch, at),
         *(part.tolist() for part in (moved.ended[at], moved.at_end[at], state.ended[at] == OWED, moved.carry[at])),
         queues_of(state, at),
-        *(part.tolist() for part in (state.held[at[0]], state.last[at[0]], state.goal[at[0]])),
+        state.held[at[0]].tolist(),
+        lasts_of(state, at),
+        state.goal[at[0]].tolist(),
     )
     return [
         Turn(machine, batch.record, answers[layer], batch.tick, batch.dt, actor, layer, *others)
@@ -96,6 +98,15 @@ def markers_of(batch: Batch, at: At) -> list[tuple[str, ...]]:
     return [crossed(machine.markers[one], *rest) for one, *rest in zip(*(column.tolist() for column in columns), strict=True)]
 
 
+def lasts_of(state: MachineState, at: At) -> list[list[int]]:
+    """What each turn's actor has left last; the turns of one actor share it, as each layer has outer states of its own."""
+    actors = at[0].tolist()
+    if not state.last.shape[1]:
+        return [[]] * len(actors)
+    shared = dict(zip(actors, state.last[at[0]].tolist(), strict=True))
+    return [shared[actor] for actor in actors]
+
+
 def queues_of(state: MachineState, at: At) -> list[list[Waiting]]:
     """What waits for each turn, by arrival."""
     event = state.waiting_event[at]
@@ -122,7 +133,7 @@ def finished(batch: Batch, taken: list[Turn], at: At, after: MachineState) -> Ma
         wake=put(state.wake, at, [wake_of(turn) for turn in taken]),
         held=put(state.held, at[0], [turn.held for turn in taken]),
         last=put(state.last, at[0], [turn.last for turn in taken]) if batch.machine.histories else state.last,
-        goal=put(state.goal, at[0], [turn.goal for turn in taken]),
+        goal=put(state.goal, at[0][at[1] == 0], [turn.goal for turn in taken if turn.layer == 0]),
     )
     queued = [turn for turn in taken if turn.queue or state.waiting_event[turn.actor, turn.layer, 0] >= 0]
     return with_queues(after, queued) if queued else after

@@ -1,0 +1,139 @@
+"""The laws of batches over a machine with everything: layers, conditions, chance, markers, windows, senses, history, smooth parameters."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from statwalk.machine.state import MOST_WAITING, MachineState, fresh
+from statwalk.machine.step import Inputs, Surroundings, step
+from ticking import DT, built
+
+ACTORS, TICKS = 4, 40
+FILE = """
+character: c.glb
+initial: walk
+idle: E3
+states:
+  walk: {motion: walk, loop: true, speed: pace}
+  HOP: {motion: hop}
+  FIGHT:
+    resume: true
+    machine:
+      initial: a
+      states:
+        a: {motion: walk, loop: true}
+        B: {motion: hop, final: true}
+      table: |
+        state | E0 | E1 | END
+        a | B at left | |
+        B | a | B! |
+table: |
+  state | E0 | E1 | E2 | E3 | left | END
+  walk | | HOP at left | FIGHT | | |
+  HOP | HOP! at end | | FIGHT | walk | | walk
+  FIGHT | | | walk | | walk | HOP
+cells:
+  walk/E0: [{if: pace > 1 and phase > 0.3, to: HOP, enter: 0.5}, {if: time > 0.1, to: walk, action: nod}]
+  walk/E3: {walk: 3, HOP: 1}
+  HOP/E1: {to: walk, when: window 0.8..0.2, enter: match, action: 'raise(E0, other)'}
+  HOP/END: [{if: pace < 1.5, to: walk}]
+parameters: {pace: {default: 1, min: 0, max: 3, smooth: 0.1}}
+senses:
+  E2: {when: speed > 0.5 and pace > 1.2, release: pace < 1}
+layers:
+  arms:
+    initial: REST
+    states: {REST: {motion: none}, WAVE: {motion: hop}}
+    table: |
+      state | E0 | E3 | END
+      REST | WAVE | |
+      WAVE | | REST at end | REST
+"""
+DURATIONS = {"walk": 7.5, "hop": 4}
+one_input = st.tuples(st.integers(0, ACTORS - 1), st.integers(0, 5), st.integers(0, 5), st.integers(-1, 4))
+inputs = st.lists(st.lists(one_input, max_size=5), min_size=TICKS, max_size=TICKS)
+paces = st.lists(st.tuples(st.integers(0, ACTORS - 1), st.sampled_from([0.0, 0.9, 1.1, 3.0])), min_size=TICKS, max_size=TICKS)
+
+
+@pytest.fixture(scope="module")
+def machine():
+    return built(FILE, DURATIONS, {"walk": {"left": 3}, "hop": {"left": 1}})
+
+
+def around(rows):
+    """Speeds and chance of the actors `rows`, each its own."""
+    numbers = np.array(rows)
+    return Surroundings(
+        np.ones((len(rows), 2)), np.array([numbers * 0.3, 0 * numbers, 0 * numbers]), numbers.astype(np.uint64) + np.uint64(99)
+    )
+
+
+def play(machine, rows, per_tick, paces):
+    """The results of all ticks for the actors `rows`."""
+    state, results = fresh(machine, len(rows)), []
+    for tick, (entries, (who, pace)) in enumerate(zip(per_tick, paces, strict=True), 1):
+        if who in rows:
+            parameters = state.parameters.copy()
+            parameters[rows.index(who), 0] = pace
+            state = state._replace(parameters=parameters)
+        mine = [(rows.index(actor), *rest) for actor, *rest in entries if actor in rows]
+        given = Inputs(*np.array(mine, np.int64).reshape(-1, 4).T)
+        results.append(step(machine, state, DT, tick, given, around(rows)))
+        state = results[-1].state
+    return results
+
+
+def same(one: MachineState, other: MachineState) -> bool:
+    return all(first.tobytes() == second.tobytes() for first, second in zip(one.arrays(), other.arrays(), strict=True))
+
+
+@settings(deadline=None, max_examples=20)
+@given(inputs=inputs, paces=paces)
+def test_alone_and_in_a_batch(machine, inputs, paces):
+    together = play(machine, list(range(ACTORS)), inputs, paces)
+    for actor in range(ACTORS):
+        for one, every in zip(play(machine, [actor], inputs, paces), together, strict=True):
+            assert same(one.state, every.state.take(np.array([actor])))
+            assert [said._replace(actor=actor) for said in one.verdicts] == [said for said in every.verdicts if said.actor == actor]
+            assert [did._replace(actor=actor) for did in one.actions] == [did for did in every.actions if did.actor == actor]
+
+
+@settings(deadline=None, max_examples=20)
+@given(inputs=inputs, paces=paces)
+def test_bounds_of_the_whole(machine, inputs, paces):
+    for result in play(machine, list(range(ACTORS)), inputs, paces):
+        state, changes = result.state, result.changes
+        assert np.bincount(changes.actor * 2 + changes.layer, minlength=1).max() <= 8
+        assert (state.waiting_event >= 0).sum(-1).max() <= MOST_WAITING
+        assert (machine.layer_of[state.state] == [0, 1]).all()
+        assert (state.time >= 0).all()
+        assert (state.time <= machine.duration[state.state]).all()
+        assert ((state.smoothed >= 0) & (state.smoothed <= 3)).all()
+        waits = (state.waiting_event >= 0) & (state.waiting_until == (1 << 62) - 1)
+        assert (state.alert | ~waits.any(-1)).all()
+
+
+@settings(deadline=None, max_examples=10)
+@given(inputs=inputs, paces=paces)
+def test_nothing_is_written_into(machine, inputs, paces):
+    state = fresh(machine, ACTORS)
+    for tick, entries in enumerate(inputs, 1):
+        before = state.copy()
+        after = step(machine, state, DT, tick, Inputs(*np.array(entries, np.int64).reshape(-1, 4).T), around(range(ACTORS))).state
+        assert same(state, before)
+        state = after
+
+
+@settings(deadline=None, max_examples=20)
+@given(inputs=inputs, paces=paces)
+def test_who_is_passed_over_had_nothing_to_decide(machine, inputs, paces):
+    """Everybody is looked at in every tick, and nothing else comes of it."""
+    rows, usual = list(range(ACTORS)), play(machine, list(range(ACTORS)), inputs, paces)
+    for tick, (entries, (who, pace)) in enumerate(zip(inputs, paces, strict=True), 1):
+        state = usual[tick - 2].state if tick > 1 else fresh(machine, ACTORS)
+        parameters = state.parameters.copy()
+        parameters[who, 0] = pace
+        state = state._replace(parameters=parameters, wake=np.zeros_like(state.wake))
+        looked = step(machine, state, DT, tick, Inputs(*np.array(entries, np.int64).reshape(-1, 4).T), around(rows))
+        assert same(looked.state, usual[tick - 1].state)
+        assert looked.verdicts == usual[tick - 1].verdicts
