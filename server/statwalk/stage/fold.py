@@ -90,7 +90,7 @@ def forward(state: StageState, entries: Sequence[LogEntry], dt: float, seed: int
 
 def stepping(state: StageState, entries: Sequence[LogEntry], dt: float, seed: int) -> tuple[list[Given], list[tuple[Cast, StepResult]]]:
     """For each cast what it is given in the next tick, and what comes of it."""
-    told = [given(cast, state.raised, entries) for cast in state.casts]
+    told = [given(cast, state.raised, entries, dt) for cast in state.casts]
     return told, [tick(one.cast, one.inputs, dt, state.tick + 1, seed) for one in told]
 
 

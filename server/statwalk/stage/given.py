@@ -9,6 +9,7 @@ import numpy as np
 
 from statwalk.machine.step import HOLD, PRESS, RELEASE, TRAVEL, Inputs
 from statwalk.stage.cast import Cast
+from statwalk.stage.journey import presses
 from statwalk.stage.log import LogEntry
 from statwalk.stage.raised import Notice, Raised
 
@@ -32,7 +33,7 @@ class Told(NamedTuple):
     other: int = -1
 
 
-def given(cast: Cast, raised: Iterable[Raised], entries: Sequence[LogEntry]) -> Given:
+def given(cast: Cast, raised: Iterable[Raised], entries: Sequence[LogEntry], dt: float) -> Given:
     """The part of all that happens which concerns one cast. What an edit has taken away is lost, not wrong."""
     rows: list[tuple[int, int, int, int]] = []
     lost: list[Notice] = []
@@ -46,6 +47,7 @@ def given(cast: Cast, raised: Iterable[Raised], entries: Sequence[LogEntry]) -> 
         elif row >= 0:
             what = "state" if one.kind == TRAVEL else "event"
             lost.append(Notice(one.actor, one.name, one.other, f"{cast.role.name} has no {what} {one.name}"))
+    rows += presses(cast, rows, dt)
     return Given(_settled(cast, entries), Inputs(*np.array(rows, np.int64).reshape(-1, 4).T), tuple(lost))
 
 

@@ -84,6 +84,13 @@ class Role:
             raise UnknownNameError("event", name, known)
         return known.index(name)
 
+    def state(self, name: str) -> int:
+        """The row of a state of the base; raises UnknownNameError, which lists them."""
+        known = [self.machine.states[row] for row in self.machine.rows(0)]
+        if name not in known:
+            raise UnknownNameError("state", name, known)
+        return known.index(name)
+
     def parameter(self, name: str) -> int:
         """The index of a parameter; raises UnknownNameError."""
         known = [parameter.name for parameter in self.machine.parameters]

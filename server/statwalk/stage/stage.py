@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from math import isfinite
 
 from statwalk.errors import StageError, UnknownNameError
+from statwalk.machine.travel import Plan, plan, reachable
 from statwalk.stage.actor import Actor
 from statwalk.stage.cast import Cast
 from statwalk.stage.edit import check_joints
@@ -107,12 +108,32 @@ class Stage(Timeline):
         known = cast.role.machine.parameters[cast.role.parameter(parameter)]
         if not known.minimum <= value <= known.maximum:
             raise StageError(f"{parameter} must lie in {known.minimum} … {known.maximum}, not at {value}")
-        return self._keep(LogEntry(self.tick + 1, "set", self._known(actor), parameter, float(value)))
+        return self.keep(LogEntry(self.tick + 1, "set", self._known(actor), parameter, float(value)))
+
+    def travel(self, actor: Actor | int, state: str) -> Plan:
+        """The actor goes to a state of its base, by the events that lead there soonest; whatever else it is sent counts as well.
+
+        Raises UnknownNameError for a state that does not exist, StageError, naming those that can be reached, where there is no way.
+        """
+        known = self._known(actor)
+        cast, row = self._find(known)
+        machine = cast.role.machine
+        here, goal = int(cast.machine.state[row, 0]), cast.role.state(state)
+        found = plan(machine, here, goal)
+        if found is None:
+            there = ", ".join(name for name in reachable(machine, here) if name != machine.states[here]) or "no other state"
+            raise StageError(f"no way leads from {machine.states[here]} to {state}; from there can be reached: {there}")
+        self.keep(LogEntry(self.tick + 1, "travel", known, state))
+        return found
+
+    def cancel_travel(self, actor: Actor | int) -> LogEntry:
+        """The actor goes nowhere in particular any more."""
+        return self.keep(LogEntry(self.tick + 1, "travel", self._known(actor), ""))
 
     def _input(self, kind: str, actor: Actor | int, event: str) -> LogEntry:
         known = self._known(actor)
         self._find(known)[0].role.event(event)
-        return self._keep(LogEntry(self.tick + 1, kind, known, event))
+        return self.keep(LogEntry(self.tick + 1, kind, known, event))
 
     def _known(self, actor: Actor | int) -> int:
         number = actor.id if isinstance(actor, Actor) else actor

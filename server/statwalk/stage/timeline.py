@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Self
 
 from statwalk.errors import StageError
@@ -111,7 +111,7 @@ class Timeline:
         state = self._nearest(tick)
         while state.tick < tick:
             for _ in range(min(most, tick - state.tick)):
-                state = self._after(state)
+                state = self.after(state)
             yield state.tick
         self._state = state
 
@@ -120,7 +120,7 @@ class Timeline:
         self._check(tick)
         state = self._nearest(tick)
         while state.tick < tick:
-            state = self._after(state)
+            state = self.after(state)
         return state
 
     def fork(self) -> Self:
@@ -128,11 +128,15 @@ class Timeline:
 
         At the head it takes along what was sent and waits for the next tick.
         """
-        return self._branch(self.tick)
+        return self._branch(self.tick, self._state, self._log.at(self.head + 1) if self.tick == self.head else ())
+
+    def fork_at(self, tick: int) -> Self:
+        """A stage of its own that shares the past up to a tick, and nothing of what was sent there; raises StageError outside."""
+        return self._branch(tick, self.state_at(tick))
 
     def copy(self) -> Self:
         """A stage of its own with all of this one's past and its playhead, to look around in."""
-        return self._branch(self.head)
+        return self._branch(self.head, self._state, self._log.at(self.head + 1))
 
     @classmethod
     def of(cls, log: Log, roles: Mapping[str, Role], seed: int, rate: int) -> Self:
@@ -142,11 +146,11 @@ class Timeline:
         stage._state = recast(stage._state, log.at(0), roles, 1 / rate)
         return stage
 
-    def _branch(self, head: int) -> Self:
+    def _branch(self, head: int, shown: StageState, sent: Iterable[LogEntry] = ()) -> Self:
         branch = type(self)(self.seed, self.rate)
-        branch.roles, branch.head, branch._state = dict(self.roles), head, self._state
+        branch.roles, branch.head, branch._state = dict(self.roles), head, shown
         branch._log, branch._snapshots = self._log.until(head), self._snapshots.until(head)
-        for entry in self._log.at(head + 1) if head == self.head else ():
+        for entry in sent:
             branch._log.append(entry)
         branch.actions.extend(action for action in self.actions if action.tick <= head)
         branch.verdicts.extend(verdict for verdict in self.verdicts if verdict.tick <= head)
@@ -161,8 +165,8 @@ class Timeline:
         kept = self._snapshots.nearest(tick)
         return self._state if kept.tick <= self.tick <= tick else kept
 
-    def _after(self, state: StageState) -> StageState:
-        """The state of the next tick."""
+    def after(self, state: StageState) -> StageState:
+        """The state of the tick that follows one, along the log."""
         entries, dt = self._log.at(state.tick + 1), 1 / self.rate
         return recast(forward(state, entries, dt, self.seed), entries, self.roles, dt)
 
@@ -171,7 +175,7 @@ class Timeline:
         is_new = self.tick == self.head
         if is_new:
             self._snapshots.offer(self._state)  # nobody comes or goes in this tick any more
-        self._state = self._after(self._state)
+        self._state = self.after(self._state)
         if is_new:
             self.head = self.tick
             self.actions.extend(self._state.actions)
@@ -180,10 +184,11 @@ class Timeline:
     def _recast(self, entries: Sequence[LogEntry]) -> None:
         """Keeps entries that count at once, all in one copy."""
         for entry in entries:
-            self._keep(entry)
+            self.keep(entry)
         self._state = recast(self._state, entries, self.roles, 1 / self.rate)
 
-    def _keep(self, entry: LogEntry) -> LogEntry:
+    def keep(self, entry: LogEntry) -> LogEntry:
+        """Takes an entry into the log, all names in it known; raises StageError where the playhead is in the past."""
         self._refuse_past()
         self._log.append(entry)
         return entry
