@@ -1,6 +1,8 @@
 """A posed frame as a complete GLB: 5,000 vertices skinned and written into a prepared file; `python benchmarks/frame.py`.
 
-Ours is timed with all it does: skeleton, skin, bounds, file. pygltflib and three.js's exporter are given vertices that are posed already.
+From joint matrices to the bytes of the file: ours, pygltflib after a skin in NumPy, three.js's own skin and exporter. Beside it the
+peers with vertices that are posed already, so that only their writing counts while ours still skins; and ours with the skeleton, from
+the pose's rotations on.
 """
 
 from __future__ import annotations
@@ -12,12 +14,13 @@ import numpy as np
 from models import figure
 from pygltflib import GLTF2, Accessor, Attributes, Buffer, BufferView, Mesh, Node, Primitive, Scene
 from rounds import Three, least, show
+from statwalk.character import Character
 from statwalk.files.glb import read_model
-from statwalk.files.glb.template import FrameTemplate, PosedCast
+from statwalk.files.glb.template import FrameTemplate, PosedCast, stage_worlds
 from statwalk.skin.primitive import Part
 
-ROUNDS = 60
-GOALS = {"pygltflib": 25.0, "three.js GLTFExporter": 35.0}
+ROUNDS = 25
+GOALS = {"NumPy skin, pygltflib": 25.0, "pygltflib alone": 25.0, "three.js skin, GLTFExporter": 35.0, "GLTFExporter alone": 35.0}
 
 
 def pygltflib(part: Part, indices: np.ndarray) -> bytes:
@@ -52,24 +55,34 @@ def pygltflib(part: Part, indices: np.ndarray) -> bytes:
     return b"".join(gltf.save_to_bytes())
 
 
+def einsum(character: Character, world: np.ndarray) -> Part:
+    """The figure's only part under joint matrices (J,3,4), as most do it in NumPy."""
+    part = character.parts[0]
+    blended = np.einsum("vi,virc->vrc", part.weights, world[part.joints])
+    positions = np.einsum("vrc,vc->vr", blended[..., :3], part.positions) + blended[..., 3]
+    turned = np.einsum("vrc,vc->vr", blended[..., :3], part.normals)
+    return Part(0, 0, 0, positions, turned / np.linalg.norm(turned, axis=1, keepdims=True))
+
+
 def main() -> None:
     """Print the table."""
     data = figure(5_000)
     character = read_model(data, "figure")
     poses = character.clip("clip 0").sample(np.array([0.3]))
     template, cast = FrameTemplate([(character, 1)]), PosedCast(poses, np.zeros((1, 3)), np.zeros(1))
-    posed = character.vertices(poses.take(0))[0]
-    indices = character.parts[0].indices
-    assert indices is not None
+    worlds, posed = stage_worlds(character, cast), character.vertices(poses.take(0))[0]
+    indices = np.asarray(character.parts[0].indices, np.uint16)
     with tempfile.TemporaryDirectory() as folder, Three() as three:
         path = Path(folder) / "figure.glb"
         path.write_bytes(data)
         seconds = least(
             {
-                "statwalk": lambda: template.frame(1, "00ff", [cast]) and None,
-                "skin alone": lambda: character.vertices(poses.take(0)) and None,
-                "pygltflib": lambda: pygltflib(posed, indices.astype(np.uint16)) and None,
-                "three.js GLTFExporter": three.job("frame", path=str(path)),
+                "statwalk": lambda: template.filled(1, "00ff", [worlds], [poses.weights]) and None,
+                "statwalk, skeleton too": lambda: template.frame(1, "00ff", [cast]) and None,
+                "NumPy skin, pygltflib": lambda: pygltflib(einsum(character, worlds[0]), indices) and None,
+                "three.js skin, GLTFExporter": three.job("frame", path=str(path)),
+                "pygltflib alone": lambda: pygltflib(posed, indices) and None,
+                "GLTFExporter alone": three.job("frame", path=str(path), posed=True),
             },
             ROUNDS,
         )

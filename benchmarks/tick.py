@@ -1,45 +1,77 @@
-"""Time of a tick for 1, 100 and 1,000 actors, beside a plain loop over joints; `python benchmarks/tick.py`.
+"""Time of a tick for 1, 100 and 1,000 actors of 67 joints; `python benchmarks/tick.py`.
 
-The peer does for one actor what most first versions do: for each joint find the keys, slerp, multiply into the parent (float64, NumPy a
-joint at a time), and nothing else: no state table, no transitions, no root motion, no hash. Both are measured in turn in the same run; the
-least time of all rounds counts, and the ratio is what carries over to another machine.
+Ours is the whole tick: states, transitions and their blends, root motion, poses, history, hash. The peers only pose: a loop over joints
+in NumPy as most first versions have it (find the keys, slerp, multiply into the parent), SciPy's Slerp for the rotations alone, and
+three.js's mixer with its world matrices. NumPy and SciPy pose one actor, and a crowd takes them as many times as long.
 """
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
-from time import perf_counter
 
 import numpy as np
+from models import figure
+from rounds import Three, least, show
+from scipy.spatial.transform import Rotation, Slerp
 from statwalk.loading import load_role
 from statwalk.maths import quat
-from statwalk.motion.clip import Clip
+from statwalk.motion.clip import Channel, Clip
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Stage
 
-ROUNDS = 60
-WALKER = Path(__file__).resolve().parents[1] / "machines" / "faq-walker"
+ROUNDS = 12
+MACHINE = """
+character: figure.glb
+initial: STAND
+defaults: {blend: 0.3}
+states:
+  STAND: {motion: clip 0, loop: true}
+  WALK: {motion: clip 1, loop: true}
+table: |
+  state | GO   | STOP
+  STAND | WALK | -
+  WALK  | -    | STAND
+"""
 
 
-def peer(role: Role, clip: Clip) -> Callable[[], None]:
+def joint_by_joint(role: Role, clip: Clip) -> Callable[[], None]:
     """One tick of one actor, a joint at a time."""
-    turns = {channel.joint: channel for channel in clip.channels if channel.path == "rotation"}
+    channels = {(channel.joint, channel.path): channel for channel in clip.channels}
     parents, time = role.character.skeleton.parent, 0.0
 
     def tick() -> None:
         nonlocal time
         time = (time + 1 / 60) % clip.duration
-        worlds = []
+        worlds: list[np.ndarray] = []
         for joint, parent in enumerate(parents):
             local = np.eye(4)
-            local[:3, 3] = clip.rest.translation[joint]
-            if joint in turns:
-                times, values = turns[joint].times, turns[joint].values
-                key = min(int(np.searchsorted(times, time, "right")) - 1, len(times) - 2)
-                part = (time - times[key]) / (times[key + 1] - times[key])
-                local[:3, :3] = quat.to_matrix(quat.slerp(values[key].astype(float), values[key + 1].astype(float), part))
+            if (joint, "rotation") in channels:
+                start, end, part = between(channels[joint, "scale"], time)
+                local[:3, :3] = quat.to_matrix(quat.slerp(*between(channels[joint, "rotation"], time))) * (start + (end - start) * part)
+                start, end, part = between(channels[joint, "translation"], time)
+                local[:3, 3] = start + (end - start) * part
             worlds.append(local if parent < 0 else worlds[parent] @ local)
+
+    return tick
+
+
+def between(channel: Channel, time: float) -> tuple[np.ndarray, np.ndarray, float]:
+    """The keys before and after, and how far from one to the other."""
+    key = min(int(np.searchsorted(channel.times, time, "right")) - 1, len(channel.times) - 2)
+    part = (time - channel.times[key]) / (channel.times[key + 1] - channel.times[key])
+    return channel.values[key].astype(float), channel.values[key + 1].astype(float), float(part)
+
+
+def scipy_slerp(clip: Clip) -> Callable[[], None]:
+    """The rotations of one actor."""
+    turns = [channel for channel in clip.channels if channel.path == "rotation"]
+    slerps = [Slerp(channel.times.astype(float), Rotation.from_quat(channel.values.astype(float))) for channel in turns]
+
+    def tick() -> None:
+        for slerp in slerps:
+            slerp(0.37)
 
     return tick
 
@@ -50,7 +82,7 @@ def crowd(role: Role, actors: int) -> Stage:
     for number in range(actors):
         actor = stage.add(role, position=(number % 32, 0, number // 32))
         if number % 2 == 0:
-            stage.send(actor, "FORWARD")
+            stage.send(actor, "GO")
         if number % 50 == 0:
             stage.step()
     stage.step(120)
@@ -58,25 +90,28 @@ def crowd(role: Role, actors: int) -> Stage:
 
 
 def main() -> None:
-    """Print the table."""
-    role = load_role(WALKER)
-    stages = {actors: crowd(role, actors) for actors in (1, 100, 1000)}
-    ticks: dict[str, Callable[[], None]] = {str(actors): stage.step for actors, stage in stages.items()}
-    ticks["peer"] = peer(role, role.motions[role.machine.states.index("WALK")].clip)
-    least = dict.fromkeys(ticks, np.inf)
-    for _ in range(ROUNDS):
-        for name, tick in ticks.items():
-            start = perf_counter()
-            tick()
-            least[name] = min(least[name], perf_counter() - start)
-    joints = len(role.character.skeleton.names)
-    print(f"{joints} joints; the peer takes {least['peer'] * 1e3:.3f} ms for one actor")
-    for actors in stages:
-        seconds = least[str(actors)]
-        each = seconds / actors
-        print(
-            f"{actors:5} actors: {seconds * 1e3:7.3f} ms a tick, {each * 1e6:8.2f} us each, {least['peer'] / each:7.1f} x the peer's speed"
-        )
+    """Print the tables."""
+    with tempfile.TemporaryDirectory() as made, Three() as three:
+        folder = Path(made)
+        model = folder / "figure.glb"
+        model.write_bytes(figure(100))
+        (folder / "machine.yaml").write_text(MACHINE)
+        role = load_role(folder)
+        clip = role.character.clip("clip 1")
+        for actors in (1, 100, 1000):
+            jobs = {
+                "statwalk": crowd(role, actors).step,
+                "NumPy, joint by joint": joint_by_joint(role, clip),
+                "SciPy Slerp": scipy_slerp(clip),
+                "three.js mixer + world": three.job("pose", path=str(model), actors=actors),
+            }
+            seconds = least(jobs, ROUNDS)
+            for alone in ("NumPy, joint by joint", "SciPy Slerp"):
+                seconds[alone] *= actors
+            show(
+                f"tick of {actors} actors of {len(role.character.skeleton)} joints: {seconds['statwalk'] / actors * 1e6:.2f} us each",
+                seconds,
+            )
 
 
 if __name__ == "__main__":
