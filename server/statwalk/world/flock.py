@@ -17,6 +17,10 @@ from statwalk.world.sight import nearest_seen
 
 SETTLING_S = 0.7
 """seconds in which a member comes to the speed, or to the place, that it would like"""
+RESPONSE_S = 0.35
+"""the same for the speed in a formation, where others follow who follow others"""
+LEADING = 0.75
+"""of the greatest speed: whoever leads flies so fast at most, that the others can keep up"""
 CLOSEST = 0.05
 """of the preferred distance: nearer than this the force grows no more"""
 
@@ -90,21 +94,23 @@ def _forces(members: Members, rules: Rules, chance: Floats) -> Floats:
 
 def _desires(members: Members, rules: Rules, goal: Floats | None) -> Floats:
     """Accelerations (N, 3) towards the goal, and in a formation (all but the first) towards the place beside and behind the one ahead."""
+    in_formation = rules.formation is not None
     wish = np.zeros_like(members.position)
     if goal is not None:
-        wish = (_limited((goal - members.position) / SETTLING_S, rules.max_speed) - members.velocity) / SETTLING_S
+        fastest = rules.max_speed * (LEADING if in_formation else 1)
+        wish = (_limited((goal - members.position) / SETTLING_S, fastest) - members.velocity) / SETTLING_S
     if rules.formation is None or len(wish) < 2:
         return wish
     rank = np.arange(1, len(wish))
-    ahead, is_left = np.maximum(rank - 2, 0), rank % 2 == 1
-    place = members.position[ahead] + _beside(members.forward[ahead], is_left, rules.formation)
-    missing = place - members.position[1:]
-    wish[1:] = (members.velocity[ahead] + missing / SETTLING_S - members.velocity[1:]) / SETTLING_S
+    ahead = np.maximum(rank - 2, 0)
+    missing = members.position[ahead] + _beside(members.forward[:1], rank % 2 == 1, rules.formation) - members.position[1:]
+    wanted = _limited(members.velocity[ahead] + missing / SETTLING_S, rules.max_speed)
+    wish[1:] = (wanted - members.velocity[1:]) / RESPONSE_S
     return wish
 
 
 def _beside(forward: Floats, is_left: Bools, formation: tuple[float, float]) -> Floats:
-    """From a member to the place beside and behind it, on the level: (n, 3)."""
+    """From a member to the place beside and behind it, on the level: (n, 3). All look where the first does, so that arms are straight."""
     beside, behind = formation
     level = vector.unit(forward * np.array([1.0, 0, 1]))
     left = np.stack([level[:, 2], np.zeros(len(level)), -level[:, 0]], -1)
