@@ -21,7 +21,7 @@ from statwalk.files.yamltree import MOST_VALUES, Parser, Tree
 __all__ = ["Node", "parse", "read_text"]
 
 LARGEST_FILE = 1 << 20
-LARGEST_TEXT = 1 << 17
+LARGEST_BYTES = 1 << 17
 LONGEST_LINE = 1 << 12
 
 UNPRINTABLE = yaml.reader.Reader.NON_PRINTABLE
@@ -55,8 +55,8 @@ def parse(text: str, file: str, error: type[ContentError], known: tuple[str, ...
 
 def check_size(text: str, file: str, error: type[ContentError]) -> None:
     """What would take long to read is refused before anything is read; raises `error`, with the line where there is one to name."""
-    if len(text) > LARGEST_TEXT or len(text.encode("utf-8", "surrogatepass")) > LARGEST_TEXT:
-        raise error(f"the text is larger than {LARGEST_TEXT >> 10} KiB; a table can stand in a .csv file of its own", file=file)
+    if len(text) > LARGEST_BYTES or len(text.encode("utf-8", "surrogatepass")) > LARGEST_BYTES:
+        raise error(f"the text is larger than {LARGEST_BYTES >> 10} KiB; a table can stand in a .csv file of its own", file=file)
     strange = UNPRINTABLE.search(text)
     if strange:
         raise error("there is a character that no text file has", file=file, place=f"line {line_of(text, strange.start())}")
