@@ -105,9 +105,10 @@ def _times(
     old: Machine, new: Machine, states: tuple[Ints, Ints], times: tuple[NDArray[Any], NDArray[Any]], stays: Bools, goes_on: Bools
 ) -> tuple[NDArray[Any], NDArray[Any]]:
     """Seconds into the new motions, and up to which their markers have been met: the same, those of the same phase, or the beginning."""
-    durations = [machine.duration[state] for machine, state in zip((old, new), states, strict=True)]
-    ratio = np.where(np.isfinite(durations).all(0) & (durations[0] > 0), durations[1] / np.where(durations[0] > 0, durations[0], 1), 0)
-    time = np.where(goes_on, times[0], np.where(stays, times[0] * np.where(np.isfinite(ratio), ratio, 0), 0.0))
+    was, comes = old.duration[states[0]], new.duration[states[1]]
+    some = np.isfinite(was) & np.isfinite(comes) & (was > 0)  # a layer's state without a motion has no phase
+    ratio = np.divide(comes, was, out=np.zeros(len(was)), where=some)
+    time = np.where(goes_on, times[0], np.where(stays, times[0] * ratio, 0.0))
     return time, np.where(goes_on, times[1], np.where(stays, time, BEGINNING))
 
 
