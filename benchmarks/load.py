@@ -24,7 +24,7 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 def ours(data: bytes) -> None:
     """Read, with all clips packed."""
     for clip in read_model(data, "figure").clips.values():
-        clip.tracks  # noqa: B018 - packed on first use
+        clip.tracks, clip.base  # noqa: B018 - packed on first use
 
 
 def pygltflib(path: Path) -> None:

@@ -12,7 +12,7 @@ from typing import Any
 
 PEER = Path(__file__).resolve().parent / "peers" / "three.mjs"
 Job = Callable[[], float | None]
-TURN = 0.005
+TURN = 0.05
 
 
 class Three:

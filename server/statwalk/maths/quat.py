@@ -65,6 +65,8 @@ def rotate(q: Floats, v: Floats) -> Floats:
 def normalize(q: Floats) -> Floats:
     """`q` at unit length; zero becomes the identity."""
     size = np.sqrt(dot(q, q))[..., None]
+    if size.all():
+        return q / size
     is_zero = size == 0
     return np.where(is_zero, IDENTITY.astype(q.dtype), q / np.where(is_zero, 1, size))
 

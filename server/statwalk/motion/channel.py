@@ -55,20 +55,6 @@ class Channel:
         channel.__dict__.update(joint=joint, path=path, times=times, values=values, interpolation=interpolation, weight_first=weight_first)
         return channel
 
-    @property
-    def keys(self) -> Floats:
-        """(K, n) the key values, without the tangents of a CUBICSPLINE."""
-        return self.values[:, 1] if self.interpolation == "CUBICSPLINE" else self.values
-
-    @property
-    def is_constant(self) -> bool:
-        """Whether it says the same at every time."""
-        keys = self.keys
-        if keys[0].tobytes() != keys[len(keys) // 2].tobytes():
-            return False
-        tangents = self.interpolation == "CUBICSPLINE" and bool(self.values[:, ::2].any())
-        return not tangents and bool((keys == keys[0]).all())
-
 
 def duration_of(channels: Iterable[Channel]) -> float:
     """Seconds from 0 to the last key of all channels; 0 where there are none."""

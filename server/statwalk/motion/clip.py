@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from statwalk.maths import quat
 from statwalk.maths.pose import Pose
+from statwalk.motion.bundle import Bundle, bundles_of
 from statwalk.motion.channel import Channel, Marker, duration_of
+from statwalk.motion.keytable import KeyTable
 from statwalk.motion.sample import sample, wrap
 from statwalk.motion.track import Track, tracks_of
 
@@ -26,7 +28,7 @@ class Clip:
     """
 
     name: str
-    channels: tuple[Channel, ...]
+    channels: Sequence[Channel]
     duration: float
     """seconds: time runs from 0 to the last key of all channels"""
     rest: Pose
@@ -49,16 +51,17 @@ class Clip:
     @cached_property
     def tracks(self) -> tuple[Track, ...]:
         """The channels that change, packed for sampling."""
-        return tracks_of(self.channels, self.loop)
+        return self.channels.tracks() if isinstance(self.channels, KeyTable) else tracks_of(self.bundles, self.loop)
+
+    @cached_property
+    def bundles(self) -> tuple[Bundle, ...]:
+        """The channels by kind, where they do not come in a table."""
+        return bundles_of(self.channels)
 
     @cached_property
     def base(self) -> Pose:
         """The rest pose with the values of all channels that never change, float32."""
         pose = Pose(*(array.astype(np.float32) for array in self.rest))
-        for channel in self.channels:
-            if channel.is_constant and channel.path == "weights":
-                pose.weights[channel.weight_first : channel.weight_first + channel.keys.shape[-1]] = channel.keys[0]
-            elif channel.is_constant:
-                value = quat.normalize(channel.keys[0].astype(np.float64)) if channel.path == "rotation" else channel.keys[0]
-                getattr(pose, channel.path)[channel.joint] = value
+        for part in (self.channels,) if isinstance(self.channels, KeyTable) else self.bundles:
+            part.lay(pose)
         return pose

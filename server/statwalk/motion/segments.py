@@ -1,18 +1,18 @@
 """From keys to segments: one row of float32 numbers for each key, with all that is needed until the next key.
 
-A kind of segment is a pair: `pack_*` makes the rows (K, m) of a channel once, `evaluate` turns gathered rows (…, m) and the
+A kind of segment is a pair: `pack` makes the rows (S, m) of channels alike once, `evaluate` turns gathered rows (…, m) and the
 fractions (…,) of the way to the next key into values (…, n). Fractions run 0…1 and are 0 in the last row, which has no next key.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
 from statwalk.maths import curves, quat
 from statwalk.maths.arrays import Floats
-from statwalk.motion.channel import Channel
+from statwalk.motion.bundle import Bundle
 
 Evaluate = Callable[[Floats, Floats], Floats]
 
@@ -51,37 +51,47 @@ def spline_turn(rows: Floats, fractions: Floats) -> Floats:
     return curves.bspline_turn(rows[..., :4], rows[..., 4:].reshape(*rows.shape[:-1], 3, 3), fractions)
 
 
-def pack(channel: Channel, closed: bool) -> tuple[Evaluate, Floats]:
-    """How a channel's segments are evaluated, and its rows (K, m) float32. `closed`: it loops, and its ends meet."""
-    evaluate, rows = _pack(channel, closed)
-    return evaluate, rows.astype(np.float32)
+def pack(bundle: Bundle, loop: bool) -> tuple[Evaluate, Floats]:
+    """How the segments of a bundle's channels are evaluated, and the rows (S, m) float32 of all of them, one channel after the other."""
+    if bundle.interpolation == "STEP":
+        return hold, _turns(bundle).astype(np.float32)
+    if bundle.interpolation == "LINEAR":
+        return _straight(bundle)
+    ends = zip(bundle.starts, bundle.ends, bundle.timing, strict=True)
+    parts = [(bundle.times[timing].astype(np.float64), bundle.values[first:last].astype(np.float64)) for first, last, timing in ends]
+    rows = [_curve(bundle, times, values, loop) for times, values in parts]
+    return EVALUATE[bundle.interpolation, bundle.path == "rotation"], np.concatenate(rows).astype(np.float32)
 
 
-def _pack(channel: Channel, closed: bool) -> tuple[Evaluate, Floats]:
-    values: Floats = channel.values.astype(np.float64)
-    is_turn = channel.path == "rotation"
-    if channel.interpolation == "CUBICSPLINE":
-        return (cubic_turn if is_turn else cubic), _hermite(channel.times.astype(np.float64), values)
-    if is_turn:
-        values = quat.normalize(values)
-    through = channel.interpolation == "BSPLINE_THROUGH"
-    return (spline_turn, _turn_windows(values, through, closed)) if is_turn else (cubic, _bspline(values, through, closed))
+def _turns(bundle: Bundle) -> Floats:
+    """The values (S, n), rotations at unit length (float64)."""
+    return quat.normalize(bundle.values.astype(np.float64)) if bundle.path == "rotation" else bundle.values
 
 
-def pack_straight(channels: Sequence[Channel]) -> tuple[Evaluate, Floats]:
-    """The same for channels of one path, all STEP or all LINEAR: the rows (S, m) of all of them at once, one channel after the other."""
-    values: Floats = np.concatenate([channel.values for channel in channels]).astype(np.float64)
-    is_turn = channels[0].path == "rotation"
-    if is_turn:
-        values = quat.normalize(values)
-    if channels[0].interpolation == "STEP":
-        return hold, values.astype(np.float32)
-    following = _next(values)
-    last = np.cumsum([len(channel.times) for channel in channels]) - 1
-    following[last] = values[last]  # the last key of each channel is its own follower
-    if is_turn:
-        return arc, np.concatenate([values, quat.align(values, following)], -1).astype(np.float32)
-    return line, np.concatenate([values, following - values], -1).astype(np.float32)
+def _straight(bundle: Bundle) -> tuple[Evaluate, Floats]:
+    """LINEAR: each key and the way to the next one; the last key of a channel is its own follower."""
+    values = _turns(bundle)
+    width, last = values.shape[1], bundle.ends - 1
+    rows = np.empty((len(values), 2 * width), np.float32)
+    rows[:, :width] = values
+    if bundle.path == "rotation":
+        rows[:-1, width:] = values[1:]
+        rows[np.flatnonzero(quat.dot(values[:-1], values[1:]) < 0), width:] *= -1  # the same turn, on the nearer side
+        rows[last, width:] = rows[last, :width]
+        return arc, rows
+    rows[:-1, width:] = values[1:] - values[:-1]
+    rows[last, width:] = 0
+    return line, rows
+
+
+def _curve(bundle: Bundle, times: Floats, values: Floats, loop: bool) -> Floats:
+    """The rows (K, m) of one channel of splines, from its times and values (float64)."""
+    if bundle.interpolation == "CUBICSPLINE":
+        return _hermite(times, values)
+    is_turn, through = bundle.path == "rotation", bundle.interpolation == "BSPLINE_THROUGH"
+    # The next lap goes on where this one ends: the ends meet, or it is a way whose next lap starts there (root motion).
+    closed = loop and (bundle.path == "translation" or bool((values[0] == values[-1]).all()))
+    return _turn_windows(quat.normalize(values), through, closed) if is_turn else _bspline(values, through, closed)
 
 
 def _next(values: Floats) -> Floats:
@@ -114,3 +124,14 @@ def _turn_windows(values: Floats, through: bool, closed: bool) -> Floats:
 def _windows(controls: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     """The four controls (K, n) of each of K segments; in the last one, where f stays 0, the fourth has no say."""
     return controls[:-2], controls[1:-1], controls[2:], np.concatenate([controls[3:], controls[-1:]])
+
+
+EVALUATE: dict[tuple[str, bool], Evaluate] = {
+    ("CUBICSPLINE", False): cubic,
+    ("CUBICSPLINE", True): cubic_turn,
+    ("BSPLINE", False): cubic,
+    ("BSPLINE", True): spline_turn,
+    ("BSPLINE_THROUGH", False): cubic,
+    ("BSPLINE_THROUGH", True): spline_turn,
+}
+"""by the kind of interpolation, and whether it is of rotations"""

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from itertools import groupby
 
 import numpy as np
 
 from statwalk.maths.arrays import Floats, Ints
-from statwalk.motion.channel import Channel
-from statwalk.motion.segments import Evaluate, pack, pack_straight
+from statwalk.motion.bundle import Bundle, spans
+from statwalk.motion.segments import Evaluate, hold, pack
+from statwalk.motion.timing import timing_of
 
 LARGEST_TABLE = 1 << 18  # cells of a track's table (edges x channels): beyond it the channels are spread over several tracks
 
@@ -44,75 +44,66 @@ class Track:
         return self.evaluate(self.rows[self.segment[row]], fractions.astype(np.float32))
 
 
-def tracks_of(channels: Sequence[Channel], loop: bool) -> tuple[Track, ...]:
+def tracks_of(bundles: Iterable[Bundle], loop: bool) -> tuple[Track, ...]:
     """The tracks of all channels that change at all."""
-    columns = [column for channel in channels if not channel.is_constant for column in _split_weights(channel)]
-    columns.sort(key=_kind)
-    return tuple(
-        _track(batch, loop)
-        for _, alike in groupby(columns, key=_kind)
-        for batch in _batches(sorted(alike, key=lambda c: c.times.tobytes()))
-    )
+    packed = [Packed(bundle, loop) for bundle in bundles]
+    return tuple(track for one in packed for track in one.tracks(0, len(one.bundle.target)))
 
 
-def _kind(channel: Channel) -> tuple[str, str]:
-    return channel.path, channel.interpolation
+class Packed:
+    """A bundle ready to be cut into tracks: the rows of all channels that change, made at once."""
 
+    def __init__(self, bundle: Bundle, loop: bool) -> None:
+        self.bundle = bundle
+        moving = ~bundle.is_constant
+        self.moving = bundle if moving.all() else bundle.taken(np.flatnonzero(moving))
+        self.before = np.append(0, moving.cumsum())
+        """(C + 1,) how many of the channels before it change"""
+        self.evaluate, self.rows = pack(self.moving, loop) if moving.any() else (hold, bundle.keys[:0])
 
-def _split_weights(channel: Channel) -> list[Channel]:
-    """A channel of weights as one channel for each weight, so that all of them can lie in one track."""
-    if channel.path != "weights":
-        return [channel]
-    count = channel.values.shape[-1]
-    return [
-        Channel(channel.joint, "weights", channel.times, channel.values[..., i : i + 1], channel.interpolation, channel.weight_first + i)
-        for i in range(count)
-    ]
+    def tracks(self, first: int, last: int) -> list[Track]:
+        """The tracks of those of the channels first…last that change: one, or more where its table would be too large."""
+        start, end = int(self.before[first]), int(self.before[last])
+        timing = self.moving.timing[start:end]
+        if start == end:
+            return []
+        if (timing == timing[0]).all():
+            return [self.track_in_step(start, end)]
+        if sum(len(self.moving.times[row]) for row in np.unique(timing)) * len(timing) <= LARGEST_TABLE:
+            return [self.track(np.arange(start, end))]
+        return [self.track(rows) for rows in self.batches(start, end)]
 
+    def track_in_step(self, start: int, end: int) -> Track:
+        """The track of the channels start…end, all of which have the same times."""
+        row, count = int(self.moving.timing[start]), end - start
+        timing = self.moving.times.timing(row)
+        segment = timing.key[:, None] + len(timing.edges) * np.arange(count)
+        since, rate = (part[:, None].repeat(count, 1) for part in (timing.start, timing.rate))
+        rows = self.rows[self.moving.starts[start] : self.moving.ends[end - 1]]
+        return Track(self.bundle.path, self.evaluate, self.moving.target[start:end], timing.edges, segment, since, rate, rows)
 
-def _batches(channels: list[Channel]) -> Iterator[list[Channel]]:
-    """The channels, those with the same times together, in batches whose table is not too large."""
-    batch: list[Channel] = []
-    edges, seen = 0, b""
-    for channel in channels:
-        times = channel.times.tobytes()
-        edges += len(channel.times) if times != seen else 0
-        if batch and edges * (len(batch) + 1) > LARGEST_TABLE:
-            yield batch
-            batch, edges = [], len(channel.times)
-        batch.append(channel)
-        seen = times
-    yield batch
+    def batches(self, start: int, end: int) -> Iterator[Ints]:
+        """The channels start…end, those with the same times together, in batches whose table is not too large."""
+        order = np.argsort(self.moving.timing[start:end], kind="stable") + start
+        fresh = np.diff(self.moving.timing[order], prepend=-1) != 0
+        batch, edges = 0, 0
+        for row, (count, is_new) in enumerate(zip(self.moving.counts[order].tolist(), fresh.tolist(), strict=True)):
+            edges += count if is_new else 0
+            if row > batch and edges * (row - batch + 1) > LARGEST_TABLE:
+                yield order[batch:row]
+                batch, edges = row, count
+        yield order[batch:]
 
-
-def _track(channels: list[Channel], loop: bool) -> Track:
-    edges = np.unique(np.concatenate([channel.times for channel in channels])).astype(np.float64)
-    evaluate, rows = _packed(channels, loop)
-    first = np.cumsum([0, *(len(channel.times) for channel in channels[:-1])])
-    # Channels with the same times lie side by side (see _batches): their columns are computed once.
-    runs = [list(alike) for _, alike in groupby(channels, key=lambda channel: channel.times.tobytes())]
-    timing = [_timing(alike[0].times.astype(np.float64), edges) for alike in runs]
-    counts = [len(alike) for alike in runs]
-    index, start, rate = (np.stack(parts, -1).repeat(counts, -1) for parts in zip(*timing, strict=True))
-    target = [channel.weight_first if channel.path == "weights" else channel.joint for channel in channels]
-    return Track(channels[0].path, evaluate, np.array(target), edges, index + first, start, rate, rows)
-
-
-def _packed(channels: list[Channel], loop: bool) -> tuple[Evaluate, Floats]:
-    """How the channels' segments are evaluated, and the rows (S, m) of all of them, one channel after the other."""
-    if channels[0].interpolation in ("STEP", "LINEAR"):
-        return pack_straight(channels)
-    packed = [pack(channel, loop and _goes_on(channel)) for channel in channels]
-    return packed[0][0], np.concatenate([rows for _, rows in packed])
-
-
-def _goes_on(channel: Channel) -> bool:
-    """Whether the next lap goes on where this one ends: the ends meet, or it is a way whose next lap starts there (root motion)."""
-    return channel.path == "translation" or bool((channel.keys[0] == channel.keys[-1]).all())
-
-
-def _timing(times: Floats, edges: Floats) -> tuple[Ints, Floats, Floats]:
-    """For each row of the table: which key holds, since when (seconds), and one over the seconds to the next key."""
-    key = np.concatenate([[-1], times.searchsorted(edges, "right") - 1])
-    rate = np.append(1 / np.diff(times), 0.0)
-    return key.clip(0), times[key.clip(0)], np.where(key < 0, 0.0, rate[key])
+    def track(self, channels: Ints) -> Track:
+        """The track of some channels (C,) with different times."""
+        used, which = np.unique(self.moving.timing[channels], return_inverse=True)
+        times = [self.moving.times[row].astype(np.float64) for row in used]
+        edges = np.unique(np.concatenate(times))
+        parts = [timing_of(own, edges) for own in times]
+        key = np.stack([part.key for part in parts], -1).take(which, -1)
+        start, rate = (np.stack(columns, -1).take(which, -1) for columns in zip(*((part.start, part.rate) for part in parts), strict=True))
+        first, counts = self.moving.starts[channels], self.moving.counts[channels]
+        rows = self.rows[spans(first, counts)]
+        before: Ints = np.cumsum(counts) - counts
+        segment = np.asarray(key + before, np.int64)
+        return Track(self.bundle.path, self.evaluate, self.moving.target[channels], edges, segment, start, rate, rows)

@@ -47,10 +47,9 @@ class Accessors:
 
     def __post_init__(self) -> None:
         self.entries = self.document["accessors"]
-        self.usable = plain_floats(self.document, self.views)
+        self.plain = plain_floats(self.document, self.views)
         """those whose numbers were all looked at"""
-        self.arrays.update(self.usable)
-        self.bytes.take(sum(array.nbytes for array in self.usable.values()), "/accessors")
+        self.bytes.take(self.plain.bytes, "/accessors")
 
     def read(self, row: int, allowed: Allowed, place: str) -> Array:
         """The raw array (count,) or (count, n) of an accessor, which must be of an allowed type; `place` is who asks."""
@@ -62,9 +61,8 @@ class Accessors:
 
     def floats(self, row: int, allowed: Allowed, place: str) -> NDArray[np.float32]:
         """The array as finite float32; normalised integers become fractions of 1 (3.6.2.2)."""
-        usable = self.usable.get(row)
-        if usable is not None and self.entries[row]["type"] in allowed[0]:
-            return usable
+        if self.plain.usable[row] and self.entries[row]["type"] in allowed[0]:
+            return self.array(row)
         raw = self.read(row, allowed, place)
         entry = self.entries[row]
         component = entry["componentType"]
@@ -86,7 +84,8 @@ class Accessors:
     def array(self, row: int) -> Array:
         """The raw array of an accessor."""
         if row not in self.arrays:
-            self.arrays[row] = self.opened(self.document["accessors"][row], f"/accessors/{row}")
+            plain = self.plain.array(row)
+            self.arrays[row] = self.opened(self.entries[row], f"/accessors/{row}") if plain is None else plain
         return self.arrays[row]
 
     def opened(self, entry: Json, place: str) -> Array:
@@ -143,7 +142,7 @@ class Accessors:
 
     def check_rest(self) -> None:
         """Open the accessors that nothing used, so that a broken one is reported all the same."""
-        for row in range(len(self.document["accessors"])):
+        for row in np.flatnonzero(~self.plain.usable).tolist():
             self.array(row)
         self.views.check_rest()
 

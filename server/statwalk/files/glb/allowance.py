@@ -42,6 +42,11 @@ def drawn_vertices() -> Allowance:
     return Allowance("vertices on its nodes", 2_000_000)
 
 
+def key_times() -> Allowance:
+    """Key times of all accessors that hold any."""
+    return Allowance("key times", 4_000_000)
+
+
 def key_numbers() -> Allowance:
     """Numbers in the keys of all channels of all animations."""
     return Allowance("numbers in its keys", 8_000_000)

@@ -14,10 +14,13 @@ from statwalk.files.glb.accessors import Accessors
 from statwalk.files.glb.allowance import Allowance, key_numbers
 from statwalk.files.glb.check import Json
 from statwalk.files.glb.document import Document
-from statwalk.files.glb.formats import MORPH_WEIGHTS, ROTATIONS, TIMES, TRANSLATIONS, VECTORS, Allowed
+from statwalk.files.glb.formats import MORPH_WEIGHTS, ROTATIONS, TRANSLATIONS, VECTORS, Allowed
+from statwalk.files.glb.keytimes import KeyTimes, TimeTable
 from statwalk.files.glb.names import unique
+from statwalk.files.glb.plain_clips import plain_tables
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Channel, Clip, duration_of
+from statwalk.motion.keytable import KeyTable
 
 FORMATS: dict[str, Allowed] = {"translation": TRANSLATIONS, "rotation": ROTATIONS, "scale": VECTORS, "weights": MORPH_WEIGHTS}
 INTERPOLATIONS = ("LINEAR", "STEP", "CUBICSPLINE")
@@ -26,36 +29,39 @@ Interpolation = Literal["STEP", "LINEAR", "CUBICSPLINE"]
 
 
 @dataclass
-class KeyTimes:
-    """Times (K,) of a sampler, and which of its keys they are: None for all."""
-
-    times: NDArray[np.float32]
-    keys: NDArray[np.int64] | None
-
-
-@dataclass
 class Animations:
     """The animations of a document; `weight_span` says where each node's morph weights are in a pose."""
 
     document: Document
     accessors: Accessors
-    joint_of: list[int]
+    joint_of: NDArray[np.int32]
     weight_span: dict[int, tuple[int, int]]
     rest: Pose
     numbers: Allowance = field(default_factory=key_numbers)
-    known_times: dict[int, KeyTimes] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.nodes, self.entries = self.document["nodes"], self.document["accessors"]
+        self.times = TimeTable(self.accessors)
 
     def clips(self) -> dict[str, Clip]:
         """Every animation as a clip, by its name made unique, in the order of the file."""
         entries = self.document["animations"]
-        names = unique([check.label(entry, f"/animations/{row}") for row, entry in enumerate(entries)], "clip")
-        return {name: self.clip(name, entry, f"/animations/{row}") for row, (name, entry) in enumerate(zip(names, entries, strict=True))}
+        plain = plain_tables(entries, self.accessors, self.times, self.joint_of, self.numbers)
+        names = unique(check.labels(entries, "/animations"), "clip")
+        return {
+            name: self.clip(name, entry, f"/animations/{row}", plain.get(row))
+            for row, (name, entry) in enumerate(zip(names, entries, strict=True))
+        }
 
-    def clip(self, name: str, entry: Json, place: str) -> Clip:
-        """One animation. Channels that nothing here understands are left out, and noted."""
+    def clip(self, name: str, entry: Json, place: str, plain: KeyTable | None) -> Clip:
+        """One animation, with its channels where they are plain."""
+        if plain is not None:
+            return Clip(name, plain, plain.duration(), self.rest)
+        channels = self.channels(entry, place)
+        return Clip(name, channels, duration_of(channels), self.rest)
+
+    def channels(self, entry: Json, place: str) -> tuple[Channel, ...]:
+        """The channels one by one. Those that nothing here understands are left out, and noted."""
         samplers = check.objects(entry, "samplers", place)
         found: dict[tuple[int, str], Channel] = {}
         for row, channel in enumerate(check.objects(entry, "channels", place)):
@@ -64,8 +70,7 @@ class Animations:
                 self.document.note("two channels of an animation move the same property; the first counts")
             elif made is not None:
                 found[made.joint, made.path] = made
-        channels = tuple(found.values())
-        return Clip(name, channels, duration_of(channels), self.rest)
+        return tuple(found.values())
 
     def channel(self, entry: Json, samplers: list[Json], animation: str, place: str) -> Channel | None:
         """One channel; None where it has no node or moves a property that is unknown or not there."""
@@ -79,25 +84,10 @@ class Animations:
             self.document.note(f"animation channels for {check.shown(path)} of nothing that has it are left out")
             return None
         kind = check.one_of(sampler, "interpolation", where, INTERPOLATIONS, "LINEAR")
-        keys = self.key_times(check.required_reference(sampler, "input", where, self.entries, "accessor"), f"{where}/input")
+        keys = self.times.read(check.required_reference(sampler, "input", where, self.entries, "accessor"), f"{where}/input")
         width = count if path == "weights" else 1
         values = self.values(sampler, path, kind, keys, width, where)
-        return Channel.checked(self.joint_of[node], cast("Path", path), keys.times, values, cast("Interpolation", kind), first)
-
-    def key_times(self, row: int, place: str) -> KeyTimes:
-        """The times of an accessor, checked once: finite, not negative, rising. Of keys at the same time the last one stays."""
-        if row not in self.known_times:
-            times = self.accessors.floats(row, TIMES, place)
-            steps = times[1:] - times[:-1]
-            if times[0] < 0 or times[-1] > check.LATEST or (len(steps) and steps.min() < 0):
-                raise ModelError(f"key times must rise from 0 or more to at most {check.LATEST:g} seconds", place=f"/accessors/{row}")
-            if len(steps) and steps.min() == 0:
-                keys = np.flatnonzero(np.append(steps > 0, True))
-                self.document.note("keys at equal times: the last one counts")
-                self.known_times[row] = KeyTimes(times[keys], keys)
-            else:
-                self.known_times[row] = KeyTimes(times, None)
-        return self.known_times[row]
+        return Channel.checked(int(self.joint_of[node]), cast("Path", path), keys.times, values, cast("Interpolation", kind), first)
 
     def values(self, sampler: Json, path: str, kind: str, keys: KeyTimes, width: int, place: str) -> NDArray[np.float32]:
         """(K,n) key values, or (K,3,n) of a cubic spline: in-tangent, value, out-tangent."""

@@ -49,8 +49,9 @@ def normals(
 
 def unit_normals(given: Floats32) -> Floats32:
     """The normals (V,3) at unit length; the same array where they are, within what 32-bit floats can say."""
-    x, y, z = given.T
-    if np.abs(x * x + y * y + z * z - 1).max() < 1e-6:
+    x, y, z = np.square(given.T, order="C")
+    squares = x + y + z
+    if squares.max() - 1 < 1e-6 and 1 - squares.min() < 1e-6:
         return given
     return np.ascontiguousarray(unit(given.T, np.zeros((3, 1), np.float32)).T, np.float32)
 
@@ -68,7 +69,8 @@ def influences(document: Document, accessors: Accessors, attributes: Json, count
         counted(weights[-1], count, f"{place}/{names[1]}")
     if not joints:
         return None
-    return np.concatenate(joints, axis=1), np.maximum(np.concatenate(weights, axis=1), 0)
+    together = weights[0] if len(weights) == 1 else np.concatenate(weights, axis=1)
+    return joints[0] if len(joints) == 1 else np.concatenate(joints, axis=1), together if together.min() >= 0 else np.maximum(together, 0)
 
 
 def targets(

@@ -73,6 +73,8 @@ def items(entry: Json, key: str, place: str, *, required: bool = False) -> list[
 def objects(entry: Json, key: str, place: str, *, required: bool = False) -> list[Json]:
     """A list of objects."""
     values = items(entry, key, place, required=required)
+    if set(map(type, values)) <= {dict}:
+        return values
     return [as_object(value, f"{place}/{key}/{row}") for row, value in enumerate(values)]
 
 
@@ -102,6 +104,20 @@ def index(value: Any, place: str, collection: list[Any], kind: str) -> int:
     if type(value) is not int or not 0 <= value < len(collection):
         raise ModelError(f"{shown(value)} is not the index of a {kind}; there are {len(collection)}", place=place)
     return value
+
+
+def indices(values: list[Any], place: str, collection: list[Any], kind: str) -> list[int]:
+    """A list whose members must all be indices into a collection."""
+    if not set(map(type, values)) <= {int} or (values and not 0 <= min(values) <= max(values) < len(collection)):
+        for row, value in enumerate(values):
+            index(value, f"{place}/{row}", collection, kind)
+    return values
+
+
+def labels(entries: list[Json], place: str) -> list[str]:
+    """The names of all objects, empty where they have none."""
+    values = [entry.get("name", "") for entry in entries]
+    return values if set(map(type, values)) <= {str} else [label(entry, f"{place}/{row}") for row, entry in enumerate(entries)]
 
 
 def shown(value: Any) -> str:

@@ -90,7 +90,7 @@ class Meshes:
         if int(values.max()) >= count:
             raise ModelError(f"it points at vertex {int(values.max())}; there are {count}", place=f"{place}/indices")
         self.vertices.take(len(values) // 3, f"{place}/indices")
-        return values.astype(np.uint32)
+        return values.astype(np.uint32, copy=False)
 
 
 def target_count(primitive: Primitive) -> int:
@@ -152,7 +152,8 @@ def bind(
         return part
     key = (part.mesh, part.primitive, skin)
     if key not in known:
-        used = found.joints * (found.weights > 0)
+        inside = int(found.joints.max()) < len(skins[skin].joints)
+        used = found.joints if inside else found.joints * (found.weights > 0)
         if int(used.max()) >= len(skins[skin].joints):
             where = f"/meshes/{part.mesh}/primitives/{part.primitive}/attributes/JOINTS_0"
             raise ModelError(f"it points at joint {int(used.max())}; skin {skin} has {len(skins[skin].joints)}", place=where)

@@ -11,12 +11,15 @@ from numpy.typing import NDArray
 from statwalk.errors import ModelError
 from statwalk.files.glb import check
 from statwalk.files.glb.check import Json
+from statwalk.files.glb.columns import vectors
 from statwalk.files.glb.document import Document
 from statwalk.files.glb.names import unique
 from statwalk.maths import quat
 from statwalk.rig.skeleton import Skeleton
 
 MOST_NODES, DEEPEST = 65_536, 4_096
+REST: dict[str, list[float]] = {"translation": [0, 0, 0], "rotation": [0, 0, 0, 1], "scale": [1, 1, 1]}
+"""what a node's transform is made of, and where it has none"""
 
 
 class Hierarchy(NamedTuple):
@@ -41,23 +44,27 @@ def hierarchy(document: Document) -> Hierarchy:
     nodes = document["nodes"]
     if len(nodes) > MOST_NODES:
         raise ModelError(f"there are {len(nodes)} nodes; {MOST_NODES} are allowed", place="/nodes")
-    children = [children_of(document, row, node) for row, node in enumerate(nodes)]
+    children = [children_of(nodes, row, node) if "children" in node else [] for row, node in enumerate(nodes)]
     parent = parents_of(children)
     order = parents_first(children, parent)
+    node_index = np.array(order, np.int32)
     joint_of = np.empty(len(nodes), np.int32)
-    joint_of[order] = np.arange(len(nodes), dtype=np.int32)
-    names = unique([check.label(nodes[row], f"/nodes/{row}") for row in order], "node", order)
-    parents = np.array([joint_of[parent[row]] if parent[row] >= 0 else -1 for row in order], np.int32)
+    joint_of[node_index] = np.arange(len(nodes), dtype=np.int32)
+    labels = check.labels(nodes, "/nodes")
+    names = unique([labels[row] for row in order], "node", order)
+    above = np.array(parent, np.int32)[node_index]
+    parents = np.where(above < 0, np.int32(-1), joint_of[above])
     drawn = np.zeros(len(nodes), bool)
-    drawn[[joint_of[row] for row in reached(scene_roots(document, parent), children)]] = True
-    return Hierarchy(Skeleton(tuple(names), parents), np.array(order, np.int32), joint_of, drawn)
+    roots = scene_roots(document, parent)
+    all_are_drawn = len(roots) == np.count_nonzero(above < 0)
+    drawn[joint_of[np.array(order if all_are_drawn else reached(roots, children), np.intp)]] = True
+    return Hierarchy(Skeleton(tuple(names), parents), node_index, joint_of, drawn)
 
 
-def children_of(document: Document, row: int, node: Json) -> list[int]:
+def children_of(nodes: list[Json], row: int, node: Json) -> list[int]:
     """The children of a node, checked to be nodes."""
     place = f"/nodes/{row}"
-    listed = check.items(node, "children", place)
-    return [check.index(child, f"{place}/children/{k}", document["nodes"], "node") for k, child in enumerate(listed)]
+    return check.indices(check.items(node, "children", place), f"{place}/children", nodes, "node")
 
 
 def parents_of(children: Sequence[Sequence[int]]) -> list[int]:
@@ -115,13 +122,16 @@ def scene_nodes(document: Document, row: int, scene: Json, parent: Sequence[int]
 
 def rest_transforms(document: Document, order: NDArray[np.int32]) -> RestTransforms:
     """The local transforms of the nodes in the order given; matrices are taken apart, rotations brought to unit length."""
-    rows = [node_transform(document, row, document["nodes"][row]) for row in order.tolist()]
-    translation = np.array([row[0] for row in rows], np.float32).reshape(-1, 3)
-    rotation = np.array([row[1] for row in rows], np.float64).reshape(-1, 4)
-    scale = np.array([row[2] for row in rows], np.float32).reshape(-1, 3)
-    if np.any(np.abs((rotation**2).sum(axis=1) - 1) > 1e-3):
+    nodes = document["nodes"]
+    plain = [] if any("matrix" in node for node in nodes) else [vectors(nodes, *one) for one in REST.items()]
+    given = [values for values in plain if values is not None]
+    if len(given) < len(REST):
+        rows = [node_transform(document, row, node) for row, node in enumerate(nodes)]
+        given = [np.array(values, np.float64) for values in zip(*rows, strict=True)]
+    translation, rotation, scale = (values[order] for values in given)
+    if (np.abs(quat.dot(rotation, rotation) - 1) > 1e-3).any():
         document.note("node rotations were not of unit length and were normalised")
-    return RestTransforms(translation, quat.normalize(rotation).astype(np.float32), scale)
+    return RestTransforms(translation.astype(np.float32), quat.normalize(rotation).astype(np.float32), scale.astype(np.float32))
 
 
 def node_transform(document: Document, row: int, node: Json) -> tuple[Sequence[float], Sequence[float], Sequence[float]]:
@@ -130,9 +140,9 @@ def node_transform(document: Document, row: int, node: Json) -> tuple[Sequence[f
     if "matrix" in node:
         return taken_apart(document, check.numbers(node, "matrix", place, 16))
     return (
-        check.numbers(node, "translation", place, 3, [0, 0, 0]),
-        check.numbers(node, "rotation", place, 4, [0, 0, 0, 1]),
-        check.numbers(node, "scale", place, 3, [1, 1, 1]),
+        check.numbers(node, "translation", place, 3, REST["translation"]),
+        check.numbers(node, "rotation", place, 4, REST["rotation"]),
+        check.numbers(node, "scale", place, 3, REST["scale"]),
     )
 
 

@@ -50,7 +50,7 @@ def read_document(document: Document, name: str, binary: memoryview | None, fold
     skins = read_skins(document, accessors, nodes.joint_of)
     drawn = place_meshes(document, accessors, nodes, skins)
     bind_pose = Pose(*rest, drawn.weights)
-    clips = Animations(document, accessors, nodes.joint_of.tolist(), drawn.weight_span, bind_pose).clips()
+    clips = Animations(document, accessors, nodes.joint_of, drawn.weight_span, bind_pose).clips()
     accessors.check_rest()
     check_textures(document, views)
     model = source if source is not None and stands_alone(document) else packed(document, views)

@@ -24,7 +24,7 @@ def read_skin(document: Document, accessors: Accessors, joint_of: NDArray[np.int
     place = f"/skins/{row}"
     check.reference(skin, "skeleton", place, document["nodes"], "node")
     listed = check.items(skin, "joints", place, required=True)
-    nodes = [check.index(node, f"{place}/joints/{k}", document["nodes"], "node") for k, node in enumerate(listed)]
+    nodes = check.indices(listed, f"{place}/joints", document["nodes"], "node")
     matrices = inverse_bind(document, accessors, skin, len(nodes), place)
     return Skin(check.label(skin, place) or f"skin {row}", joint_of[nodes], matrices)
 

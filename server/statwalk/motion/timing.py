@@ -1,0 +1,56 @@
+"""When which key holds: the different key times of many channels, and their tables."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from statwalk.maths.arrays import Floats, Ints
+
+
+class Timing(NamedTuple):
+    """For each row of a track's table, before the first of its `edges` and from each of them on: which key holds, since when (seconds),
+    and one over the seconds to the next key.
+    """
+
+    key: Ints
+    start: Floats
+    rate: Floats
+    edges: Floats
+
+
+def timing_of(times: Floats, edges: Floats) -> Timing:
+    """That of keys at `times` (K,) float64 seconds, in a table with edges (U,)."""
+    key = np.concatenate([BEFORE, times.searchsorted(edges, "right") - 1])
+    held = np.maximum(key, 0)
+    rate = np.concatenate([1 / (times[1:] - times[:-1]), STILL])
+    return Timing(held, times[held], np.where(key < 0, 0.0, rate[held]), edges)
+
+
+BEFORE, STILL = np.array([-1]), np.zeros(1)
+
+
+class KeyTimes:
+    """The different key times of some channels, each (K,) seconds and rising; what is made of them is made once."""
+
+    def __init__(self, times: Sequence[Floats]) -> None:
+        self.times = times
+        self.timings: dict[int, Timing] = {}
+
+    def __getitem__(self, row: int) -> Floats:
+        return self.times[row]
+
+    @cached_property
+    def counts(self) -> Ints:
+        """How many keys each of them has."""
+        return np.array([len(times) for times in self.times])
+
+    def timing(self, row: int) -> Timing:
+        """The timing of channels that all have these times."""
+        if row not in self.timings:
+            times = self.times[row].astype(np.float64)
+            self.timings[row] = timing_of(times, times)
+        return self.timings[row]
