@@ -42,7 +42,8 @@ def shipped_machines() -> list[str]:
 
 
 def load(source: str | Path) -> Character | Role:
-    """A Character from a model (.glb, .gltf, .zip) or a character file (.yaml); a Role from a machine folder or a shipped machine's name.
+    """A Character from a model (.glb, .gltf, .zip), a folder with one, or a character file (.yaml); a Role from a machine folder or a
+    shipped machine's name.
 
     Raises ContentError where a file says something wrong and UnknownNameError where there is nothing of that name.
     """
@@ -50,7 +51,7 @@ def load(source: str | Path) -> Character | Role:
     if path.suffix.lower() in (*MODEL_SUFFIXES, ZIP_SUFFIX, *TEXT_SUFFIXES):
         return load_character_file(path)
     if path.is_dir():
-        return load_role(path)
+        return load_role(path) if (path / MACHINE_FILE).is_file() else load_model_folder(path)
     return load_shipped(str(source), "model file, machine folder or shipped machine")
 
 
@@ -82,6 +83,17 @@ def load_character_file(path: Path) -> Character:
         return read_model(path.read_bytes(), path.stem, path.parent)
     except ContentError as error:
         raise error.in_file(str(path)) from None
+
+
+def load_model_folder(folder: Path) -> Character:
+    """The Character of a folder that holds one model, beside the files it needs. Raises ContentError for none and for several."""
+    found = sorted(path for path in folder.iterdir() if path.suffix.lower() in MODEL_SUFFIXES and path.is_file())
+    if not found:
+        raise ContentError(f"the folder holds no {MACHINE_FILE}, and no .gltf or .glb", file=str(folder))
+    if len(found) > 1:
+        names = ", ".join(path.name[:60] for path in found[:5])
+        raise ContentError(f"the folder holds {len(found)} models; name the one that is wanted: {names}", file=str(folder))
+    return load_character_file(found[0])
 
 
 def load_zip(path: Path) -> Character:

@@ -57,7 +57,7 @@ def character_of(source: Path) -> Character:
 
 
 def pose(
-    file: Annotated[Path, typer.Argument(help="A .glb, .gltf or character file, a machine folder, or a shipped machine.")],
+    file: Annotated[Path, typer.Argument(help="A model or character file, a folder with a model or a machine, or a shipped machine.")],
     out: Annotated[Path, typer.Option(help="The .npz file to write.")],
     clip: Annotated[str, typer.Option(help="The clip; without it, the pose at rest.")] = "",
     time: Annotated[float, typer.Option(help="Seconds from the clip's start; before and after it the ends hold.")] = 0.0,
