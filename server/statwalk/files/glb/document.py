@@ -61,21 +61,23 @@ def parse(text: bytes | memoryview) -> Document:
     if not isinstance(root, dict):
         raise ModelError("the JSON must be an object", place="/")
     document = Document(root)
-    check_version(root)
+    check_version(document)
     check_extensions(root)
     for name, value in check.mapping(root, "extensions", "").items():
         check.as_object(value, f"/extensions/{name[:60]}")
     return document
 
 
-def check_version(root: Json) -> None:
-    """The file must say that a glTF 2.0 reader can read it."""
-    asset = check.as_object(root.get("asset"), "/asset")
+def check_version(document: Document) -> None:
+    """The file must say that a glTF 2.0 reader can read it. One that holds nothing may ask for any 2.x: nothing in it can be read wrong."""
+    asset = check.as_object(document.root.get("asset"), "/asset")
     version = check.text(asset, "version", "/asset")
     if not version.startswith("2."):
         raise ModelError(f"this is glTF {version[:20]}; it must be 2.0", place="/asset/version")
     lowest = check.text(asset, "minVersion", "/asset", "2.0")
-    if lowest != "2.0":
+    if lowest.startswith("2.") and set(document.root) == {"asset"}:
+        document.note(f"it asks for a reader of glTF {lowest[:20]} and holds nothing")
+    elif lowest != "2.0":
         raise ModelError(f"this needs a reader of glTF {lowest[:20]}; this one reads 2.0", place="/asset/minVersion")
 
 
