@@ -52,8 +52,9 @@ class MachineError(ContentError):
 
 def nearest(name: str, known: Iterable[str]) -> str:
     """`; did you mean WALK?`, or nothing where no name is near; looks at no more names and letters than cost next to nothing."""
-    near = get_close_matches(name[:MOST_LETTERS], list(islice(known, MOST_NAMES)), n=1)
-    return f"; did you mean {near[0]}?" if near else ""
+    short = {one[:MOST_LETTERS]: one for one in islice(known, MOST_NAMES)}
+    near = get_close_matches(name[:MOST_LETTERS], list(short), n=1)
+    return f"; did you mean {short[near[0]]}?" if near else ""
 
 
 class UnknownNameError(StatwalkError):

@@ -145,4 +145,4 @@ def test_any_text_is_read_or_refused(text):
             found.append(read(text, parser=parser).plain())
         except StatwalkError:
             found.append(None)
-    assert found[0] == found[1] or "\t" in text  # which only libyaml allows between values
+    assert found[0] == found[1] or None in found  # each refuses a few things that the other reads

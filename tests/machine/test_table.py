@@ -2,7 +2,7 @@
 
 import pytest
 from statwalk.errors import MachineError
-from statwalk.machine.table import read_cell, read_csv, read_table
+from statwalk.machine.table import check_rows, read_cell, read_csv, read_table
 
 TEXT = """state | GO | STOP
 A | B! at end | -
@@ -59,6 +59,26 @@ def test_csv_says_the_same():
 def test_wrong_tables_are_refused_with_their_line(text, message):
     with pytest.raises(MachineError, match=message):
         read_table(text, "t")
+
+
+TOO_LARGE = {
+    "rows": ("state\n" + "A\n" * 10_001, "t, line 10001: the table has more than 10,000 rows"),
+    "columns": ("state | " + " | ".join("ABCD" * 1_001), "t, line 1: the table has more than 4,000 columns"),
+    "cells": ("state" + " | ?" * 20 + "\n?" * 5_000, "t, line 1: the table has more than 100,000 cells"),
+}
+"""each is wrong in other ways, too: its size is looked at before anything else"""
+
+
+@pytest.mark.parametrize(("text", "message"), TOO_LARGE.values(), ids=TOO_LARGE)
+def test_tables_that_are_too_large_are_refused_first(text, message):
+    with pytest.raises(MachineError, match=message):
+        read_table(text, "t")
+
+
+def test_what_is_wrong_in_the_last_row_is_found_before_any_cell_is_made():
+    lines = [(number, ["A" + str(number), "B"]) for number in range(1, 50)]
+    with pytest.raises(MachineError, match="t, line 50: 'no cell' is no cell"):
+        check_rows([(0, ["state", "GO"]), *lines, (50, ["C", "no cell"])], "t")
 
 
 def test_a_csv_field_that_is_too_large_is_refused():
