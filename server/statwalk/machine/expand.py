@@ -137,7 +137,8 @@ def filled(definition: MachineDefinition, state: str, written: CellDefinition, p
         line=written.line,
         resume=resume,
     )
-    return replace(cell, alternatives=tuple(chosen(definition, state, one, cell) for one in written.alternatives))
+    alternatives = tuple(chosen(definition, state, one, cell) for one in written.alternatives)
+    return replace(cell, alternatives=alternatives) if alternatives else cell
 
 
 def chosen(definition: MachineDefinition, state: str, one: Alternative, cell: Cell) -> Choice:
