@@ -74,9 +74,12 @@ class MachineFile:
 
 def load_machine(folder: Path) -> MachineFile:
     """The machine of a folder. Raises MachineError with file, line and name of what is wrong."""
-    path = folder / FILE_NAME
-    text = read_text(path, MachineError)
-    root = parse(text, str(path), MachineError, KEYS)
+    return machine_of(read_text(folder / FILE_NAME, MachineError), folder)
+
+
+def machine_of(text: str, folder: Path) -> MachineFile:
+    """The machine that a text says in the place of its folder's machine file. Raises MachineError with file, line and name."""
+    root = parse(text, str(folder / FILE_NAME), MachineError, KEYS)
     character = character_name(root)
     definition, table_text = define(root, folder.resolve().name, folder)
     entries = root.entries()

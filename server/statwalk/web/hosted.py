@@ -137,6 +137,16 @@ class HostedStage:
             self.screen.show(stage, facts=False)
             return actor
 
+    def edit(self, role: Role, text: str) -> None:
+        """Another version of a machine; the viewers see it at once.
+
+        :raises StageError: if the character has other joints.
+        """
+        with self.turn() as stage:
+            stage.edit(role, text)
+            self.logged += 1
+            self.screen.show(stage, facts=False)
+
     def remove(self, actor: Actor) -> None:
         """An actor less."""
         with self.turn() as stage:

@@ -36,6 +36,8 @@ class Entry:
     file: MachineFile
     character: str
     made: bool = False
+    scene: str = ""
+    """the shipped scene that it belongs to"""
 
 
 class Library:
@@ -93,6 +95,12 @@ class Library:
             if folder.name not in self.entries:
                 self.entries = self.entries | {folder.name: Entry(folder.name, folder, file, version, made=True)}
                 self.roles |= {folder.name: role} if role else {}
+
+    def renew(self, entry: Entry, role: Role) -> None:
+        """Another version of a machine that is here, and the role that it makes."""
+        with self.lock:
+            self.entries = self.entries | {entry.name: entry}
+            self.roles = self.roles | {entry.name: role}
 
     def drop(self, machine: str) -> None:
         """Forgets a machine of the depot."""

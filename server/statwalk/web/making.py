@@ -98,7 +98,7 @@ def make_machine(new: NewMachine, registry: Stages, response: Response) -> dict[
         except ContentError as error:
             raise Problem(422, error.message, field=error.place) from None
     response.headers["Location"] = f"/api/machines/{new.name}"
-    return get_machine(new.name, library)
+    return get_machine(new.name, registry)
 
 
 @router.delete("/{name}", status_code=204)

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 
 from statwalk.errors import StatwalkError
 from statwalk.stage.stage import Actor, Stage
+from statwalk.web.editions import Editions
 from statwalk.web.hosted import HostedStage
 from statwalk.web.library import Library
 from statwalk.web.problem import Problem
@@ -29,6 +30,7 @@ class Registry:
         self.library, self.settings, self.wake = library, settings, wake
         self.lock = threading.Lock()
         self.stages: dict[str, HostedStage] = {}
+        self.editions = Editions(library, self.all)
 
     def all(self) -> list[HostedStage]:
         """Those that there are now."""

@@ -8,6 +8,7 @@ from typing import Any
 
 from statwalk.errors import StageError
 from statwalk.stage.frame import Frame
+from statwalk.stage.role import Role
 from statwalk.stage.stage import Stage
 from statwalk.web import messages, wire
 from statwalk.web.broadcast import Broadcast
@@ -26,7 +27,7 @@ class Screen:
         self.library = library
         self.broadcast = Broadcast()
         self.glb = GlbFrames()
-        self.layouts: OrderedDict[tuple[tuple[str, bytes], ...], Layout] = OrderedDict()
+        self.layouts: OrderedDict[tuple[tuple[Role, bytes], ...], Layout] = OrderedDict()
         self.epoch = 0
         self.lock = threading.Lock()
 
@@ -57,8 +58,8 @@ class Screen:
         return Shown(frame.tick, kind, layout, data)
 
     def layout(self, frame: Frame, stage: Stage) -> Layout:
-        """The layout of a frame: the same epoch for the same actors, as long as it is remembered."""
-        key = tuple((cast.role.name, cast.ids.tobytes()) for cast in frame.casts)
+        """The layout of a frame: the same epoch for the same actors of the same version of a machine, as long as it is remembered."""
+        key = tuple((cast.role, cast.ids.tobytes()) for cast in frame.casts)
         with self.lock:
             if key not in self.layouts:
                 self.epoch += 1
