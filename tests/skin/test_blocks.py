@@ -103,3 +103,20 @@ def test_locked_arrays_are_welcome():
     world.setflags(write=False)
     weights.setflags(write=False)
     assert np.isfinite(posed([part(20, target_positions=np.ones((1, 20, 3), np.float32))], world, weights)[0]).all()
+
+
+def test_a_bone_that_is_not_there_is_refused():
+    with pytest.raises(IndexError):
+        posed([part(20, joints=np.full((20, 3), BONES + 1, np.uint16))])
+
+
+@pytest.mark.parametrize("joints", [0, BONES - 1])
+def test_too_few_matrices_are_refused(joints):
+    with pytest.raises((ValueError, IndexError)):
+        posed([part(20)], AT_REST[:joints])
+
+
+@pytest.mark.parametrize("floats", [59, 61])
+def test_room_of_another_size_is_refused(floats):
+    with pytest.raises(ValueError):
+        surface([part(20)], [SKIN]).pose_into(AT_REST, NONE, np.empty(floats, np.float32), np.empty(60, np.float32), np.empty((1, 6)))

@@ -26,6 +26,12 @@ def test_inbetweening_runs_forwards(fraction, expected, kind):
 
 
 @pytest.mark.usefixtures("kernel_set")
+def test_meshes_of_different_lengths_are_refused():
+    with pytest.raises(ValueError):
+        inbetween(np.zeros(100, np.float32), np.zeros(50, np.float32), 0.5)
+
+
+@pytest.mark.usefixtures("kernel_set")
 def test_meshes_out_of_order_are_inbetweened_too():
     start, end = np.zeros((3, 20), np.float32).T, np.ones((20, 3), np.float32)
     out = np.empty((20, 3), np.float32)

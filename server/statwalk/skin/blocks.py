@@ -31,8 +31,13 @@ class Blocks:
         palette: Palette,
         influences: tuple[NDArray[np.intp], NDArray[np.float32]],
     ) -> None:
-        """For parts at `spans`; positions and normals; the palette; bones and weights (V,I) of all vertices."""
+        """For parts at `spans`; positions and normals; the palette; bones and weights (V,I) of all vertices.
+
+        :raises IndexError: if a vertex follows a bone that is not in the palette; kernels do not look.
+        """
         bones, weights = influences
+        if bones.max(initial=0) >= max(1, len(palette.joints)):
+            raise IndexError(f"a vertex follows bone {bones.max()} of {len(palette.joints)}")
         counts = influence_counts(spans, weights)
         mask = np.arange(weights.shape[1]) < np.repeat(counts, BLOCK)[:, None]
         source = sources(spans)
@@ -45,12 +50,19 @@ class Blocks:
         self.inverse_bind = np.array(palette.inverse_bind, np.float32, order="C")
         self.palette = aligned.zeros(MATRIX * len(palette.joints))
         self.scratch = aligned.zeros(SCRATCH)
+        self.needs = int(self.joints.max(initial=-1)) + 1, 3 * len(bones), 6 * len(spans)
         self.lock = threading.Lock()
 
     def pose(
         self, kernels: Kernels, world: Floats, weights: Floats, positions: NDArray[np.float32], normals: NDArray[np.float32], bounds: Floats
     ) -> None:
-        """Writes positions, normals and bounds; see `Surface.pose_into`."""
+        """Writes positions, normals and bounds; see `Surface.pose_into`.
+
+        :raises ValueError: if an array is too small; kernels do not look.
+        """
+        joints, floats, limits = self.needs
+        if world.shape[1:] != (3, 4) or len(world) < joints or positions.size != floats or normals.size != floats or bounds.size != limits:
+            raise ValueError(f"{world.shape}, {positions.shape}, {normals.shape}, {bounds.shape} do not fit this surface")
         with self.lock:
             kernels.palette(np.ascontiguousarray(world, np.float32), self.joints, self.inverse_bind, self.palette)
             rest, rest_normals = self.vertices[0].posed(kernels, weights), self.vertices[1].posed(kernels, weights)

@@ -22,17 +22,13 @@ def inbetween(start: Floats, end: Floats, fraction: float, out: Floats | None = 
     """
     found = np.empty_like(start) if out is None else out
     compiled = kernels()
-    if compiled is not None and in_order(start) and in_order(end) and in_order(found):
-        compiled.inbetween(start.reshape(-1), end.reshape(-1), fraction, found.reshape(-1))
+    alike = start.shape == end.shape == found.shape and start.dtype == end.dtype == found.dtype == FLOAT32
+    if compiled is not None and alike and start.flags.num & end.flags.num & found.flags.num & IN_ORDER == IN_ORDER:
+        compiled.inbetween(start.ravel(), end.ravel(), fraction, found.ravel())
         return found
     np.subtract(end, start, out=found)
     np.multiply(found, start.dtype.type(fraction), out=found)
     return np.add(found, start, out=found)
-
-
-def in_order(mesh: Floats) -> bool:
-    """Whether the compiled kernel takes it."""
-    return bool(mesh.dtype == FLOAT32 and mesh.flags.num & IN_ORDER == IN_ORDER)
 
 
 class Morph(NamedTuple):

@@ -98,8 +98,13 @@ class FrameTemplate:
 
 
 def stage_worlds(character: Character, cast: PosedCast) -> Floats:
-    """World matrices (n,J,3,4) in stage space: the actor's root, then its joints."""
+    """World matrices (n,J,3,4) in stage space: the actor's root, then its joints.
+
+    :raises ValueError: if the pose is not one of so many actors of this character.
+    """
     roots = root_matrices(cast)
+    if any(array.shape[:2] != (len(roots), len(character.skeleton)) for array in cast.pose[:3]):
+        raise ValueError(f"a pose of {cast.pose.translation.shape} for {len(roots)} actors of {len(character.skeleton)} joints")
     compiled = kernels()
     if compiled is None:
         return transform.mul(roots, world_from_local(character.skeleton, cast.pose))
