@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from statwalk.machine.step import HOLD, PRESS, RELEASE, TRAVEL, Inputs
+from statwalk.machine.step import HOLD, NOTHING, PRESS, RELEASE, TRAVEL, Inputs
 from statwalk.stage.cast import Cast
 from statwalk.stage.journey import presses
 from statwalk.stage.log import LogEntry
@@ -33,8 +33,10 @@ class Told(NamedTuple):
     other: int = -1
 
 
-def given(cast: Cast, raised: Iterable[Raised], entries: Sequence[LogEntry], dt: float) -> Given:
+def given(cast: Cast, raised: Sequence[Raised], entries: Sequence[LogEntry], dt: float) -> Given:
     """The part of all that happens which concerns one cast. What an edit has taken away is lost, not wrong."""
+    if not raised and not entries and cast.machine.goal.max() < 0:
+        return Given(cast, NOTHING, ())
     rows: list[tuple[int, int, int, int]] = []
     lost: list[Notice] = []
     machine = cast.role.machine

@@ -17,7 +17,7 @@ _WORD = 0xFFFFFFFFFFFFFFFF
 
 def mix(before: Words, arrays: Iterable[NDArray[Any]]) -> Words:
     """The hashes (N,) that follow from those before and from the bits of arrays with a leading axis of N actors."""
-    words = np.concatenate([_words(array) for array in arrays], -1)
+    words = np.concatenate([_words(array) for array in arrays if array.size], -1)
     return _scramble(_scramble(before) + (words * _factors(words.shape[1])).sum(-1, dtype=np.uint64))
 
 
