@@ -38,16 +38,16 @@ def test_an_even_crowd_gives_few_pairs():
 
 def test_around_lists_the_neighbours_of_each_point_in_order():
     points = CHANCE.uniform(-5, 5, (200, 3))
-    near = next(Grid(points, 1.5).around(points[50:60]))
+    near = next(Grid(points, 1.5).around(points[50:60], 1.5))
     assert (np.diff(near.first) >= 0).all()
     for row in range(10):
         close = set(np.flatnonzero(np.linalg.norm(points - points[50 + row], axis=1) <= 1.5).tolist())
         assert close <= set(near.second[near.first == row].tolist())
 
 
-def test_points_of_a_cube_come_in_order_of_their_rows():
+def test_points_in_one_place_come_in_order_of_their_rows():
     points = np.tile([0.5, 0.5, 0.5], (5, 1))
-    np.testing.assert_array_equal(next(Grid(points, 1.0).around(points[:1])).second, range(5))
+    np.testing.assert_array_equal(next(Grid(points, 1.0).around(points[:1], 1.0)).second, range(5))
 
 
 def test_in_blocks_of_any_size_the_same(monkeypatch):

@@ -18,10 +18,11 @@ BLOCK = 1 << 20
 MOST_PAIRS = 200_000
 
 _FARTHEST = (1 << 20) - 2
-"""cells from the origin: what lies beyond shares the outermost ones, which costs time but finds the same"""
+"""columns or slices from the origin: what lies beyond shares the outermost ones, which costs time but finds the same"""
 _ROUNDING = 1 + 1e-9
 _ROW = 2 * _FARTHEST + 3
-_COLUMNS = np.array([[x, y] for x in (-1, 0, 1) for y in (-1, 0, 1)])
+_SLICES = 8
+_COLUMNS = np.array([[x, y] for x in range(3) for y in range(3)])
 
 
 class Pairs(NamedTuple):
@@ -32,37 +33,51 @@ class Pairs(NamedTuple):
 
 
 class Grid:
-    """Points (N, 3) in cubes of `size` metres."""
+    """Points (N, 3) in upright columns along Z, `size` metres wide, each cut into thin slices."""
 
     def __init__(self, points: Floats, size: float) -> None:
         self.size = size
-        keys = _keys(self.cells(points))
+        cells = self._cells(points)
+        keys = _keys(cells[0], cells[1], self._slices(points[:, 2]))
         self.order = keys.argsort(kind="stable")
         self.keys = keys[self.order]
 
-    def cells(self, points: Floats) -> Ints:
-        """The cube (N, 3) that each point lies in."""
-        cubes: Ints = np.floor(points / self.size).clip(-_FARTHEST, _FARTHEST).astype(np.int64)
-        return cubes
+    def around(self, points: Floats, radius: Floats | float) -> Iterator[Pairs]:
+        """For each of `points` (M, 3), in their order, those of the grid that may lie within `radius` (M,), at most `size`, of it.
 
-    def around(self, points: Floats) -> Iterator[Pairs]:
-        """For each of `points` (M, 3), in their order, the grid's points in its cube and the 26 around it: (row of `points`, grid's row).
-
-        No point within `size` of it is missing. Of one cube, the lower rows come first. In blocks of whole rows, which bounds the memory.
+        None that does is missing: they come as (row of `points`, grid's row), in blocks of whole rows, which bounds the memory.
         """
-        cells = self.cells(points)[:, None, :].repeat(len(_COLUMNS), 1)
-        cells[..., :2] += _COLUMNS  # nine columns of three cubes, whose keys follow each other
-        cells[..., 2] -= 1
-        lowest = _keys(cells)
-        start = self.keys.searchsorted(lowest, "left")
-        count = self.keys.searchsorted(lowest + 2, "right") - start
+        x, y = self._cells(points)
+        reach = np.broadcast_to(radius, len(points)) * _ROUNDING
+        across = _outside(points[:, 0], x, self.size)[:, _COLUMNS[:, 0]] + _outside(points[:, 1], y, self.size)[:, _COLUMNS[:, 1]]
+        left = (reach * reach)[:, None] - across
+        along = np.sqrt(np.maximum(left, 0))
+        columns = x[:, None] + (_COLUMNS[:, 0] - 1), y[:, None] + (_COLUMNS[:, 1] - 1)
+        start = self.keys.searchsorted(_keys(*columns, self._slices(points[:, 2, None] - along)), "left")
+        end = self.keys.searchsorted(_keys(*columns, self._slices(points[:, 2, None] + along)), "right")
+        count = np.where(left >= 0, end - start, 0)
         found = count.sum(-1)
         block = (found.cumsum() - found) // BLOCK
         ends = np.append(np.flatnonzero(np.diff(block)) + 1, len(points))
-        for begin, end in pairwise((0, *ends.tolist())):
-            yield Pairs(
-                np.arange(begin, end).repeat(found[begin:end]), self.order[_ranges(start[begin:end].ravel(), count[begin:end].ravel())]
-            )
+        for begin, stop in pairwise((0, *ends.tolist())):
+            rows = np.arange(begin, stop).repeat(found[begin:stop])
+            yield Pairs(rows, self.order[_ranges(start[begin:stop].ravel(), count[begin:stop].ravel())])
+
+    def _cells(self, points: Floats) -> tuple[Ints, Ints]:
+        """The column, in x and y, that each point lies in."""
+        cells = np.floor(points[:, :2] / self.size).clip(-_FARTHEST, _FARTHEST).astype(np.int64)
+        return cells[:, 0], cells[:, 1]
+
+    def _slices(self, z: Floats) -> Ints:
+        slices: Ints = np.floor(z * (_SLICES / self.size)).clip(-_FARTHEST, _FARTHEST).astype(np.int64)
+        return slices
+
+
+def _outside(place: Floats, cell: Ints, size: float) -> Floats:
+    """Squares (M, 3) of the distances from a point's place on an axis to the cell before its own, to its own (0), and to the next."""
+    into = place - cell * size
+    squares: Floats = np.stack([np.maximum(into, 0), np.zeros_like(into), np.maximum(size - into, 0)], -1)
+    return squares * squares
 
 
 def _ranges(start: Ints, count: Ints) -> Ints:
@@ -72,9 +87,8 @@ def _ranges(start: Ints, count: Ints) -> Ints:
     return numbers
 
 
-def _keys(cells: Ints) -> Ints:
-    """One number for each cube (…, 3), in the order x, y, z."""
-    x, y, z = cells[..., 0], cells[..., 1], cells[..., 2]
+def _keys(x: Ints, y: Ints, z: Ints) -> Ints:
+    """One number for each cell, in the order x, y, z."""
     keys: Ints = ((x + _FARTHEST + 1) * _ROW + (y + _FARTHEST + 1)) * _ROW + (z + _FARTHEST + 1)
     return keys
 
@@ -101,7 +115,8 @@ def _candidates(centers: Floats, reach: Floats) -> Iterator[Pairs]:
     for one in np.unique(level):
         rows = (level == one).nonzero()[0]
         smaller = (level <= one).nonzero()[0]
-        for near in Grid(centers[rows], 4.0**one).around(centers[smaller]):
+        widest = reach[rows].max()
+        for near in Grid(centers[rows], 4.0**one).around(centers[smaller], np.minimum(reach[smaller] + widest, 4.0**one)):
             first, second = smaller[near.first], rows[near.second]
             fresh = (level[first] < one) | (first < second)
             yield Pairs(first[fresh], second[fresh])
