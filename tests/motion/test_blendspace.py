@@ -83,7 +83,17 @@ def test_beyond_the_places_the_ends_hold():
 
 
 def test_a_lap_takes_the_weighted_mean_of_the_clips():
-    assert SPACE.duration / SPACE.rate(at(1.9)) == pytest.approx(0.75 * 1.0 + 0.25 * 0.6)
+    mean = 0.75 * 1.0 + 0.25 * 0.6
+    for time in (0.0, 0.3, 0.7):
+        assert SPACE.rate(np.array([time]), np.array([mean]), at(1.9)) * mean == pytest.approx(SPACE.duration)
+
+
+@pytest.mark.parametrize("time", [0.0, 0.3, 0.49, 0.7, 0.99])
+def test_a_clip_that_is_alone_keeps_its_pace(time):
+    """In a tick the run goes on by a tick, wherever the markers of the first clip lie."""
+    after = time + TICK * SPACE.rate(np.array([time]), np.array([TICK]), at(4.0))[0]
+    phases = SPACE.warps[1].lift(np.array([time, after]) / SPACE.duration)
+    assert np.diff(phases) * 0.6 == pytest.approx([TICK], rel=1e-3)
 
 
 @pytest.mark.parametrize("speed", [1.2, 1.9, 2.6, 3.7, 4.0])

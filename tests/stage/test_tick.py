@@ -170,3 +170,23 @@ def test_a_looping_motion_left_at_its_end_has_gone_its_way_once():
     stage.step(6)
     assert actor.state == "STAND"
     assert actor.root.position[2] == pytest.approx(1.5, abs=1e-6)
+
+
+def test_a_motion_entered_at_a_phase_goes_no_further_than_its_ticks():
+    """Half of the walk is skipped, and half of its way with it."""
+    stage, actor = stage_with(cells={("STAND", "GO"): CellDefinition("WALK", 1, blend=0.0, enter=0.5)})
+    stage.send(actor, "GO")
+    stage.step(13)
+    assert actor.time == pytest.approx(0.5 + 12 * DT)
+    assert actor.root.position[2] == pytest.approx(1.5 * 12 * DT, abs=1e-6)
+
+
+def test_time_left_after_end_goes_on_from_the_phase_that_is_entered():
+    """At 7 Hz a hop of 0.5 s leaves 1/14 s of its last tick to the walk, which is entered a twentieth before its end and wraps."""
+    cells = {("HOP", "END"): CellDefinition("WALK", 1, blend=0.0, enter=0.95), ("STAND", "HOP"): CellDefinition("HOP", 1, blend=0.0)}
+    stage = Stage(rate=7)
+    actor = stage.add(role(cells=cells))
+    stage.send(actor, "HOP")
+    stage.step(5)
+    assert actor.time == pytest.approx(0.95 + 1 / 14 - 1)
+    assert actor.root.position[2] == pytest.approx(0.4 + 1.5 / 14, abs=1e-6)

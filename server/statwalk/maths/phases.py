@@ -28,10 +28,15 @@ class Warp:
     there: Floats
     """(K,) the same of the other motion"""
 
+    @property
+    def is_identity(self) -> bool:
+        """Whether phases stay what they are."""
+        return self.origin[0] == self.origin[1] and bool((self.here == self.there).all())
+
     def lift(self, phase: ArrayLike) -> Floats:
         """The other motion's phases for `phase` (…) with whole laps: a lap more for a lap more."""
         given = floats(phase).astype(np.float64)
-        if self.origin[0] == self.origin[1] and (self.here == self.there).all():
+        if self.is_identity:
             return given
         since = given - self.origin[0]
         laps = np.floor(since)

@@ -22,6 +22,8 @@ from statwalk.motion.single import Single
 
 NEAREST = 1e-6
 """how far two places must be from each other at least"""
+_ROUNDS = 4
+"""of the secant that finds how far a step goes; one is exact between two markers"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,12 +64,27 @@ class BlendSpace:
         points = parameters[:, self.columns].clip(self.places.min(0), self.places.max(0))
         return along_a_line(points[:, 0], self.places[:, 0]) if len(self.columns) == 1 else gradient_band(points, self.places)
 
-    def rate(self, parameters: Floats) -> Floats:
-        """(N,) factor of time that makes a lap as long as the weighted mean of the clips."""
+    def rate(self, times: Floats, seconds: Floats, parameters: Floats) -> Floats:
+        """(N,) factor of time for the next `seconds` (N,) at `times` (N,): a lap takes the weighted mean of the clips' durations.
+
+        In between the pace is that of the weighted mean of their phases, so that a clip which is alone keeps its own.
+        """
         weights = self.weights(parameters)
-        seconds = _total(weights[:, k] * motion.clip.duration for k, motion in enumerate(self.motions))
-        factor: Floats = np.where(seconds > 0, self.duration / np.where(seconds > 0, seconds, 1), 1.0)
-        return factor
+        lap = _total(weights[:, k] * motion.clip.duration for k, motion in enumerate(self.motions))
+        factor = np.where(lap > 0, self.duration / np.where(lap > 0, lap, 1), 1.0)
+        if all(warp.is_identity for warp in self.warps):
+            return factor
+        phase, wanted = self._phase(times), seconds / np.where(lap > 0, lap, 1)
+        begin = self._mean_phase(phase, weights)
+        step = wanted
+        for _ in range(_ROUNDS):
+            gone = self._mean_phase(phase + step, weights) - begin
+            step = step * np.where(gone > 0, wanted / np.where(gone > 0, gone, 1), 1)
+        return factor * np.where(wanted > 0, step / np.where(wanted > 0, wanted, 1), 1)
+
+    def _mean_phase(self, phase: Floats, weights: Floats) -> Floats:
+        """(N,) the weighted mean of the clips' phases, laps counted through, at the first one's `phase` (N,)."""
+        return _total(weights[:, k] * warp.lift(phase) for k, warp in enumerate(self.warps))
 
     def pose(self, times: Floats, parameters: Floats) -> Pose:
         """Poses (N, …) at `times` (N,) seconds."""

@@ -37,9 +37,9 @@ class Single:
         """The poses (N, …) that it begins with."""
         return self.clip.sample(np.zeros(len(parameters)))
 
-    def rate(self, parameters: Floats) -> Floats:
+    def rate(self, times: Floats, seconds: Floats, parameters: Floats) -> Floats:  # noqa: ARG002 - as above
         """(N,) factor of time."""
-        return np.ones(len(parameters))
+        return np.ones(len(times))
 
     def way(self, start: Floats, end: Floats, wraps: Ints, parameters: Floats) -> Floats:  # noqa: ARG002 - as above
         """x, z, yaw (N, 3) from `start` to `end` (N,) seconds through `wraps` (N,) repeats, in the frame of the actor at `start`."""

@@ -21,21 +21,21 @@ def composite(role: Role, state: MachineState) -> Pose:
 def ahead(role: Role, state: MachineState, seconds: float) -> Pose:
     """The poses (N, …) that the motions come to in so many seconds, if nothing else happens."""
     machine = role.machine
-    times = state.time + seconds * (speeds(machine, state) * rates(role, state))
+    times = state.time + seconds * (speeds(machine, state) * rates(role, state, seconds))
     duration = machine.duration[state.state]
     loops = machine.loop[state.state] & (duration > 0)
     return _at(role, state, np.where(loops, np.mod(times, np.where(duration > 0, duration, 1)), times))
 
 
-def rates(role: Role, state: MachineState) -> Floats:
-    """(N, L) factor of time of each motion beside its speed: clips of several durations that are blended share a lap."""
+def rates(role: Role, state: MachineState, seconds: float) -> Floats:
+    """(N, L) factor of time of each motion, beside its speed, for so many seconds: clips that are blended share a lap."""
     factor = np.ones(state.state.shape)
     if role.blends:
+        way = seconds * speeds(role.machine, state)
         for row in np.unique(state.state):
-            motion = role.motions[row]
+            motion, at = role.motions[row], (state.state == row).nonzero()
             if motion is not None:
-                actors, layers = (state.state == row).nonzero()
-                factor[actors, layers] = motion.rate(state.smoothed[actors])
+                factor[at] = motion.rate(state.time[at], way[at], state.smoothed[at[0]])
     return factor
 
 

@@ -16,7 +16,7 @@ def surroundings(cast: Cast, dt: float, seed: int) -> Surroundings:
     way = cast.way
     speed = np.sqrt(way[:, 0] * way[:, 0] + way[:, 1] * way[:, 1]) / dt
     measured = np.stack([speed, way[:, 2] / dt, cast.position[:, 1] + root_height(cast)])
-    return Surroundings(rates(cast.role, cast.machine), measured, chance_keys(seed, cast.ids))
+    return Surroundings(rates(cast.role, cast.machine, dt), measured, chance_keys(seed, cast.ids))
 
 
 def root_height(cast: Cast) -> Floats:
