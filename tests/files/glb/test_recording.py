@@ -5,11 +5,14 @@ import khronos
 import numpy as np
 import pytest
 from ground_truth.truth import ALL, character
+from scipy.spatial.transform import Rotation
 from statwalk.files.glb import read_model
 from statwalk.files.glb.recording import Recorded, recording_glb
 from statwalk.files.glb.template import PosedCast, stage_worlds
+from statwalk.files.glb.worldkeys import METRES
 from statwalk.files.glb.write import model_glb
 from statwalk.maths.pose import Pose
+from statwalk.rig.skeleton import Skeleton
 from tinymodel import changed, model
 from where import needs_assets
 
@@ -39,6 +42,24 @@ def shown(data, tick):
     return np.concatenate([part.positions for part in again.vertices(again.clips["recording"].sample(tick / RATE))])
 
 
+def joints_in_stage(actor):
+    """(T,J,3) where an actor's joints were, from the poses it was recorded with."""
+    return stage_worlds(actor.character, PosedCast(actor.poses, actor.root_position, actor.heading))[..., 3]
+
+
+def joints_shown(data, actor):
+    """The same in the recording, read again: node 0 goes the way, the joints follow in their order. Ticks as 32-bit floats, like keys."""
+    again = read_model(data, "again")
+    ticks = (np.arange(len(actor.heading)) / RATE).astype(np.float32)
+    rows = np.argsort(again.node_index)[1 : len(actor.character.skeleton) + 1]
+    return again.world(again.clips["recording"].sample(ticks))[..., :3, 3][:, rows]
+
+
+def farthest(actor):
+    """Metres between a joint's place in the recording and in the stage, the largest of all ticks."""
+    return np.linalg.norm(joints_shown(recording_glb([actor], RATE), actor) - joints_in_stage(actor), axis=-1).max()
+
+
 def json_of(data):
     return json.loads(data[20 : 20 + int.from_bytes(data[12:16], "little")])
 
@@ -65,6 +86,26 @@ def test_real_characters_come_back(name, tick):
     actor = walking(character(name))
     expected = in_stage(actor, tick)
     assert np.abs(shown(recording_glb([actor], RATE), tick) - expected).max() <= 1e-3 * max(size_of(expected), 1)
+
+
+@needs_assets
+@pytest.mark.parametrize("name", ALL)
+def test_no_joint_strays_from_its_place_in_the_stage(name):
+    assert farthest(walking(character(name), ticks=90)) <= METRES + 1e-5
+
+
+def test_errors_do_not_add_up_along_a_chain(tiny):
+    joints, ticks = 40, 120
+    turns = Rotation.from_rotvec(np.sin(np.arange(ticks)[:, None] / 9 + np.arange(joints))[..., None].reshape(-1, 1) * [[0, 0, 0.2]])
+    poses = Pose(
+        np.tile(np.float32([0, 0.1, 0]), (ticks, joints, 1)),
+        turns.as_quat().reshape(ticks, joints, 4).astype(np.float32),
+        np.ones((ticks, joints, 3), np.float32),
+        np.zeros((ticks, 0), np.float32),
+    )
+    skeleton = Skeleton(tuple(f"joint {row}" for row in range(joints)), np.arange(-1, joints - 1, dtype=np.int32))
+    chain = replace(tiny, skeleton=skeleton, node_index=np.arange(joints), bind_pose=poses.take(0), skins=(), parts=())
+    assert farthest(Recorded("chain", chain, poses, np.zeros((ticks, 3)), np.zeros(ticks))) <= METRES + 1e-5
 
 
 def test_two_actors_share_their_mesh(tiny):

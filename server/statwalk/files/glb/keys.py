@@ -31,6 +31,27 @@ def needed(values: Floats, tolerance: Floats, *, turns: bool = False) -> list[Ke
     return [choice(kept[:, column], changed[:, column], bool(still[column])) for column in range(values.shape[1])]
 
 
+def every_key(count: int) -> Keys:
+    """All of so many ticks."""
+    return Keys(np.arange(count), "LINEAR" if count > 1 else "STEP")
+
+
+def restored(values: Floats, keys: Keys, *, turns: bool) -> Floats:
+    """The values (T,n) of a channel as the keys that were kept of them bring them back."""
+    place = np.searchsorted(keys.ticks, np.arange(len(values)), "right") - 1
+    before = keys.ticks[place]
+    if keys.interpolation == "STEP":
+        return values[before]
+    after = keys.ticks[np.minimum(place + 1, len(keys.ticks) - 1)]
+    return between(values[before], values[after], (np.arange(len(values)) - before) / np.maximum(after - before, 1), turns=turns)
+
+
+def between(start: Floats, end: Floats, part: Floats, *, turns: bool) -> Floats:
+    """The values (…,n) at `part` 0…1 of the way, float64: straight, or along the shorter arc (glTF 2.0, appendix C)."""
+    first, last = start.astype(np.float64), end.astype(np.float64)
+    return quat.slerp(first, last, part) if turns else first + (last - first) * part[..., None]
+
+
 def choice(kept: Bools, changed: Bools, still: bool) -> Keys:
     """The smaller of the two sets of ticks (T,)."""
     if still:
@@ -61,8 +82,7 @@ def errors(values: Floats, kept: Bools, turns: bool) -> Floats:
     before = np.maximum.accumulate(np.where(kept, tick, 0), axis=0)
     after = np.minimum.accumulate(np.where(kept, tick, count - 1)[::-1], axis=0)[::-1]
     part = (tick - before) / np.maximum(after - before, 1)
-    start, end = values[before, column].astype(np.float64), values[after, column].astype(np.float64)
-    line = quat.slerp(start, end, part) if turns else start + (end - start) * part[..., None]
+    line = between(values[before, column], values[after, column], part, turns=turns)
     return distance(line, values, turns)
 
 

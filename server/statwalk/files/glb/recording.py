@@ -1,7 +1,7 @@
 """A piece of a stage as one .glb with its animation: every actor's poses from tick to tick, and the way it went (glTF 2.0, 3.11).
 
-The poses are keys as they are, at their ticks, nothing resampled. Keys that lines between others bring back are dropped: no joint is
-then further than 0.1 mm from where it was beside its parent, nor turned by more than 0.0002 rad (0.01°).
+The poses are keys as they are, at their ticks, nothing resampled. Keys that lines between others bring back are dropped: at no tick is a
+joint then further than 0.5 mm from its place in the stage, nor turned beside its parent by more than 0.0002 rad (0.01°).
 """
 
 from __future__ import annotations
@@ -21,18 +21,17 @@ from statwalk.files.glb.check import Json
 from statwalk.files.glb.keys import Keys, needed
 from statwalk.files.glb.materials import extensions_used, moved
 from statwalk.files.glb.textures import Resources, add_textures, no_resources
+from statwalk.files.glb.worldkeys import PROPERTIES, SHARE, Property, WorldKeys
 from statwalk.files.glb.write import MeshKey, grouped, matrix_columns, primitive_entry
 from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
 from statwalk.rig.evaluate import world_from_local
+from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.primitive import Primitive, Skin
 
-METRES, RADIANS, SHARE = 1e-4, 2e-4, 1e-4
-"""error bounds: of places in the stage, of turns, of scales and morph weights"""
 UP = np.array([0, 1, 0], np.float64)
 DEFAULTS = {"translation": (0, 0, 0), "rotation": (0, 0, 0, 1), "scale": (1, 1, 1)}
-Property = Literal["translation", "rotation", "scale", "weights"]
 
 
 class Recorded(NamedTuple):
@@ -105,13 +104,7 @@ def add_actor(draft: Draft, actor: Recorded) -> None:
         above = draft.nodes[first + parent if parent >= 0 else root]
         above.setdefault("children", []).append(new_node(draft, {"name": name}))
     place_meshes(draft, actor, first)
-    turn = quat.from_axis_angle(UP, np.asarray(actor.heading, np.float64))
-    way(draft, actor, root, turn)
-    bounds = METRES / parent_sizes(character)
-    same = np.full(len(bounds), SHARE)
-    add_joints(draft, actor, first, "translation", actor.poses.translation, bounds)
-    add_joints(draft, actor, first, "rotation", actor.poses.rotation, same * (RADIANS / SHARE))
-    add_joints(draft, actor, first, "scale", actor.poses.scale, same)
+    add_motion(draft, actor, [root, *range(first, first + len(character.skeleton))])
 
 
 def new_node(draft: Draft, node: Json) -> int:
@@ -120,13 +113,31 @@ def new_node(draft: Draft, node: Json) -> int:
     return len(draft.nodes) - 1
 
 
-def way(draft: Draft, actor: Recorded, root: int, turn: Floats) -> None:
-    """The actor's own motion. Its first and last places are always keys: they say how long the recording is."""
-    places = np.asarray(actor.root_position, np.float64)[:, None]
-    keys = needed(places, np.array([METRES]))[0]
-    ends = Keys(np.union1d(keys.ticks, [0, len(places) - 1]), keys.interpolation)
-    add_channel(draft, actor, root, "translation", places[:, 0], ends)
-    still_or_keys(draft, actor, root, "rotation", turn, needed(turn[:, None], np.array([RADIANS]), turns=True)[0])
+def add_motion(draft: Draft, actor: Recorded, nodes: Sequence[int]) -> None:
+    """The channels of the actor's `nodes`: the one that goes its way, then its joints. The way's first and last places are always keys:
+    they say how long the recording is.
+    """
+    skeleton, poses = placed(actor)
+    kept = WorldKeys(skeleton, poses, np.append(1.0, parent_sizes(actor.character))).kept
+    ends = np.union1d(kept["translation"][0].ticks, [0, len(poses.scale) - 1])
+    add_channel(draft, actor, nodes[0], "translation", poses.translation[:, 0], Keys(ends, kept["translation"][0].interpolation))
+    for path in PROPERTIES:
+        for row, (node, keys) in enumerate(zip(nodes, kept[path], strict=True)):
+            if row or path != "translation":
+                still_or_keys(draft, actor, node, path, getattr(poses, path)[:, row], keys)
+
+
+def placed(actor: Recorded) -> tuple[Skeleton, Pose]:
+    """The actor's skeleton and poses (T,1 + J,…) with a joint above all others: its place and heading."""
+    skeleton, poses = actor.character.skeleton, actor.poses
+    turn = quat.from_axis_angle(UP, np.asarray(actor.heading, np.float64))
+    whole = Pose(
+        np.concatenate([np.asarray(actor.root_position, np.float64)[:, None], poses.translation], axis=1),
+        np.concatenate([turn[:, None], poses.rotation], axis=1),
+        np.concatenate([np.ones((len(turn), 1, 3)), poses.scale], axis=1),
+        poses.weights,
+    )
+    return Skeleton((actor.name, *skeleton.names), np.append(-1, skeleton.parent + 1).astype(np.int32)), whole
 
 
 def parent_sizes(character: Character) -> Floats:
@@ -137,13 +148,7 @@ def parent_sizes(character: Character) -> Floats:
     return np.maximum(np.where(parent < 0, 1.0, size[parent]), 1e-9)
 
 
-def add_joints(draft: Draft, actor: Recorded, first: int, path: Property, values: Floats, tolerance: Floats) -> None:
-    """One property (T,J,n) of all joints."""
-    for joint, keys in enumerate(needed(values, tolerance, turns=path == "rotation")):
-        still_or_keys(draft, actor, first + joint, path, values[:, joint], keys)
-
-
-def still_or_keys(draft: Draft, actor: Recorded, node: int, path: Property, values: Floats, keys: Keys) -> None:
+def still_or_keys(draft: Draft, actor: Recorded, node: int, path: Property | Literal["weights"], values: Floats, keys: Keys) -> None:
     """A property (T,n) of a node: written in the node where it never changes, else as a channel."""
     if len(keys.ticks) > 1:
         add_channel(draft, actor, node, path, values, keys)
@@ -151,7 +156,7 @@ def still_or_keys(draft: Draft, actor: Recorded, node: int, path: Property, valu
         draft.nodes[node][path] = values[0].tolist()
 
 
-def add_channel(draft: Draft, actor: Recorded, node: int, path: Property, values: Floats, keys: Keys) -> None:
+def add_channel(draft: Draft, actor: Recorded, node: int, path: Property | Literal["weights"], values: Floats, keys: Keys) -> None:
     """A channel with the values (T,n) at its keys. Channels with the same keys share their times."""
     times = ((actor.first + keys.ticks) / draft.rate).astype(np.float32)
     times = draft.times.setdefault(times.tobytes(), times)
