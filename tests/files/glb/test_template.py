@@ -1,9 +1,11 @@
 import json
+from concurrent.futures import ThreadPoolExecutor
 
 import khronos
 import numpy as np
 import pytest
 from ground_truth.truth import ALL, character
+from kernelsets import kernel_set  # noqa: F401 - a fixture
 from statwalk.files.glb import read_model
 from statwalk.files.glb.template import FrameTemplate, PosedCast
 from statwalk.maths.pose import Pose
@@ -35,6 +37,7 @@ def tiny():
     return read_model(model(), "tiny")
 
 
+@pytest.mark.usefixtures("kernel_set")
 def test_vertices_are_where_the_character_puts_them(tiny):
     shown = read_model(frame(tiny), "frame")
     pose = cast(tiny).pose.take(1)
@@ -43,6 +46,7 @@ def test_vertices_are_where_the_character_puts_them(tiny):
     assert shown.vertices(shown.bind_pose)[1].positions == pytest.approx(expected, abs=1e-5)
 
 
+@pytest.mark.usefixtures("kernel_set")
 def test_normals_turn_with_the_actor(tiny):
     shown = read_model(frame(tiny), "frame")
     x, y, z = tiny.vertices(cast(tiny).pose.take(1))[0].normals.T
@@ -61,6 +65,7 @@ def test_tick_and_hash_are_in_the_frame(tiny):
     assert json.loads(json_of(frame(tiny, tick=77)))["asset"]["extras"] == {"hash": "00000000000000ff", "tick": 77}
 
 
+@pytest.mark.usefixtures("kernel_set")
 def test_the_same_state_gives_the_same_bytes(tiny):
     assert frame(tiny) == frame(tiny)
 
@@ -76,6 +81,7 @@ def test_names_cannot_disturb_the_layout(name):
     assert name in shown.skeleton.names
 
 
+@pytest.mark.usefixtures("kernel_set")
 def test_a_pose_that_overflows_stays_finite(tiny):
     huge = cast(tiny)
     huge = huge._replace(pose=huge.pose._replace(scale=np.full_like(huge.pose.scale, 1e30)))
@@ -84,6 +90,31 @@ def test_a_pose_that_overflows_stays_finite(tiny):
     json.loads(json_of(data))
 
 
+def test_bounds_are_those_of_the_vertices(tiny):
+    told = [accessor for accessor in json.loads(json_of(frame(tiny)))["accessors"] if "min" in accessor]
+    shown = read_model(frame(tiny), "frame")
+    parts = shown.vertices(shown.bind_pose)
+    assert [a["min"] + a["max"] for a in told] == [
+        pytest.approx([*part.positions.min(axis=0), *part.positions.max(axis=0)], rel=1e-6) for part in parts
+    ]
+
+
+def test_a_pose_of_another_skeleton_is_refused(tiny):
+    short = cast(tiny)
+    short = short._replace(pose=Pose(*(array[:, :-1] for array in short.pose)))
+    with pytest.raises(ValueError):
+        FrameTemplate([(tiny, 2)]).frame(1, "", [short])
+
+
+def test_frames_that_are_made_at_the_same_time_do_not_mix(tiny):
+    template = FrameTemplate([(tiny, 2)])
+    casts = [cast(tiny, PLACES * scale) for scale in range(8)]
+    alone = [template.frame(1, "", [one]) for one in casts]
+    with ThreadPoolExecutor(8) as threads:
+        assert list(threads.map(lambda one: template.frame(1, "", [one]), casts * 4)) == alone * 4
+
+
+@pytest.mark.usefixtures("kernel_set")
 def test_an_empty_stage_is_a_valid_file():
     assert khronos.errors(FrameTemplate([]).frame(1, "", [])) == []
 
