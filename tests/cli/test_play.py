@@ -32,3 +32,19 @@ def test_what_does_not_exist_is_named(arguments: tuple[str, ...], said: str) -> 
     ended = play(*arguments)
     assert ended.returncode == 2
     assert said in ended.stderr
+
+
+def test_a_journey_is_followed() -> None:
+    told = play("faq-walker", "--events", "0:@JUMP", "--seconds", "3").stdout
+    states = [word for word in told.split() if word in ("TLFT", "WALK", "JUMP", "FLY")]
+    assert states[-3:] == ["WALK", "JUMP", "FLY"]
+
+
+def test_why_says_what_became_of_every_event() -> None:
+    told = play("faq-walker", "--events", "0:JUMP", "--seconds", "0.1", "--why").stdout
+    assert "     1  JUMP dropped in STAT: the cell is -" in told
+
+
+def test_a_parameter_that_the_machine_has_not_is_named() -> None:
+    ended = play("faq-walker", "--events", "0:pace=2")
+    assert (ended.returncode, "pace" in ended.stderr) == (2, True)

@@ -22,20 +22,27 @@ EXAMPLES = """Examples:
 
   statwalk play faq-walker --events "0.5:+LEFT 1.5:-LEFT" --every-tick
 
-An event is SECONDS:EVENT; + before its name holds it, - releases it.
+  statwalk play faq-walker --events "0:@JUMP" --why
+
+An event is SECONDS:EVENT; + before its name holds it, - releases it. SECONDS:@STATE travels to a state; SECONDS:NAME=VALUE sets
+a parameter.
 """
-EVENT = re.compile(r"(\d+(?:\.\d+)?):([+-]?)(\S+)")
+EVENT = re.compile(r"(\d+(?:\.\d+)?):(?:([+@-]?)([^\s=]+)|([^\s=]+)=([+-]?\d+(?:\.\d+)?))")
 HEADINGS = ("tick", "seconds", "events", "state", "x m", "z m", "turn°", "hash")
 WORDS = ("events", "state", "hash")
 console = Console(highlight=False)
 
 
 class Input(NamedTuple):
-    """An event at a tick; `sign` is + for hold, - for release, nothing for a press."""
+    """What happens at a tick; `sign` is + for hold, - for release, @ for a state to travel to, = for a parameter, nothing for a press."""
 
     tick: int
     sign: str
-    event: str
+    name: str
+    value: float = 0.0
+
+    def __str__(self) -> str:
+        return f"{self.name}={self.value:g}" if self.sign == "=" else self.sign + self.name
 
 
 def read_events(text: str, rate: int) -> list[Input]:
@@ -47,22 +54,43 @@ def read_events(text: str, rate: int) -> list[Input]:
     for word in text.split():
         match = EVENT.fullmatch(word)
         if match is None:
-            raise typer.BadParameter(f"{word!r} is not SECONDS:EVENT, as in 0:FORWARD, 1.5:+LEFT, 2:-LEFT")
-        inputs.append(Input(round(float(match[1]) * rate), match[2], match[3]))
+            raise typer.BadParameter(f"{word!r} is not SECONDS:EVENT, as in 0:FORWARD, 1.5:+LEFT, 2:-LEFT, 3:@STATE, 4:NAME=VALUE")
+        tick = round(float(match[1]) * rate)
+        inputs.append(Input(tick, "=", match[4], float(match[5])) if match[4] else Input(tick, match[2], match[3]))
     return sorted(inputs, key=lambda one: one.tick)
 
 
+def give(stage: Stage, actor: Actor, one: Input) -> None:
+    """Tells the actor one input."""
+    match one.sign:
+        case "=":
+            stage.set(actor, one.name, one.value)
+        case "@":
+            stage.travel(actor, one.name)
+        case "+":
+            stage.hold(actor, one.name)
+        case "-":
+            stage.release(actor, one.name)
+        case _:
+            stage.send(actor, one.name)
+
+
 def run(stage: Stage, actor: Actor, inputs: list[Input], ticks: int) -> Iterator[str]:
-    """Steps the stage; after each tick, the events that were logged before it."""
-    log = {"": stage.send, "+": stage.hold, "-": stage.release}
+    """Steps the stage; after each tick, the inputs that were logged before it."""
     waiting = list(inputs)
     for tick in range(ticks):
         due = [one for one in waiting if one.tick <= tick]
         waiting = waiting[len(due) :]
         for one in due:
-            log[one.sign](actor, one.event)
+            give(stage, actor, one)
         stage.step(1)
-        yield " ".join(one.sign + one.event for one in due)
+        yield " ".join(map(str, due))
+
+
+def reasons(stage: Stage) -> Iterator[str]:
+    """A line for every event of this tick: what became of it, and why."""
+    for one in stage.state.verdicts:
+        yield f"{one.tick:>6}  {one.event} {one.verdict} in {one.from_state}" + (f": {one.reason}" if one.reason else "")
 
 
 def row(stage: Stage, actor: Actor, events: str) -> list[str]:
@@ -72,7 +100,7 @@ def row(stage: Stage, actor: Actor, events: str) -> list[str]:
         str(stage.tick),
         f"{stage.seconds:.3f}",
         events,
-        actor.state,
+        " + ".join(actor.states),
         f"{x:.3f}",
         f"{z:.3f}",
         f"{math.degrees(heading):.1f}",
@@ -98,6 +126,7 @@ def play(
     rate: Annotated[int, typer.Option(help="Ticks a second.", min=1, max=240)] = 60,
     seed: Annotated[int, typer.Option(help="The stage's seed.", min=0)] = 0,
     every_tick: Annotated[bool, typer.Option("--every-tick", help="A line for each tick, not only where something changes.")] = False,
+    why: Annotated[bool, typer.Option("--why", help="What became of every event, and why.")] = False,
 ) -> None:
     """Plays a machine as fast as it can, and prints what changed, and the hash that the same inputs always give."""
     stage = Stage(seed=seed, rate=rate)
@@ -105,10 +134,14 @@ def play(
     table = Table(box=None)
     for heading in HEADINGS:
         table.add_column(heading, no_wrap=True, justify="left" if heading in WORDS else "right")
-    state = None
+    states: tuple[str, ...] = ()
+    said: list[str] = []
     for happened in run(stage, actor, read_events(events, rate), round(seconds * rate)):
-        if every_tick or happened or actor.state != state:
+        said += reasons(stage)
+        if every_tick or happened or actor.states != states:
             table.add_row(*row(stage, actor, happened))
-        state = actor.state
+        states = actor.states
     console.print(table)
+    if why:
+        console.print("\n".join(["", "  tick  why", *said, ""]))
     console.print(f"after {stage.tick} ticks: [bold]{actor.state}[/], hash {stage.hash}")
