@@ -36,3 +36,13 @@ def test_nothing_is_compiled_before_it_is_wanted():
     code = "import statwalk, statwalk.web.app, sys; print('numba' in sys.modules or 'llvmlite' in sys.modules)"
     said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert said.stdout.strip() == "False"
+
+
+def test_a_numba_that_is_broken_is_reported_and_done_without(monkeypatch, caplog):
+    def broken(name):
+        raise RuntimeError("no LLVM")
+
+    monkeypatch.delenv(choose.VARIABLE, raising=False)
+    monkeypatch.setattr(choose, "import_module", broken)
+    assert choose.kernels() is None
+    assert "no LLVM" in caplog.text

@@ -33,6 +33,7 @@ def kernels() -> Kernels | None:
     try:
         skinning, morphing, hierarchy = (import_module(f"statwalk.maths.kernels.{name}") for name in ("skinning", "morphing", "hierarchy"))
     except Exception as error:  # whatever ails numba here, vertices there must be
-        LOG.info("skinning with NumPy: %s: %s", type(error).__name__, error)
+        missing = isinstance(error, ImportError)
+        LOG.log(logging.INFO if missing else logging.WARNING, "skinning with NumPy: %s: %s", type(error).__name__, error)
         return None
     return Kernels(skinning.palette, skinning.skinned, morphing.morphed, morphing.inbetween, hierarchy.placed)
