@@ -212,6 +212,14 @@ def test_a_log_with_edits_gives_the_same_stage():
     assert list(again.roles) == ["tiny", "tiny@2", "tiny@3"]
 
 
+def test_two_edits_of_one_name_that_differ_are_refused():
+    stage, *_ = at_work()
+    stage.edit(role(table=RENAMED), RENAMED)
+    lines = stage.dump()
+    with pytest.raises(StageError, match=f"line {len(lines) + 1}: tiny@2 says something else in line {len(lines)}"):
+        replay([*lines, lines[-1].replace("SPIN", "SPUN")], lambda _, text=TABLE: role(table=text))
+
+
 def test_an_edit_names_the_roles_there_are():
     stage, *_ = at_work()
     with pytest.raises(UnknownNameError, match="There are: tiny"):

@@ -63,6 +63,7 @@ def test_a_value_that_is_not_enough_alone_is_not_offered():
 
 def test_a_sense_names_the_value_that_raises_its_event():
     _, answer = asked(SENSED, "STOP", event="FAINT")
+    assert answer.reason == "stamina < 2 is not true: stamina 8"
     assert answer.remedies[0].change == {"kind": "send", "event": "FAINT", "tick": 1}
     value = of_kind(answer, "set").change["value"]
     stage = Stage(seed=2)
@@ -70,6 +71,14 @@ def test_a_sense_names_the_value_that_raises_its_event():
     stage.set(actor, "stamina", value)
     stage.step()
     assert actor.state == "TURN"
+
+
+def test_a_sense_that_is_on_is_named():
+    stage = Stage()
+    actor = stage.add(role_of(SENSED))
+    stage.set(actor, "stamina", 1)
+    stage.step(100)
+    assert whynot(stage, 1, "FAINT", 80).reason == "stamina < 2 has been sensed already, and was not released"
 
 
 def test_what_waits_for_a_marker_names_its_tick():

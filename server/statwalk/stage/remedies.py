@@ -101,6 +101,17 @@ def sensed(question: Question) -> Iterator[Candidate]:
             yield from _by_parameters(question, one.when, _measured(question))
 
 
+def sense_of(question: Question) -> str:
+    """Why the sense that raises the event has not done so; empty where none raises it."""
+    for row, one in enumerate(question.machine.senses):
+        if one.event == question.place[1]:
+            seen = _measured(question)
+            values = ", ".join(f"{name} {seen[name]:g}" for name in one.when.variables)
+            is_on = question.cast.machine.sensing[question.row, row]
+            return f"{one.said} has been sensed already, and was not released" if is_on else f"{one.said} is not true: {values}"
+    return ""
+
+
 def _by_parameters(question: Question, condition: Program, seen: Mapping[str, float]) -> Iterator[Candidate]:
     """The parameters that a condition asks for, each alone at a value at which it is true."""
     names = [one.name for one in question.machine.parameters]

@@ -32,7 +32,10 @@ def replay(source: Path | Iterable[str], roles: Roles, until: int | None = None)
 
 def _catalog(loaded: Loaded, roles: Roles) -> dict[str, Role]:
     """All versions of all roles, by the names that the entries use."""
-    edits = {entry.value["role"]: (entry, line) for entry, line in _numbered(loaded) if entry.kind == "edit"}
+    edits: dict[str, tuple[LogEntry, int]] = {}
+    for entry, line in _numbered(loaded):
+        if entry.kind == "edit" and edits.setdefault(entry.value["role"], (entry, line))[0].value != entry.value:
+            raise StageError(f"line {line}: {entry.value['role']} says something else in line {edits[entry.value['role']][1]}")
     names = {entry.value["role"] for entry in loaded.entries if entry.kind == "add"}
     catalog = {name: roles(name) for name in sorted(names - set(edits))}
     for key, (entry, line) in edits.items():

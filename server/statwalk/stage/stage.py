@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import count
 from math import isfinite
 
 from statwalk.errors import StageError, UnknownNameError
@@ -80,8 +81,7 @@ class Stage(Timeline):
         no role of that name, and StageError where it has other joints.
         """
         check_joints(self.role(role.name), role)
-        number = 2 + sum(one.name == role.name and key != role.name for key, one in self.roles.items())
-        key = f"{role.name}@{number}"
+        key = next(key for number in count(2) if (key := f"{role.name}@{number}") not in self.roles)
         entry = LogEntry(self.tick, "edit", 0, role.name, {"role": key, "text": text})
         self._refuse_past()
         self.roles[key] = role

@@ -104,10 +104,12 @@ def _begun(before: StageState, actor: int, cast: Cast, done: StepResult, row: in
     changes, events = done.changes, cast.role.machine.events
     found: dict[tuple[int, str], Beginning] = {}
     for number in np.flatnonzero(changes.actor == row)[::-1].tolist():
-        layer = int(changes.layer[number])
+        layer, event = int(changes.layer[number]), events[changes.event[number]]
+        if (layer, event) in found:
+            continue
         shown = all(key[0] != layer for key in found)
         joints = _joints(before, actor, cast, row) if shown else ()
-        found[layer, events[changes.event[number]]] = float(changes.blend[number]), CURVES[changes.curve[number]], joints
+        found[layer, event] = float(changes.blend[number]), CURVES[changes.curve[number]], joints
     return found
 
 

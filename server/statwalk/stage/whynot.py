@@ -8,7 +8,7 @@ from statwalk.errors import StageError, UnknownNameError
 from statwalk.stage.fold import forward
 from statwalk.stage.frame import Verdict
 from statwalk.stage.log import LogEntry
-from statwalk.stage.remedies import Candidate, Question, candidates, sensed, text_of
+from statwalk.stage.remedies import Candidate, Question, candidates, sense_of, sensed, text_of
 from statwalk.stage.stage import Stage
 from statwalk.stage.trying import tried
 
@@ -42,7 +42,7 @@ def whynot(stage: Stage, actor: int, event: str, tick: int) -> WhyNot:
         return WhyNot(True, _said(question.verdict), ())
     if question.verdict.verdict == "taken":
         found = [Candidate(0.0, {"kind": "send", "event": event, "tick": tick}), *sensed(question)]
-        reason = "nobody sent it in this tick"
+        reason = sense_of(question) or "nobody sent it in this tick"
     else:
         found = sorted(candidates(question), key=lambda one: one.cost)
         reason = _said(question.verdict) if sent else f"nobody sent it in this tick; and if somebody had: {_said(question.verdict)}"
