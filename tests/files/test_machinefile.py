@@ -178,3 +178,22 @@ def test_any_part_of_a_file_is_read_or_refused(cut):
             read_machine(text)
         except StatwalkError:
             continue
+
+
+def many(count, form):
+    return "".join(f"  {form.format(number)}\n" for number in range(count))
+
+
+def test_states_and_events_multiply_and_are_counted_before_anything_is_made_of_them():
+    states, events = many(1_000, "S{}: {{motion: a}}"), many(100, "E{}: {{}}")
+    with pytest.raises(MachineError, match="line 4: 1,001 states and 103 events make more than 100,000 cells"):
+        read_machine(f"initial: A\ntable: |\n  state | GO | STOP\nstates:\n  A: {{motion: a}}\n{states}events:\n{events}")
+
+
+def test_what_is_resumed_multiplies_as_well():
+    inner = many(400, "      S{}: {{motion: a}}")
+    text = f"initial: F\nstates:\n  F:\n   resume: true\n   machine:\n    initial: S0\n    states:\n{inner}table: |\n  state | GO\n"
+    assert len(read_machine(text).states) == 400
+    events = many(30, "E{}: {{}}")
+    with pytest.raises(MachineError, match="400 states and 32 events are too many beside an outer state that resumes any of 400"):
+        read_machine(f"{text}events:\n{events}")

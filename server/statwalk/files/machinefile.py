@@ -24,6 +24,8 @@ from statwalk.machine.runparts import MEASURED
 from statwalk.machine.table import MOST_CELLS
 
 FILE_NAME = "machine.yaml"
+MOST_RESUMED = 2_000_000
+"""next states of all cells, where each may be any of those that are resumed"""
 SCHEMA_PATH = Path(__file__).with_name("machine.schema.json")
 """JSON Schema (draft 7) of a machine file, for editors"""
 SEMANTICS = "1"
@@ -165,6 +167,10 @@ def check_size(root: Node, flats: Sequence[levels.Flat], events: Mapping[str, Ev
     states, columns = sum(len(flat.states) for flat in flats), len(events) + 1
     if states * columns > MOST_CELLS:
         message = f"{states:,} states and {columns:,} events make more than {MOST_CELLS:,} cells"
+        raise root.refuse(message, root.key_lines["states"])
+    resumed = max(flat.resumed() for flat in flats)
+    if resumed * states * columns > MOST_RESUMED:
+        message = f"{states:,} states and {columns:,} events are too many beside an outer state that resumes any of {resumed:,}"
         raise root.refuse(message, root.key_lines["states"])
 
 

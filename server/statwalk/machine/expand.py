@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from statwalk.machine.celldefinition import ActionDefinition, Alternative, CellDefinition, Curve, Enter, Moment
@@ -25,6 +25,8 @@ class Choice:
     line: int
     resume: str = ""
     """an outer state of which the inner one left last is meant rather than `to`, once one was left"""
+    resumed: tuple[str, ...] = ()
+    """its inner states"""
     condition: str = ""
     """what must be true, as text for `conditions.parse`; empty: always"""
     weight: float | None = None
@@ -53,6 +55,7 @@ class Cell:
     action: ActionDefinition | None
     line: int
     resume: str = ""
+    resumed: tuple[str, ...] = ()
     alternatives: tuple[Choice, ...] = ()
 
     @property
@@ -60,7 +63,7 @@ class Cell:
         """All that it can lead to, in order: the alternatives, or the only outcome; none where it is off."""
         if self.off:
             return ()
-        only = Choice(self.to, self.restart, self.blend, self.curve, self.enter, self.action, self.line, self.resume)
+        only = Choice(self.to, self.restart, self.blend, self.curve, self.enter, self.action, self.line, self.resume, self.resumed)
         return self.alternatives or (only,)
 
 
@@ -70,19 +73,35 @@ def expand(definition: MachineDefinition, markers: Collection[str] = ()) -> dict
     `*` as an event stands for inputs, senses and touches; never for END, nor for `markers` of the clips and states.
     """
     named = {*markers, *(name for state in definition.states.values() for name in state.markers)} - set(definition.senses)
+    inner = inner_states(definition)
     found = {
-        (state, event): find(definition, state, event, event not in named) for state in definition.states for event in definition.columns
+        (state, event): find(definition, state, event, event not in named, inner)
+        for state in definition.states
+        for event in definition.columns
     }
     return {place: cell for place, cell in found.items() if cell is not None}
 
 
-def find(definition: MachineDefinition, state: str, event: str, starred: bool = True) -> Cell | None:
+Inner = Mapping[str, tuple[str, ...]]
+"""the states inside each outer one"""
+
+
+def inner_states(definition: MachineDefinition) -> Inner:
+    """The states inside each outer one, in the order of the table."""
+    found: dict[str, list[str]] = {outer: [] for outer in definition.outers}
+    for state in definition.states:
+        for outer in enclosing(definition, state):
+            found[outer].append(state)
+    return {outer: tuple(states) for outer, states in found.items()}
+
+
+def find(definition: MachineDefinition, state: str, event: str, starred: bool, inner: Inner) -> Cell | None:
     """The cell that counts for one state and event; None: blank, without a default. `starred`: `*` stands for this event, too."""
     places = of_end(definition, state) if event == END else of_input(definition, state, event)
     for row, column, source in places:
         written = definition.cells.get((row, column))
         if written is not None and (starred or column != ANY):
-            return filled(definition, state, written, (row, column), source)
+            return filled(definition, state, written, (row, column), source, inner)
     return None
 
 
@@ -119,7 +138,7 @@ def enclosing(definition: MachineDefinition, state: str) -> Iterator[str]:
         outer = definition.outers[outer].outer
 
 
-def filled(definition: MachineDefinition, state: str, written: CellDefinition, place: tuple[str, str], source: str) -> Cell:
+def filled(definition: MachineDefinition, state: str, written: CellDefinition, place: tuple[str, str], source: str, inner: Inner) -> Cell:
     """The cell as it counts in a state, with the machine's defaults where it says nothing itself."""
     defaults = definition.defaults
     to, resume = landing(definition, state, place[0], written)
@@ -136,12 +155,13 @@ def filled(definition: MachineDefinition, state: str, written: CellDefinition, p
         action=written.action,
         line=written.line,
         resume=resume,
+        resumed=inner.get(resume, ()),
     )
-    alternatives = tuple(chosen(definition, state, one, cell) for one in written.alternatives)
+    alternatives = tuple(chosen(definition, state, one, cell, inner) for one in written.alternatives)
     return replace(cell, alternatives=alternatives) if alternatives else cell
 
 
-def chosen(definition: MachineDefinition, state: str, one: Alternative, cell: Cell) -> Choice:
+def chosen(definition: MachineDefinition, state: str, one: Alternative, cell: Cell, inner: Inner) -> Choice:
     """An alternative with what it leaves to its cell."""
     to, resume = landing(definition, state, cell.written[0], one)
     return Choice(
@@ -153,6 +173,7 @@ def chosen(definition: MachineDefinition, state: str, one: Alternative, cell: Ce
         action=one.action or cell.action,
         line=one.line,
         resume=resume,
+        resumed=inner.get(resume, ()),
         condition=one.condition,
         weight=one.weight,
     )
@@ -175,5 +196,5 @@ def landing(definition: MachineDefinition, state: str, row: str, outcome: CellDe
 
 def landings(definition: MachineDefinition, choice: Choice) -> tuple[str, ...]:
     """Every state that a choice may lead to: several where it resumes; none where its name is no state."""
-    inside = [name for name in definition.states if choice.resume and choice.resume in enclosing(definition, name)]
-    return tuple(dict.fromkeys([choice.to, *inside])) if choice.to in definition.states else ()
+    others = (name for name in choice.resumed if name != choice.to)
+    return (choice.to, *others) if choice.to in definition.states else ()

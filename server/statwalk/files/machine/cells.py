@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Container
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -20,9 +20,9 @@ LARGEST_WEIGHT = 1e6
 
 @dataclass(frozen=True)
 class Known:
-    """The names that cells may use: states (in full, outer ones among them), events without END, and variables of conditions."""
+    """The names that cells may use: states (outer ones among them), events without END, and variables of conditions."""
 
-    states: Collection[str]
+    states: Container[str]
     events: Collection[str]
     variables: tuple[str, ...]
 

@@ -38,6 +38,20 @@ class Flat:
         """The table of the outermost level; an empty one where it has only `cells`."""
         return self.levels[-1].table or tables.NONE
 
+    def has(self, name: str) -> bool:
+        """Whether a full name is that of a state, perhaps an outer one."""
+        return name in self.states or name in self.outers
+
+    def resumed(self) -> int:
+        """How many states the largest of the outer states that resume has."""
+        counts: dict[str, int] = dict.fromkeys((name for name, one in self.outers.items() if one.resume), 0)
+        for state in self.states.values():
+            outer = state.outer
+            while outer:
+                counts[outer] = counts.get(outer, 0) + 1
+                outer = self.outers[outer].outer
+        return max((count for name, count in counts.items() if self.outers[name].resume), default=0)
+
     def start(self, name: str) -> str:
         """The innermost state that a state begins with."""
         while name in self.outers:
@@ -50,29 +64,32 @@ class Scope:
 
     def __init__(self, flat: Flat, outer: str) -> None:
         self.flat, self.outer = flat, outer
-        self.own = [full.removeprefix(f"{outer}.") if outer else full for full in (*flat.states, *flat.outers) if within(full, outer)]
-        self.known = {*self.own, *flat.states, *flat.outers}
+
+    def __contains__(self, name: str) -> bool:
+        """Whether a name is that of a state here."""
+        return self.flat.has(self.state(name))
 
     def row(self, node: Node, name: str, line: int | None = None) -> str:
         """The full name of a row (for `*`, OUTER.*); raises MachineError where it is no state of this level or of those within."""
-        if name != ANY and name not in self.own:
-            raise node.unknown("state", name, self.own, line)
-        return f"{self.outer}.{name}" if self.outer else name
+        full = f"{self.outer}.{name}" if self.outer else name
+        if name != ANY and not self.flat.has(full):
+            raise node.unknown("state", name, self.own(), line)
+        return full
+
+    def own(self) -> list[str]:
+        """The states of this level and those within, as they are called here."""
+        start = f"{self.outer}." if self.outer else ""
+        return [full.removeprefix(start) for full in (*self.flat.states, *self.flat.outers) if full.startswith(start)]
 
     def state(self, name: str) -> str:
         """The full name of what a name means here: the nearest from inside out; itself where it is nothing."""
         outer = self.outer
         while outer:
             full = f"{outer}.{name}"
-            if full in self.flat.states or full in self.flat.outers:
+            if self.flat.has(full):
                 return full
             outer = self.flat.outers[outer].outer
         return name
-
-
-def within(name: str, outer: str) -> bool:
-    """Whether a full name is that of a state inside `outer`."""
-    return not outer or name.startswith(f"{outer}.")
 
 
 def read(node: Node, parameters: Mapping[str, ParameterDefinition], folder: Path | None) -> Flat:
@@ -100,7 +117,7 @@ def gather(flat: Flat, node: Node, outer: str, parameters: Mapping[str, Paramete
 
 def add(flat: Flat, name: str, node: Node, state: StateDefinition | OuterDefinition) -> None:
     """One more state; raises MachineError where its name is taken, which needs a dot in it."""
-    if name in flat.states or name in flat.outers:
+    if flat.has(name):
         raise node.refuse(f"the state {name[:80]} was already given in line {(flat.states | flat.outers)[name].line}")
     if isinstance(state, OuterDefinition):
         flat.outers[name] = state

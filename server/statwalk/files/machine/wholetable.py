@@ -27,7 +27,7 @@ def cells_of(flat: Flat, events: Collection[str], variables: tuple[str, ...], fi
             add_table(found, scope, level.table)
     for level, scope in scopes:
         if level.cells is not None:
-            refine(found, scope, level.cells, cells.Known(scope.known, events, variables))
+            refine(found, scope, level.cells, cells.Known(scope, events, variables))
     check_targets(found, flat, file)
     return found
 
@@ -65,7 +65,7 @@ def check_targets(found: Cells, flat: Flat, file: str) -> None:
     unknown: dict[str, int] = {}
     for cell in found.values():
         for to in (cell.to, *(one.to for one in cell.alternatives)):
-            if to and to not in flat.states and to not in flat.outers:
+            if to and not flat.has(to):
                 unknown.setdefault(to, cell.line)
     if len(unknown) > MOST_UNKNOWN:
         name, line = next(iter(unknown.items()))
