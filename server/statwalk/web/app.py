@@ -13,7 +13,22 @@ from fastapi import FastAPI
 from starlette.types import ASGIApp
 
 from statwalk.maths.kernels.choose import kernels
-from statwalk.web import actors, characters, editing, history, machines, making, messages, page, problem, stages, stream, uploads
+from statwalk.web import (
+    actors,
+    characters,
+    editing,
+    explain,
+    history,
+    machines,
+    making,
+    messages,
+    page,
+    problem,
+    scenes,
+    stages,
+    stream,
+    uploads,
+)
 from statwalk.web.depot import Depot
 from statwalk.web.guard import Guard
 from statwalk.web.library import Library
@@ -23,7 +38,7 @@ from statwalk.web.schemas import ProblemView
 from statwalk.web.settings import Settings
 
 DESCRIPTION = "Animates characters from state tables. Errors are application/problem+json (RFC 9457)."
-ROOMS = tuple(room.router for room in (characters, uploads, machines, making, editing, stages, history, actors, stream))
+ROOMS = tuple(room.router for room in (characters, uploads, machines, making, editing, stages, scenes, history, actors, explain, stream))
 
 
 def create_app(settings: Settings | None = None) -> ASGIApp:

@@ -15,8 +15,18 @@ from pathlib import Path
 
 from statwalk.character import Character
 from statwalk.errors import ContentError
-from statwalk.files.machinefile import MachineFile, load_machine
-from statwalk.loading import load_character_file, load_role, shipped_machines, shipped_machines_folder
+from statwalk.files.machinefile import FILE_NAME, MachineFile, load_machine
+from statwalk.files.scenefile import FILE_NAME as SCENE_FILE
+from statwalk.files.scenefile import load_scene_file
+from statwalk.loading import (
+    Scene,
+    character_path,
+    load_character_file,
+    load_role,
+    shipped_machines,
+    shipped_machines_folder,
+    shipped_scenes,
+)
 from statwalk.stage.role import Role
 from statwalk.web.depot import Depot, Kept
 from statwalk.web.problem import Problem
@@ -45,15 +55,19 @@ class Library:
 
     def __init__(self, folders: Iterable[Path] = (), depot: Depot | None = None) -> None:
         given = [folder.resolve() for folder in folders]
-        shipped = [shipped_machines_folder() / name for name in shipped_machines()]
+        shipped = [shipped_machines_folder() / name for name in (*shipped_machines(), *shipped_scenes())]
         self.depot = depot
         self.entries: dict[str, Entry] = {}
         self.owners: dict[str, str] = {}
         self.roles: dict[str, Role] = {}
         self.loaded: OrderedDict[str, Character] = OrderedDict()
         self.lock = threading.RLock()
+        self.scene_folders: dict[str, Path] = {}
         for folder in (*given, *shipped):
-            self.enter(folder)
+            if (folder / SCENE_FILE).is_file():
+                self.enter_scene(folder)
+            else:
+                self.enter(folder)
         self.default = next(iter(self.entries), None) if given or DEFAULT_MACHINE not in self.entries else DEFAULT_MACHINE
         for folder in depot.machine_folders() if depot else ():
             try:
@@ -61,22 +75,47 @@ class Library:
             except ContentError as error:
                 log.warning("a machine of the data folder is left out: %s", error)
 
-    def enter(self, folder: Path) -> None:
-        """Reads a folder's machine file. The first folder of a name counts.
+    def enter(self, folder: Path, scene: str = "") -> None:
+        """Reads a folder's machine file; one that belongs to a scene has its name before its own. The first folder of a name counts.
 
         :raises ContentError: if the file must be refused.
         """
-        if folder.name in self.entries:
+        name = f"{scene}.{folder.name}" if scene else folder.name
+        if name in self.entries:
             return
         if not folder.is_dir():
             raise ContentError("there is no such machine folder", file=str(folder))
         file = load_machine(folder)
-        self.entries[folder.name] = Entry(folder.name, folder, file, self.character_name(folder.name, file.character_path))
+        self.entries[name] = Entry(name, folder, file, self.character_name(name, character_path(file)), scene=scene)
+
+    def enter_scene(self, folder: Path) -> None:
+        """Reads the machine files of a scene's folder. The first folder of a name counts.
+
+        :raises ContentError: if one of the files must be refused.
+        """
+        if folder.name not in self.scene_folders:
+            load_scene_file(folder)
+            self.scene_folders[folder.name] = folder
+            for path in sorted(folder.glob(f"*/{FILE_NAME}")):
+                self.enter(path.parent, folder.name)
+
+    def scene(self, name: str) -> Scene:
+        """The scene of that name, with the machines as they are now.
+
+        :raises Problem: 422, if there is none.
+        """
+        folder = self.scene_folders.get(name)
+        if folder is None:
+            raise Problem(422, f"there is no scene {name[:80]!r}", field="scene", known=self.scene_folders)
+        file = load_scene_file(folder)
+        own = [entry.name for entry in self.entries.values() if entry.scene == name]
+        lines = [(f"{name}.{line.machine}" if f"{name}.{line.machine}" in own else line.machine, line) for line in file.actors]
+        return Scene(name, file.title, file.description, file.seed, tuple((self.role(machine, 422), line) for machine, line in lines))
 
     def character_name(self, machine: str, path: Path) -> str:
         """The character file's stem; with the machine's name before it where another file has that stem."""
         for name, owner in self.owners.items():
-            if self.entries[owner].file.character_path == path:
+            if character_path(self.entries[owner].file) == path:
                 return name
         name = f"{machine}-{path.stem}" if path.stem in self.owners else path.stem
         self.owners[name] = machine
@@ -126,7 +165,7 @@ class Library:
         entry = self.entry(machine, status)
         with self.lock:
             if machine not in self.roles:
-                self.roles[machine] = load_role(entry.folder)
+                self.roles[machine] = load_role(entry.folder, entry.name)
             return self.roles[machine]
 
     def uploads(self) -> dict[str, Kept]:

@@ -14,8 +14,8 @@ VERSION = "statwalk.v1"
 ActorName = Callable[[int], str]
 
 
-def describe_cast(cast: CastFrame, character: str, actor_name: ActorName) -> dict[str, Any]:
-    """The hello's part about one cast: joints, states and events by name, and who is in it."""
+def describe_cast(cast: CastFrame, character: str, version: int, actor_name: ActorName) -> dict[str, Any]:
+    """The hello's part about one cast: joints, states and events by name, and who is in it; `version` of its machine on this stage."""
     role, machine = cast.role, cast.role.machine
     skeleton = role.character.skeleton
     return {
@@ -28,9 +28,22 @@ def describe_cast(cast: CastFrame, character: str, actor_name: ActorName) -> dic
         "names": list(skeleton.names),
         "nodes": [int(node) for node in role.character.node_index],
         "parents": [int(parent) for parent in skeleton.parent],
-        "layers": ["base"],
+        "version": version,
+        "layers": [layer.name for layer in machine.layers],
         "states": list(machine.states),
+        "state_layers": [int(layer) for layer in machine.layer_of],
         "events": list(machine.events),
+        "colliders": [
+            {
+                "name": one.name,
+                "kind": one.kind,
+                "joint": skeleton.index(one.joint) if one.joint else -1,
+                "center": list(one.center),
+                "radius": one.radius,
+                "normal": list(one.normal),
+            }
+            for one in machine.colliders
+        ],
         "actors": [{"id": int(actor), "name": actor_name(int(actor))} for actor in cast.ids],
     }
 
@@ -49,13 +62,14 @@ def status(stage: dict[str, Any]) -> bytes:
 
 def action(done: Action) -> bytes:
     """An action that a cell brought out."""
-    return orjson.dumps({"type": "action", "seq": done.seq, "tick": done.tick, "actor": done.actor, "name": done.name})
+    return orjson.dumps({"type": "action", **done._asdict()})
 
 
 def verdict(given: Verdict) -> bytes:
     """What became of an event, and why."""
     members = given._asdict()
     members["from"], members["to"] = members.pop("from_state"), members.pop("to_state")
+    members["values"] = dict(given.values)
     return orjson.dumps({"type": "verdict", **members})
 
 

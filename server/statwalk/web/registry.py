@@ -60,10 +60,31 @@ class Registry:
 
     def open_main(self) -> HostedStage:
         """The stage the page opens on: real time, with the default machine."""
+        if self.settings.scene:
+            return self.hold(self.furnished(MAIN, NewStage(scene=self.settings.scene)))
         stage = Stage()
         if self.library.default is not None:
             stage.add(self.library.role(self.library.default))
         return self.hold(HostedStage(MAIN, stage, "real", self.library))
+
+    def furnished(self, stage_id: str, new: NewStage) -> HostedStage:
+        """A stage, with the actors of its scene.
+
+        :raises Problem: 422 for an unknown scene, 409 if it has too many actors.
+        """
+        scene = self.library.scene(new.scene) if new.scene else None
+        stage = Stage(seed=(scene.seed if scene else 0) if new.seed is None else new.seed, rate=new.rate)
+        if scene:
+            self.check_room(sum(line.count for _, line in scene.lines))
+            scene.enter(stage)
+        return HostedStage(stage_id, stage, new.clock, self.library)
+
+    def check_room(self, actors: int) -> None:
+        """
+        :raises Problem: 409, if a stage may not have so many actors.
+        """
+        if actors > self.settings.most_actors:
+            raise Problem(409, f"the stage has {self.settings.most_actors} actors, which is the most it may have")
 
     def close(self, stage_id: str) -> None:
         """Lets a stage go; its viewers are sent away.
@@ -82,13 +103,14 @@ class Registry:
         """
         role = self.library.role(new.machine, status=422)
         with hosted.turn() as stage:
-            if sum(len(cast.ids) for cast in stage.state.casts) >= self.settings.most_actors:
-                raise Problem(409, f"the stage has {self.settings.most_actors} actors, which is the most it may have")
+            self.check_room(sum(len(cast.ids) for cast in stage.state.casts) + 1)
+            if new.machine in stage.roles:
+                role = stage.role(new.machine)  # the version that this stage plays
             return hosted.add(role, new.position, math.radians(new.heading_deg), new.name)
 
     def open(self, new: NewStage) -> HostedStage:
         """Opens a stage with its actors."""
-        hosted = HostedStage(secrets.token_hex(4), Stage(seed=new.seed, rate=new.rate), new.clock, self.library)
+        hosted = self.furnished(secrets.token_hex(4), new)
         for actor in new.actors:
             self.place(hosted, actor)
         return self.hold(hosted)

@@ -35,10 +35,12 @@ class NewActor(Asked):
 class NewStage(Asked):
     """A stage to open; `rate` ticks a second; with a manual clock it moves only when asked to."""
 
-    seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
+    seed: Annotated[int, Field(ge=0, lt=2**63)] | None = None
     rate: Annotated[int, Field(ge=1, le=240)] = 60
     clock: Clock = "real"
     actors: Annotated[list[NewActor], Field(max_length=MOST_ACTORS)] = []
+    scene: Name | None = None
+    """a scene whose actors stand there from the beginning; `seed` is the scene's, unless one is given"""
 
 
 class NewEvent(Asked):

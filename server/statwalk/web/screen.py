@@ -75,4 +75,5 @@ class Screen:
         def name(actor: int) -> str:
             return stage.actor(actor).name
 
-        return tuple(messages.describe_cast(cast, self.library.character_of(cast.role), name) for cast in frame.casts)
+        versions = {role: number for number, role in enumerate(stage.roles.values(), 1)}  # rising, whatever else was edited
+        return tuple(messages.describe_cast(cast, self.library.character_of(cast.role), versions[cast.role], name) for cast in frame.casts)

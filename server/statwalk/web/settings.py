@@ -37,6 +37,8 @@ class Settings:
     """`folders`: machine folders beside the shipped ones, the first is the default; `hosts`: names this server answers to.
 
     `data`: the folder that keeps uploaded characters and the machines made of them; without one nothing can be uploaded.
+
+    `scene`: the one that the page opens on.
     """
 
     folders: tuple[Path, ...] = ()
@@ -44,6 +46,7 @@ class Settings:
     page: Path = field(default_factory=page_folder)
     main_stage: bool = True
     data: Path | None = None
+    scene: str = ""
     most_stages: int = MOST_STAGES
     most_actors: int = MOST_ACTORS
     idle_seconds: float = IDLE_SECONDS
