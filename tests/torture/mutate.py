@@ -116,9 +116,9 @@ def finite(*arrays):
     assert all(np.isfinite(array).all() for array in arrays), "a number that is not finite"
 
 
-def memory():
-    """Bytes this process has in memory now (Linux)."""
-    return int(Path("/proc/self/statm").read_text().split()[1]) * resource.getpagesize()
+def memory(process="self"):
+    """Bytes a process has in memory now (Linux)."""
+    return int(Path(f"/proc/{process}/statm").read_text().split()[1]) * resource.getpagesize()
 
 
 def main(count, first=0):
