@@ -15,7 +15,7 @@ from statwalk.errors import ContentError
 from statwalk.files.yamlnode import Node
 
 DEEPEST = 32
-MOST_VALUES = 10_000
+MOST_VALUES = 6_000
 
 HALVES = re.compile("[\ud800-\udfff]")
 
@@ -39,28 +39,32 @@ Parser: Any = getattr(yaml.cyaml, "CParser", PureParser) if yaml.__with_libyaml_
 class Growing:
     """A list or mapping of which some values have been read."""
 
+    __slots__ = ("entries", "key", "known", "node", "values")
+
     def __init__(self, node: Node, known: tuple[str, ...] = ()) -> None:
-        self.node, self.known, self.key = node, known, None if node.is_mapping else ""
+        self.node, self.known = node, known
+        self.values = node.value if isinstance(node.value, list) else None
+        self.entries = node.value if isinstance(node.value, dict) else {}
+        self.key: str | None = None
 
     def take(self, node: Node) -> None:
         """The next value of a list; a mapping's next key, or the value of the last."""
-        value = self.node.value
-        if isinstance(value, list):
-            value.append(node)
-        elif isinstance(value, dict):
-            self.key = self.put(value, node)
+        if self.values is not None:
+            self.values.append(node)
+        elif self.key is None:
+            self.key = self.checked(node)
+        else:
+            self.entries[self.key] = node
+            self.key = None
 
-    def put(self, value: dict[str, Node], node: Node) -> str | None:
-        """The key that now waits for its value, if one does."""
-        if self.key is not None:
-            value[self.key] = node
-            return None
-        key = node.text()
+    def checked(self, node: Node) -> str:
+        """A key, which now waits for its value; raises `error` for one that was there, or is not known."""
+        key, lines = node.text(), self.node.key_lines
         if self.known and key not in self.known:
             raise node.unknown("key", key, self.known)
-        if key in self.node.key_lines:
-            raise node.refuse(f"the key {key[:40]!r} was already given in line {self.node.key_lines[key]}")
-        self.node.key_lines[key] = node.line
+        if key in lines:
+            raise node.refuse(f"the key {key[:40]!r} was already given in line {lines[key]}")
+        lines[key] = node.line
         return key
 
 
@@ -76,8 +80,8 @@ class Tree:
     def built(self, parser: Any) -> Node:
         """The root, from a parser of events; raises `error` or yaml.YAMLError."""
         try:
-            while parser.check_event():
-                self.take(parser.get_event())
+            while (event := parser.get_event()) is not None:
+                self.take(event)
         except (ValueError, OverflowError):  # the pure parser's, for \U escapes and %YAML versions beyond all bounds
             raise self.refused("there is a number here that is too large for what it stands for", parser.line + 1) from None
         finally:
@@ -86,39 +90,47 @@ class Tree:
 
     def take(self, event: Event) -> None:
         """One event: a value, the beginning or end of a list or mapping, or the outside of the document."""
-        line = event.start_mark.line + 1
-        if isinstance(event, yaml.CollectionEndEvent):
+        kind = type(event)
+        if kind is yaml.ScalarEvent:
+            self.put(event, self.text(event), event.style or None)
+        elif kind is yaml.MappingStartEvent:
+            self.open.append(Growing(self.put(event, {}), () if self.open else self.known))
+        elif kind is yaml.SequenceStartEvent:
+            self.open.append(Growing(self.put(event, [])))
+        elif isinstance(event, yaml.CollectionEndEvent):
             self.open.pop()
-        elif isinstance(event, yaml.AliasEvent):
-            raise self.refused("aliases (*) are not read", line)
-        elif isinstance(event, yaml.NodeEvent):
-            self.value(event, line)
-        elif isinstance(event, yaml.DocumentStartEvent) and self.root is not None:
-            raise self.refused("a second document (---) begins here", line)
+        elif kind is yaml.AliasEvent:
+            raise self.refused("aliases (*) are not read", event.start_mark.line + 1)
+        elif kind is yaml.DocumentStartEvent and self.root is not None:
+            raise self.refused("a second document (---) begins here", event.start_mark.line + 1)
 
     def refused(self, message: str, line: int) -> ContentError:
         """The error about a place that has no value."""
         return Node("", line, self.file, self.error).refuse(message)
 
-    def value(self, event: Event, line: int) -> None:
-        """A new value, put where it belongs; a list or mapping stays open."""
-        if event.anchor is not None:
-            raise self.refused("anchors (&) are not read", line)
-        if event.tag is not None:
-            raise self.refused(f"tags ({str(event.tag)[:40]}) are not read", line)
+    def text(self, event: Event) -> str:
+        """What a scalar says."""
+        text: str = event.value
+        if not text.isascii() and HALVES.search(text):
+            raise self.refused("half a character (a lone surrogate) is no text", event.start_mark.line + 1)
+        return text
+
+    def put(self, event: Event, value: str | list[Node] | dict[str, Node], style: str | None = None) -> Node:
+        """A new value where it belongs; raises `error` for what is not strict."""
+        node = Node(value, event.start_mark.line + 1, self.file, self.error, style)
         self.count += 1
-        if len(self.open) >= DEEPEST or self.count > MOST_VALUES:
-            raise self.refused(f"more than {DEEPEST} deep" if len(self.open) >= DEEPEST else f"more than {MOST_VALUES:,} values", line)
-        is_text = isinstance(event, yaml.ScalarEvent)
-        if is_text and HALVES.search(event.value):
-            raise self.refused("half a character (a lone surrogate) is no text", line)
-        value = event.value if is_text else {} if isinstance(event, yaml.MappingStartEvent) else []
-        node = Node(value, line, self.file, self.error, (event.style if is_text else None) or None)
+        if event.anchor is not None:
+            raise node.refuse("anchors (&) are not read")
+        if event.tag is not None:
+            raise node.refuse(f"tags ({str(event.tag)[:40]}) are not read")
+        if len(self.open) >= DEEPEST:
+            raise node.refuse(f"more than {DEEPEST} deep")
+        if self.count > MOST_VALUES:
+            raise node.refuse(f"more than {MOST_VALUES:,} values")
         if self.open:
             self.open[-1].take(node)
         elif self.known and not node.is_mapping:
             raise node.refuse("a mapping is wanted here (key: value)")
         else:
             self.root = node
-        if not is_text:
-            self.open.append(Growing(node, () if self.open else self.known))
+        return node
