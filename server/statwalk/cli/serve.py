@@ -10,6 +10,8 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
+from statwalk.files.scenefile import FILE_NAME as SCENE_FILE
+from statwalk.loading import shipped_scenes
 from statwalk.web.app import create_app
 from statwalk.web.listen import listening_socket, run
 from statwalk.web.settings import Settings, data_folder
@@ -21,6 +23,10 @@ EXAMPLES = """Examples:
   statwalk serve --port 9000
 
   statwalk serve my-robot other-machine
+
+  statwalk serve --watch my-robot
+
+  statwalk serve playground
 """
 console = Console(highlight=False)
 errors = Console(stderr=True, highlight=False)
@@ -43,11 +49,14 @@ def fail(reason: str) -> typer.Exit:
 
 
 def serve(
-    folders: Annotated[list[Path] | None, typer.Argument(help="Machine folders to add; the page opens on the first.")] = None,
+    folders: Annotated[
+        list[Path] | None, typer.Argument(help="Machine or scene folders to add, or a shipped scene; the page opens on the first.")
+    ] = None,
     port: Annotated[int, typer.Option(help="TCP port; 0 takes a free one.", min=0, max=65535)] = 8000,
     data: Annotated[
         Path | None, typer.Option(help="The folder that keeps uploads; by default your data folder.", show_default=False)
     ] = None,
+    watch: Annotated[bool, typer.Option(help="A machine.yaml that is saved counts at once, on all stages.")] = False,
     host: Annotated[str, typer.Option(help="A loopback address; others are refused.")] = "127.0.0.1",
 ) -> None:
     """Serves the API and the viewer on this machine, until it is stopped (Ctrl+C)."""
@@ -59,7 +68,10 @@ def serve(
         raise fail(
             f"cannot listen on {host} port {port}: {error.strerror}. Another port: --port {port + 1 if port < 65535 else 8000}"
         ) from None
-    app = create_app(Settings(folders=tuple(folders or ()), data=data or data_folder()))
+    given = tuple(folders or ())
+    own = tuple(folder for folder in given if folder.is_dir() or str(folder) not in shipped_scenes())
+    scene = given[0].name if given and (given[0] not in own or (given[0] / SCENE_FILE).is_file()) else ""
+    app = create_app(Settings(folders=own, data=data or data_folder(), scene=scene, watch=watch))
     name = f"[{host}]" if ":" in host else host
     address = escape(f"http://{name}:{listener.getsockname()[1]}/")
     console.print(f"statwalk: [bold]{address}[/]   (stop: Ctrl+C)", soft_wrap=True)

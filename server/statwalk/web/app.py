@@ -9,6 +9,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
 
+from anyio import to_thread
 from fastapi import FastAPI
 from starlette.types import ASGIApp
 
@@ -36,6 +37,7 @@ from statwalk.web.pacer import Pacer
 from statwalk.web.registry import Registry
 from statwalk.web.schemas import ProblemView
 from statwalk.web.settings import Settings
+from statwalk.web.watching import Watch
 
 DESCRIPTION = "Animates characters from state tables. Errors are application/problem+json (RFC 9457)."
 ROOMS = tuple(room.router for room in (characters, uploads, machines, making, editing, stages, scenes, history, actors, explain, stream))
@@ -81,7 +83,7 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     registry.wake = pacer.wake
     pacer.start()
     threading.Thread(target=kernels, name="kernels").start()  # so that nobody waits for them who asks for vertices
-    housekeeper = asyncio.ensure_future(keep_house(registry))
+    housekeeper = asyncio.ensure_future(keep_house(registry, Watch(registry.editions) if registry.settings.watch else None))
     try:
         yield
     finally:
@@ -89,8 +91,8 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         pacer.stop()
 
 
-async def keep_house(registry: Registry) -> None:
-    """Tells viewers where their stage is, cuts off those that do not acknowledge, lets go of stages that nobody uses."""
+async def keep_house(registry: Registry, watch: Watch | None) -> None:
+    """Tells viewers where their stage is, cuts off those that do not acknowledge, lets go of stages that nobody uses, follows files."""
     while True:
         await asyncio.sleep(1.0)
         for hosted in registry.all():
@@ -98,3 +100,5 @@ async def keep_house(registry: Registry) -> None:
             if hosted.broadcast.mailboxes:
                 hosted.broadcast.tell(messages.status(hosted.status()))
         registry.drop_idle()
+        if watch:
+            await to_thread.run_sync(watch.look)

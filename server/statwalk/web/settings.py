@@ -38,7 +38,7 @@ class Settings:
 
     `data`: the folder that keeps uploaded characters and the machines made of them; without one nothing can be uploaded.
 
-    `scene`: the one that the page opens on.
+    `scene`: the one that the page opens on. `watch`: a machine file that is saved counts at once.
     """
 
     folders: tuple[Path, ...] = ()
@@ -47,6 +47,7 @@ class Settings:
     main_stage: bool = True
     data: Path | None = None
     scene: str = ""
+    watch: bool = False
     most_stages: int = MOST_STAGES
     most_actors: int = MOST_ACTORS
     idle_seconds: float = IDLE_SECONDS
