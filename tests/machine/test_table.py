@@ -64,6 +64,7 @@ def test_wrong_tables_are_refused_with_their_line(text, message):
 TOO_LARGE = {
     "rows": ("state\n" + "A\n" * 10_001, "t, line 10001: the table has more than 10,000 rows"),
     "columns": ("state | " + " | ".join("ABCD" * 1_001), "t, line 1: the table has more than 4,000 columns"),
+    "bars": ("|" * 120_000, "t, line 1: the table has more than 100,000 cells"),
     "cells": ("state" + " | ?" * 20 + "\n?" * 5_000, "t, line 1: the table has more than 100,000 cells"),
 }
 """each is wrong in other ways, too: its size is looked at before anything else"""

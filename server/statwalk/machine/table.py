@@ -73,9 +73,11 @@ def is_rule(line: str) -> bool:
 
 
 def check_length(text: str, file: str, first_line: int) -> None:
-    """Raises MachineError where there are more lines than any table has."""
+    """Raises MachineError where there are more lines or marks between cells than any table has."""
     if text.count("\n") > MOST_ROWS:
         raise MachineError(f"the table has more than {MOST_ROWS:,} rows", file=file, place=f"line {first_line + MOST_ROWS}")
+    if max(text.count("|"), text.count(",")) > MOST_CELLS + MOST_ROWS:
+        raise MachineError(f"the table has more than {MOST_CELLS:,} cells", file=file, place=f"line {first_line}")
 
 
 def assemble(lines: list[tuple[int, list[str]]], file: str) -> Table:

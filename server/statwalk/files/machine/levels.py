@@ -104,13 +104,13 @@ def gather(flat: Flat, node: Node, outer: str, parameters: Mapping[str, Paramete
     entries = node.entries()
     local = fields.named(fields.required(node, "states"), "state", MOST_STATES)
     initial = fields.chosen(fields.required(node, "initial"), "state", local)
+    table = tables.read(entries["table"], folder) if "table" in entries else None
     for name, one in local.items():
         full = f"{outer}.{name}" if outer else name
         if one.is_mapping and "machine" in one.entries():
             add_outer(flat, one, full, outer, parameters, folder)
         else:
             add(flat, full, one, states.state(one, outer, parameters))
-    table = tables.read(entries["table"], folder) if "table" in entries else None
     flat.levels.append(Level(outer, table, entries.get("cells")))
     return f"{outer}.{initial}" if outer else initial
 
