@@ -13,9 +13,10 @@ import numpy as np
 
 from statwalk.maths.arrays import Bools, Floats, Ints
 
-BLOCK = 1 << 20
+BLOCK = 1 << 18
 """candidates looked at together"""
-MOST_PAIRS = 200_000
+MOST_PAIRS = 50_000
+"""that are told of; in a heap of thousands everybody touches everybody"""
 
 _FARTHEST = (1 << 20) - 2
 """columns or slices from the origin: what lies beyond shares the outermost ones, which costs time but finds the same"""
@@ -96,7 +97,7 @@ def _keys(x: Ints, y: Ints, z: Ints) -> Ints:
 def overlapping(centers: Floats, reach: Floats, most: int = MOST_PAIRS) -> Pairs:
     """Pairs of balls (N, 3), (N,) that overlap, first < second, sorted. Balls of very different sizes lie in grids of their own.
 
-    Where thousands lie in one heap it stops looking after about `most` pairs.
+    Where thousands lie in one heap it stops looking after `most` pairs.
     """
     found = [np.zeros((2, 0), np.int64)]
     for pairs in _candidates(centers, reach):
@@ -104,7 +105,7 @@ def overlapping(centers: Floats, reach: Floats, most: int = MOST_PAIRS) -> Pairs
         found.append(np.stack([first, second])[:, _overlap(centers, reach, first, second)])
         if sum(one.shape[1] for one in found) >= most:
             break
-    first, second = np.concatenate(found, 1)
+    first, second = np.concatenate(found, 1)[:, :most]
     order = (first * len(centers) + second).argsort(kind="stable")
     return Pairs(first[order], second[order])
 
