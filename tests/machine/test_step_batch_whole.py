@@ -2,13 +2,16 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given as whatever
+from hypothesis import settings
 from hypothesis import strategies as st
 from statwalk.machine.state import MOST_WAITING, MachineState, fresh
 from statwalk.machine.step import Inputs, Surroundings, step
 from ticking import DT, built
 
 ACTORS, TICKS = 4, 40
+ROWS = list(range(20))
+"""five of each actor: so many that those who are alike are found"""
 FILE = """
 character: c.glb
 initial: walk
@@ -61,24 +64,34 @@ def machine():
 
 
 def around(rows):
-    """Speeds and chance of the actors `rows`, each its own."""
+    """Speeds and chance of the rows."""
     numbers = np.array(rows)
-    return Surroundings(
-        np.ones((len(rows), 2)), np.array([numbers * 0.3, 0 * numbers, 0 * numbers]), numbers.astype(np.uint64) + np.uint64(99)
-    )
+    speed = numbers % ACTORS * 0.3
+    return Surroundings(np.ones((len(rows), 2)), np.array([speed, 0 * speed, 0 * speed]), (numbers % 7 + 99).astype(np.uint64))
+
+
+def begin(machine, rows):
+    """Each a little further in its motions than the one before."""
+    return fresh(machine, len(rows))._replace(time=np.repeat(np.array(rows)[:, None] * DT / 50, 2, axis=1))
+
+
+def given(rows, entries):
+    """What is for an actor is for all rows that are it."""
+    found = [(place, *rest) for actor, *rest in entries for place, row in enumerate(rows) if row % ACTORS == actor]
+    return Inputs(*np.array(found, np.int64).reshape(-1, 4).T)
+
+
+def with_pace(rows, state, who, pace):
+    parameters = state.parameters.copy()
+    parameters[np.array(rows) % ACTORS == who, 0] = pace
+    return state._replace(parameters=parameters)
 
 
 def play(machine, rows, per_tick, paces):
-    """The results of all ticks for the actors `rows`."""
-    state, results = fresh(machine, len(rows)), []
+    """The results of all ticks for some rows; row r is actor r % ACTORS."""
+    state, results = begin(machine, rows), []
     for tick, (entries, (who, pace)) in enumerate(zip(per_tick, paces, strict=True), 1):
-        if who in rows:
-            parameters = state.parameters.copy()
-            parameters[rows.index(who), 0] = pace
-            state = state._replace(parameters=parameters)
-        mine = [(rows.index(actor), *rest) for actor, *rest in entries if actor in rows]
-        given = Inputs(*np.array(mine, np.int64).reshape(-1, 4).T)
-        results.append(step(machine, state, DT, tick, given, around(rows)))
+        results.append(step(machine, with_pace(rows, state, who, pace), DT, tick, given(rows, entries), around(rows)))
         state = results[-1].state
     return results
 
@@ -88,10 +101,10 @@ def same(one: MachineState, other: MachineState) -> bool:
 
 
 @settings(deadline=None, max_examples=20)
-@given(inputs=inputs, paces=paces)
+@whatever(inputs=inputs, paces=paces)
 def test_alone_and_in_a_batch(machine, inputs, paces):
-    together = play(machine, list(range(ACTORS)), inputs, paces)
-    for actor in range(ACTORS):
+    together = play(machine, ROWS, inputs, paces)
+    for actor in (0, 5, 10, 19):
         for one, every in zip(play(machine, [actor], inputs, paces), together, strict=True):
             assert same(one.state, every.state.take(np.array([actor])))
             assert [said._replace(actor=actor) for said in one.verdicts] == [said for said in every.verdicts if said.actor == actor]
@@ -99,9 +112,9 @@ def test_alone_and_in_a_batch(machine, inputs, paces):
 
 
 @settings(deadline=None, max_examples=20)
-@given(inputs=inputs, paces=paces)
+@whatever(inputs=inputs, paces=paces)
 def test_bounds_of_the_whole(machine, inputs, paces):
-    for result in play(machine, list(range(ACTORS)), inputs, paces):
+    for result in play(machine, ROWS, inputs, paces):
         state, changes = result.state, result.changes
         assert np.bincount(changes.actor * 2 + changes.layer, minlength=1).max() <= 8
         assert (state.waiting_event >= 0).sum(-1).max() <= MOST_WAITING
@@ -114,26 +127,24 @@ def test_bounds_of_the_whole(machine, inputs, paces):
 
 
 @settings(deadline=None, max_examples=10)
-@given(inputs=inputs, paces=paces)
+@whatever(inputs=inputs, paces=paces)
 def test_nothing_is_written_into(machine, inputs, paces):
-    state = fresh(machine, ACTORS)
+    state = begin(machine, ROWS)
     for tick, entries in enumerate(inputs, 1):
         before = state.copy()
-        after = step(machine, state, DT, tick, Inputs(*np.array(entries, np.int64).reshape(-1, 4).T), around(range(ACTORS))).state
+        after = step(machine, state, DT, tick, given(ROWS, entries), around(ROWS)).state
         assert same(state, before)
         state = after
 
 
 @settings(deadline=None, max_examples=20)
-@given(inputs=inputs, paces=paces)
+@whatever(inputs=inputs, paces=paces)
 def test_who_is_passed_over_had_nothing_to_decide(machine, inputs, paces):
     """Everybody is looked at in every tick, and nothing else comes of it."""
-    rows, usual = list(range(ACTORS)), play(machine, list(range(ACTORS)), inputs, paces)
+    usual = play(machine, ROWS, inputs, paces)
     for tick, (entries, (who, pace)) in enumerate(zip(inputs, paces, strict=True), 1):
-        state = usual[tick - 2].state if tick > 1 else fresh(machine, ACTORS)
-        parameters = state.parameters.copy()
-        parameters[who, 0] = pace
-        state = state._replace(parameters=parameters, wake=np.zeros_like(state.wake))
-        looked = step(machine, state, DT, tick, Inputs(*np.array(entries, np.int64).reshape(-1, 4).T), around(rows))
+        state = with_pace(ROWS, usual[tick - 2].state if tick > 1 else begin(machine, ROWS), who, pace)
+        state = state._replace(wake=np.zeros_like(state.wake))
+        looked = step(machine, state, DT, tick, given(ROWS, entries), around(ROWS))
         assert same(looked.state, usual[tick - 1].state)
         assert looked.verdicts == usual[tick - 1].verdicts

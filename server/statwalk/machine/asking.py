@@ -58,5 +58,8 @@ class Answers:
 
     def asked(self, conditions: Iterable[Program], index: int) -> Asked:
         """Name and value of all that the conditions asked for, of the actor at `index`."""
-        names = dict.fromkeys(name for condition in conditions for name in condition.variables)
+        return self.values_of(dict.fromkeys(name for condition in conditions for name in condition.variables), index)
+
+    def values_of(self, names: Iterable[str], index: int) -> Asked:
+        """Name and value of variables, of the actor at `index`."""
         return tuple((name, float(self.values[self.machine.variables.index(name), index])) for name in names)

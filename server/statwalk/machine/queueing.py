@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from statwalk.machine.asking import Answers, Asked
+from statwalk.machine.conditions.program import Program
 from statwalk.machine.record import Record, Verdict, Waiting
 from statwalk.machine.runform import Machine
 from statwalk.machine.runparts import AT_MARKER
@@ -52,8 +53,16 @@ class Queueing:
     """the state is another one than at the tick before, or again the same after another"""
     ending: bool = False
     """END is being answered: the motion that follows takes over `carry`"""
+    start: float = 0.0
+    """seconds into its motion at which the state was entered last in this tick"""
+    carried: bool = False
+    """the time left after END came on top"""
     draws: int = 0
     """how often chance has decided"""
+    questions: list[tuple[Program, bool]] = field(default_factory=list)
+    """the conditions that were asked, and their answers"""
+    personal: bool = False
+    """it went by the actor's own phase or chance"""
     asked: Asked = ()
     """what the conditions of the cell looked up last have seen"""
     because: str = ""

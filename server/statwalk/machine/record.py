@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,6 +67,10 @@ class Waiting:
     held: bool = False
     other: int = -1
     """as in Action"""
+    slot: int = -1
+    """its place in the queue at the tick before, -1 none"""
+    kept: int = -1
+    """its `until` then"""
 
 
 @dataclass
@@ -100,9 +103,3 @@ class Changes(NamedTuple):
 
 
 CHANGE_KINDS = (np.int64, np.int64, np.int16, np.int16, np.int16, np.int16, np.float32, np.bool_, np.float64, np.uint8)
-
-
-def changes_of(changes: Sequence[Change]) -> Changes:
-    """The changes as arrays."""
-    columns: list[tuple[Any, ...]] = list(zip(*changes, strict=True)) if changes else [()] * len(CHANGE_KINDS)
-    return Changes._make(np.array(column, kind) for column, kind in zip(columns, CHANGE_KINDS, strict=True))

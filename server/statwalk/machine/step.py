@@ -11,14 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.machine.advance import advance, speeds
+from statwalk.machine.alike import Given
 from statwalk.machine.deciding import deciding
-from statwalk.machine.record import Action, Changes, Verdict, changes_of
+from statwalk.machine.record import CHANGE_KINDS, Action, Changes, Verdict
 from statwalk.machine.runform import Machine
 from statwalk.machine.sensing import sense
 from statwalk.machine.smoothing import smooth
+from statwalk.machine.spread import Spread
 from statwalk.machine.state import MachineState
 from statwalk.machine.turn import HOLD, PRESS, RAISED, RELEASE, TOUCH, TRAVEL
-from statwalk.machine.turns import Batch, Given, run
+from statwalk.machine.turns import Batch, Turns
 from statwalk.maths.arrays import Bools, Floats, Ints
 
 __all__ = [
@@ -53,6 +55,7 @@ class Inputs(NamedTuple):
     """id of the actor that was touched, or raised the event; -1, or None for all: none"""
 
 
+NO_CHANGES = Changes._make(np.zeros(0, kind) for kind in CHANGE_KINDS)
 NOTHING = Inputs(*(np.zeros(0, np.int64) for _ in range(3)))
 
 
@@ -103,11 +106,10 @@ def step(
         give_sensed(machine, raised, given, some)
     if len(inputs.actor):
         give_inputs(machine, inputs, given, some)
-    batch = Batch(machine, state, moved, around.measured, around.key, tick, dt)
-    if some.any():
-        after = run(batch, some, given, after)
-    record = batch.record
-    return StepResult(after, changes_of(record.changes), record.verdicts, record.actions, state.time, moved.time, moved.wraps)
+    if not some.any():
+        return StepResult(after, NO_CHANGES, [], [], state.time, moved.time, moved.wraps)
+    done = Spread(Turns(Batch(machine, state, moved, around.measured, around.key, tick, dt), some, given))
+    return StepResult(done.state_after(after), done.changes(), done.verdicts(), done.actions(), state.time, moved.time, moved.wraps)
 
 
 def give_sensed(machine: Machine, raised: Bools, given: Given, some: Bools) -> None:

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from statwalk.machine.chance import chance
+from statwalk.machine.conditions.program import Program
 from statwalk.machine.queueing import Queueing
 from statwalk.machine.record import Action, Change
 from statwalk.machine.runparts import MATCH, MIXED, Outcome
@@ -26,11 +27,17 @@ class Taking(Queueing):
         if several[0].weight is not None:
             return self.draw(event, several)
         for number, one in enumerate(several, 1):
-            if one.condition is None or self.answers.is_true(one.condition, self.index):
+            if one.condition is None or self.ask(one.condition):
                 self.explain(several[:number], f"since {one.said}" if one.said else "")
                 return one
         self.explain(several, "nothing in the cell is true")
         return None
+
+    def ask(self, condition: Program) -> bool:
+        """What a condition says."""
+        answer = self.answers.is_true(condition, self.index)
+        self.questions.append((condition, answer))
+        return answer
 
     def explain(self, tried: tuple[Outcome, ...], because: str) -> None:
         """Keeps, for the verdict, what the conditions of the outcomes tried have seen."""
@@ -43,6 +50,7 @@ class Taking(Queueing):
         total = sum(one.weight or 0.0 for one in several)
         place = total * chance(self.key, self.tick, self.layer, event, self.draws)
         self.draws += 1
+        self.personal = True
         chosen = several[-1]
         for one in several:
             place -= one.weight or 0.0
@@ -72,6 +80,7 @@ class Taking(Queueing):
         here = self.state
         start = self.start_of(target, one)
         self.changes += 1
+        self.start, self.carried = start, self.ending
         self.state, self.ended, self.at_end, self.crossed, self.wraps = target, RUNNING, False, (), 0
         self.time, self.passed = self.entering(target, start), start + BEGINNING
         self.record.changes.append(
@@ -89,6 +98,7 @@ class Taking(Queueing):
             return 0.0
         if one.enter != MATCH:
             return one.enter * duration
+        self.personal = True
         whole = float(machine.duration[self.state])
         phase = self.time / whole if whole > 0 else 0.0
         loop = bool(machine.loop[self.state] and machine.loop[target])

@@ -127,6 +127,7 @@ class Turn(Taking):
         moment = self.machine.moments[self.state, event]
         if when == AT_MARKER:
             return moment.marker in self.crossed
+        self.personal = True
         return in_window(moment, float(self.machine.duration[self.state]), self.passed, self.time, self.wraps)
 
     def moment(self, event: int) -> str:

@@ -1,35 +1,21 @@
-"""The turns of all who have something to decide: out of the arrays of a batch, one by one, and back into the arrays."""
+"""The turns of all who have something to decide: out of the arrays of a batch, one for all who are alike, and back into the arrays."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.machine.advance import Advance
+from statwalk.machine.alike import At, Given, Members, alike
 from statwalk.machine.asking import Answers
 from statwalk.machine.moments import crossed
 from statwalk.machine.record import Record, Waiting
 from statwalk.machine.runform import Machine
-from statwalk.machine.runparts import MIXED
-from statwalk.machine.state import FOREVER, MOMENT, NEW, OWED, MachineState
+from statwalk.machine.state import OWED, MachineState
 from statwalk.machine.turn import Turn
 from statwalk.maths.arrays import Bools, Floats
-
-At = tuple[NDArray[np.intp], NDArray[np.intp]]
-"""actor and layer of each turn, (T,) each"""
-
-
-@dataclass(eq=False)
-class Given:
-    """What comes to each actor (row of the batch) in a tick."""
-
-    sensed: dict[int, list[int]] = field(default_factory=dict)
-    """rows of the senses that raise their events"""
-    inputs: dict[int, list[tuple[int, int, int]]] = field(default_factory=dict)
-    """event, kind and other of each input"""
 
 
 @dataclass(eq=False)
@@ -46,65 +32,78 @@ class Batch:
     """(N,)"""
     tick: int
     dt: float
-    record: Record = field(default_factory=Record)
 
 
-def run(batch: Batch, some: Bools, given: Given, after: MachineState) -> MachineState:
-    """The state after the turns of `some` (N, L); `after` is the state of those who have none."""
-    actors, layers = some.nonzero()
-    taken = turns_of(batch, (actors, layers))
-    for turn in taken:
-        turn.run(given.sensed.get(turn.actor, ()), given.inputs.get(turn.actor, ()))
-    return finished(batch, taken, (actors, layers), after)
+class Turns:
+    """The turns of some actors in some layers, taken one for all who are alike."""
 
+    def __init__(self, batch: Batch, some: Bools, given: Given) -> None:
+        """`some` (N, L)."""
+        self.batch, self.given = batch, given
+        actors, layers = some.nonzero()
+        self.at: At = (actors, layers)
+        self.index = np.zeros(len(self.at[0]), np.intp)
+        self.answers = [self._answers(layer) for layer in range(len(batch.machine.layers))]
+        self.taken: list[Turn] = []
+        self.members: list[Members] = []
+        """for each turn that was taken, all those (places in `at`) for whom it counts"""
+        groups = alike(batch.machine, batch.state, batch.moved, batch.tick, given, self.at)
+        while groups:
+            groups = self._take(groups)
 
-def turns_of(batch: Batch, at: At) -> list[Turn]:
-    """The turns, before they are run."""
-    machine, state, moved = batch.machine, batch.state, batch.moved
-    answers, index = answers_of(batch, at)
-    columns = (
-        *(part.tolist() for part in (*at, index, batch.key[at[0]], state.state[at], moved.time[at], state.passed[at], moved.wraps[at])),
-        markers_of(batch, at),
-        *(part.tolist() for part in (moved.ended[at], moved.at_end[at], state.ended[at] == OWED, moved.carry[at])),
-        queues_of(state, at),
-        state.held[at[0]].tolist(),
-        lasts_of(state, at),
-        state.goal[at[0]].tolist(),
-    )
-    return [
-        Turn(machine, batch.record, answers[layer], batch.tick, batch.dt, actor, layer, *others)
-        for actor, layer, *others in zip(*columns, strict=True)
-    ]
+    def _answers(self, layer: int) -> Answers:
+        """What conditions say in a layer; keeps each turn's place among its actors."""
+        batch, there = self.batch, np.flatnonzero(self.at[1] == layer)
+        self.index[there] = np.arange(len(there))
+        return Answers(batch.machine, batch.state, batch.measured, batch.dt, layer, self.at[0][there])
 
+    def _take(self, groups: list[Members]) -> list[Members]:
+        """The first of each group takes its turn; those for whom it would go another way come back as groups of their own."""
+        rest: list[Members] = []
+        for turn, members in zip(self._begun(np.array([group[0] for group in groups])), groups, strict=True):
+            turn.run(self.given.sensed.get(turn.actor, ()), self.given.inputs.get(turn.actor, ()))
+            same = members if len(members) == 1 else self._same(turn, members, rest)
+            self.taken.append(turn)
+            self.members.append(same)
+        return rest
 
-def answers_of(batch: Batch, at: At) -> tuple[list[Answers], NDArray[np.intp]]:
-    """What conditions say in each layer, and each turn's (T,) place among the actors of its layer."""
-    index = np.zeros(len(at[0]), np.intp)
-    found = []
-    for layer in range(len(batch.machine.layers)):
-        there = np.flatnonzero(at[1] == layer)
-        index[there] = np.arange(len(there))
-        found.append(Answers(batch.machine, batch.state, batch.measured, batch.dt, layer, at[0][there]))
-    return found, index
+    def _same(self, turn: Turn, members: Members, rest: list[Members]) -> Members:
+        """Those of whom all that the turn has asked says the same as of its actor; the others go to `rest`."""
+        if turn.personal:
+            rest += list(members[1:].reshape(-1, 1))
+            return members[:1]
+        agree = np.ones(len(members), bool)
+        for condition, answer in turn.questions:
+            agree &= turn.answers.truths(condition)[self.index[members]] == answer
+        if not agree.all():
+            rest.append(members[~agree])
+        return members[agree]
 
+    def _begun(self, which: Members) -> list[Turn]:
+        """Turns, before they are run."""
+        batch, at = self.batch, (self.at[0][which], self.at[1][which])
+        machine, state, moved = batch.machine, batch.state, batch.moved
+        columns = (
+            *(part.tolist() for part in (*at, self.index[which], batch.key[at[0]])),
+            *(part[at].tolist() for part in (state.state, moved.time, state.passed, moved.wraps)),
+            self._crossed(at),
+            *(part.tolist() for part in (moved.ended[at], moved.at_end[at], state.ended[at] == OWED, moved.carry[at])),
+            queues_of(state, at),
+            *(part[at[0]].tolist() for part in (state.held, state.last, state.goal)),
+        )
+        return [
+            Turn(machine, Record(), self.answers[layer], batch.tick, batch.dt, actor, layer, *others)
+            for actor, layer, *others in zip(*columns, strict=True)
+        ]
 
-def markers_of(batch: Batch, at: At) -> list[tuple[str, ...]]:
-    """The markers that each turn's motion has crossed."""
-    machine, state, moved = batch.machine, batch.state, batch.moved
-    if not any(machine.markers):
-        return [()] * len(at[0])
-    here = state.state[at]
-    columns = (here, machine.duration[here], state.passed[at], moved.time[at], moved.wraps[at])
-    return [crossed(machine.markers[one], *rest) for one, *rest in zip(*(column.tolist() for column in columns), strict=True)]
-
-
-def lasts_of(state: MachineState, at: At) -> list[list[int]]:
-    """What each turn's actor has left last; the turns of one actor share it, as each layer has outer states of its own."""
-    actors = at[0].tolist()
-    if not state.last.shape[1]:
-        return [[]] * len(actors)
-    shared = dict(zip(actors, state.last[at[0]].tolist(), strict=True))
-    return [shared[actor] for actor in actors]
+    def _crossed(self, at: At) -> list[tuple[str, ...]]:
+        """The markers that each motion has crossed."""
+        machine, state, moved = self.batch.machine, self.batch.state, self.batch.moved
+        if not any(machine.markers):
+            return [()] * len(at[0])
+        here = state.state[at]
+        columns = (here, machine.duration[here], state.passed[at], moved.time[at], moved.wraps[at])
+        return [crossed(machine.markers[one], *others) for one, *others in zip(*(column.tolist() for column in columns), strict=True)]
 
 
 def queues_of(state: MachineState, at: At) -> list[list[Waiting]]:
@@ -114,59 +113,6 @@ def queues_of(state: MachineState, at: At) -> list[list[Waiting]]:
     for row in np.flatnonzero(event[:, 0] >= 0).tolist():
         where = at[0][row], at[1][row]
         parts = (state.waiting_event, state.waiting_until, state.waiting_held, state.waiting_other)
-        entries = zip(*(part[where].tolist() for part in parts), strict=True)
-        queues[row] = [Waiting(*entry) for entry in entries if entry[0] >= 0]
+        entries = enumerate(zip(*(part[where].tolist() for part in parts), strict=True))
+        queues[row] = [Waiting(one, until, held, other, slot, until) for slot, (one, until, held, other) in entries if one >= 0]
     return queues
-
-
-def finished(batch: Batch, taken: list[Turn], at: At, after: MachineState) -> MachineState:
-    """The turns, back in arrays of their own."""
-    state = batch.state
-    age = after.age.copy()
-    age[at] = np.where([turn.entered for turn in taken], 0, age[at])
-    after = after._replace(
-        state=put(state.state, at, [turn.state for turn in taken]),
-        time=put(after.time, at, [turn.time for turn in taken]),
-        passed=put(after.passed, at, [turn.passed if turn.changes else turn.time for turn in taken]),
-        ended=put(after.ended, at, [turn.ended for turn in taken]),
-        age=age,
-        wake=put(state.wake, at, [wake_of(turn) for turn in taken]),
-        held=put(state.held, at[0], [turn.held for turn in taken]),
-        last=put(state.last, at[0], [turn.last for turn in taken]) if batch.machine.histories else state.last,
-        goal=put(state.goal, at[0][at[1] == 0], [turn.goal for turn in taken if turn.layer == 0]),
-    )
-    queued = [turn for turn in taken if turn.queue or state.waiting_event[turn.actor, turn.layer, 0] >= 0]
-    return with_queues(after, queued) if queued else after
-
-
-def put(array: NDArray[Any], at: Any, values: list[Any]) -> NDArray[Any]:
-    """A copy of the array with values in some places."""
-    changed = array.copy()
-    changed[at] = values
-    return changed
-
-
-def wake_of(turn: Turn) -> int:
-    """The tick in which the queue must be looked at; what waits is looked up in a new state, whenever that came about."""
-    return NEW if turn.queue and turn.changes else min((one.until for one in turn.queue), default=FOREVER)
-
-
-def with_queues(after: MachineState, taken: list[Turn]) -> MachineState:
-    """The state with the queues of some turns."""
-    event, until, held = after.waiting_event.copy(), after.waiting_until.copy(), after.waiting_held.copy()
-    other, alert = after.waiting_other.copy(), after.alert.copy()
-    for turn in taken:
-        at, count = (turn.actor, turn.layer), len(turn.queue)
-        event[at], until[at], held[at], other[at] = -1, 0, False, -1
-        event[at][:count] = [one.event for one in turn.queue]
-        until[at][:count] = [one.until for one in turn.queue]
-        held[at][:count] = [one.held for one in turn.queue]
-        other[at][:count] = [one.other for one in turn.queue]
-        alert[at] = any(is_alert(turn, one) for one in turn.queue)
-    return after._replace(waiting_event=event, waiting_until=until, waiting_held=held, waiting_other=other, alert=alert)
-
-
-def is_alert(turn: Turn, waiting: Waiting) -> bool:
-    """Whether an event waits for a marker, a window or a condition."""
-    timed = NEW < waiting.until < MOMENT
-    return waiting.until == MOMENT or (timed and turn.machine.targets[turn.state][waiting.event] == MIXED)
