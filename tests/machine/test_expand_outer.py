@@ -95,6 +95,13 @@ def test_with_resume_it_is_the_one_left_last():
     assert landings(machine, cell.choices[0]) == ("FIGHT.GUARD", "FIGHT.HIT", "FIGHT.COMBO.LEFT", "FIGHT.COMBO.RIGHT")
 
 
+def test_of_two_that_resume_the_outer_one_counts():
+    text = TEXT.replace("initial: GUARD", "initial: COMBO").replace("RESUME", "resume: true").replace("FINAL", "resume: true")
+    cells = expand(read_machine(text.replace("CELLS", "GUARD/B: {to: COMBO}").replace("OUTSIDE", "")))
+    assert (cells["WALK", "A"].to, cells["WALK", "A"].resume) == ("FIGHT.COMBO.LEFT", "FIGHT")
+    assert (cells["FIGHT.GUARD", "B"].to, cells["FIGHT.GUARD", "B"].resume) == ("FIGHT.COMBO.LEFT", "FIGHT.COMBO")
+
+
 def test_begin_anew_does_not_resume():
     cell = expand(definition(resume="resume: true", outside="WALK/B: {to: FIGHT!}"))["WALK", "B"]
     assert (cell.to, cell.resume, cell.restart) == ("FIGHT.GUARD", "", True)

@@ -17,7 +17,7 @@ senses:
   NEAR: {touch: [body, body], on: leave}
 colliders:
   body: {sphere: 0.4, joint: Hips, at: [0, 0.5, 0]}
-  door: {plane: [0, 0, -2], at: [0, 1, 0], radius: 1}
+  door: {plane: [0, 3, -4], at: [0, 1, 0], radius: 1}
 """
 
 
@@ -36,7 +36,7 @@ def test_their_events_follow_the_columns():
 def test_colliders():
     assert read_machine(TEXT).colliders == {
         "body": ColliderDefinition("sphere", 12, "Hips", (0, 0.5, 0), 0.4),
-        "door": ColliderDefinition("plane", 13, "", (0, 1, 0), 1, (0, 0, -1)),
+        "door": ColliderDefinition("plane", 13, "", (0, 1, 0), 1, (0, 0.6, -0.8)),
     }
 
 
@@ -51,8 +51,8 @@ def test_colliders():
         ("release: speed < 1.6", "on: enter", "line 8: `on` is for a touch"),
         ("sphere: 0.4, ", "", "line 12: a collider is either a `sphere: RADIUS` or a `plane: [x, y, z]`"),
         ("sphere: 0.4", "sphere: 0.4, radius: 1", "line 12: `radius` is for a plane"),
-        ("[0, 0, -2]", "[0, 0]", "line 13: three numbers are wanted, [x, y, z], not 2"),
-        ("[0, 0, -2]", "[0, 0, 0]", "line 13: a plane's front needs a direction"),
+        ("[0, 3, -4]", "[0, 0]", "line 13: three numbers are wanted, [x, y, z], not 2"),
+        ("[0, 3, -4]", "[0, 0, 0]", "line 13: a plane's front needs a direction"),
         ("body: {sphere", "bo dy: {sphere", "line 12: 'bo dy' is no name for the collider"),
     ],
 )
