@@ -21,4 +21,15 @@ def test_edges_join_states_once_with_all_their_events():
 
 def test_the_full_table_says_where_each_cell_comes_from():
     cell = full_table(definition())["B"]["END"]
-    assert cell == {"to": "A", "when": "now", "blend": 0.0, "restart": False, "action": "bow", "source": "cell", "line": 9}
+    assert (cell["to"], cell["when"], cell["blend"], cell["restart"], cell["action"]) == ("A", "now", 0.0, False, "bow")
+    assert (cell["source"], cell["line"], cell["written"]) == ("cell", 9, ["B", "END"])
+    assert full_table(definition())["A"]["GO"]["source"] == "cell"
+
+
+def test_the_full_table_lists_what_an_event_may_lead_to():
+    text = text_of("state | GO\nA | ", {"A": 1, "B": 1}, "cells: {A/GO: {to: [{if: speed > 1, to: B!}, {to: A}], enter: match}}\n")
+    cell = full_table(read_machine(text))["A"]["GO"]
+    assert [(one["to"], one["condition"], one["restart"], one["enter"]) for one in cell["alternatives"]] == [
+        ("B", "speed > 1", True, "match"),
+        ("A", "", False, "match"),
+    ]
