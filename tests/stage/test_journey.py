@@ -98,3 +98,12 @@ def test_an_event_that_does_not_help_at_once_is_sent_again():
     stage.set(actor, "stamina", 12)
     stage.step(15)
     assert actor.state == "WALK"
+
+
+def test_an_event_that_waits_is_not_sent_again():
+    stage = Stage()
+    actor = stage.add(role_of(text_of(ONE_WAY, more="cells:\n  STAND/GO: {to: WALK, when: end}")))
+    stage.travel(actor, "WALK")
+    stage.step(121)
+    assert [one.verdict for one in stage.verdicts if one.event == "GO"] == ["waits", "taken"]
+    assert actor.state == "WALK"

@@ -145,5 +145,13 @@ def test_the_queue_closes_its_ranks_where_an_event_is_gone():
     machine, state = parts(stage)
     fewer = role_of(text_of(FEWER)).machine
     done = remap(machine, fewer, state)
-    assert [fewer.events[event] for event in done.state.waiting_event[0, 0] if event >= 0] == ["HOP", "TURN"]
+    assert [fewer.events[event] for event in done.state.waiting_event[0, 0, :2]] == ["HOP", "TURN"]
     assert [machine.events[event] for _, _, event in done.lost] == ["STOP"]
+
+
+def test_a_value_set_before_the_edit_is_brought_into_the_new_bounds():
+    stage = lived(text_of(), "GO")
+    stage.set(1, "pace", 2.0)
+    stage.edit(role_of(text_of(states=STATES.replace("max: 2}", "max: 1.25}"))))
+    stage.step()
+    assert parts(stage)[1].parameters[0, 0] == 1.25

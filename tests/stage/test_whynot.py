@@ -73,6 +73,13 @@ def test_a_sense_names_the_value_that_raises_its_event():
     assert actor.state == "TURN"
 
 
+def test_a_touch_is_named():
+    stage = Stage()
+    stage.add(role_of(text_of(more="colliders: {body: {sphere: 0.4}}\nsenses: {HOP: {touch: [body, ball]}}")))
+    stage.step(5)
+    assert whynot(stage, 1, "HOP", 3).reason == "no ball came to touch its body in the tick before"
+
+
 def test_a_sense_that_is_on_is_named():
     stage = Stage()
     actor = stage.add(role_of(SENSED))

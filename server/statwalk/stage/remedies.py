@@ -102,7 +102,10 @@ def sensed(question: Question) -> Iterator[Candidate]:
 
 
 def sense_of(question: Question) -> str:
-    """Why the sense that raises the event has not done so; empty where none raises it."""
+    """Why the sense or the touch that raises the event has not done so; empty where none raises it."""
+    for touch in question.machine.touches:
+        if touch.event == question.place[1]:
+            return f"no {touch.other} {TOUCHED[touch.on]} its {touch.own} in the tick before"
     for row, one in enumerate(question.machine.senses):
         if one.event == question.place[1]:
             seen = _measured(question)
@@ -194,6 +197,7 @@ def text_of(question: Question, change: Change, fires: int) -> str:
     return WORDS[change["kind"]].format(**words)
 
 
+TOUCHED = {"enter": "came to touch", "stay": "went on touching", "leave": "ceased to touch"}
 WORDS = {
     "send": "send {name} in tick {tick}",
     "release": "release {name} first, which is held",
