@@ -3,20 +3,18 @@
 import subprocess
 import sys
 from functools import cache
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
+from soles import RATE, slides, soles_of, times_of
 from statwalk.files.glb import read_model
-from statwalk.motion.clip import Clip
 from where import MACHINES
 
 WALKER = read_model((MACHINES / "faq-walker" / "walker.glb").read_bytes(), "walker", None)
 JOINT = {name: index for index, name in enumerate(WALKER.skeleton.names)}
 BONES = 20  # the last joint is the node of the mesh
 SIDES = ("Left", "Right")
-RATE = 120
 MEETINGS = [
     *(("start-walk", "walk"), ("walk", "walk"), ("walk", "come-to-stop"), ("walk", "jump"), ("stand", "stand")),
     *(("come-to-stop", "stand"), ("turn-left", "stand"), ("turn-right", "stand"), ("stand-up", "stand")),
@@ -30,10 +28,6 @@ SHOULDER = (-22, -18, -6, 6, 12, 10, 0, -14)
 ELBOW = (12, 14, 20, 28, 32, 28, 20, 14)
 
 
-def times_of(clip: Clip, rate: int = RATE) -> np.ndarray:
-    return np.linspace(0.0, clip.duration, round(clip.duration * rate) + 1)
-
-
 @cache
 def joints(name: str) -> np.ndarray:
     """World positions (F, 20, 3) of the bones' starts through a clip."""
@@ -43,25 +37,7 @@ def joints(name: str) -> np.ndarray:
 
 @cache
 def soles(name: str) -> dict[str, np.ndarray]:
-    """World positions (F, V, 3) of the vertices of each sole through a clip."""
-    clip = WALKER.clips[name]
-    which = next(i for i, part in enumerate(WALKER.parts) if WALKER.materials[part.material]["name"] == "soles")
-    points = np.array([WALKER.vertices(clip.sample(float(t)))[which].positions for t in times_of(clip)], float)
-    left = WALKER.parts[which].positions[:, 0] > 0
-    return {"Left": points[:, left], "Right": points[:, ~left]}
-
-
-def slides(points: np.ndarray) -> list[float]:
-    """For each time a foot is on the ground: how far (metres) the points that touch were dragged over it."""
-    dragged, contacts = None, []
-    for now, after in pairwise(points):
-        lowest = now[:, 1].argmin()
-        if max(now[lowest, 1], after[:, 1].min()) > 0.002:
-            contacts += [] if dragged is None else [dragged]
-            dragged = None
-        else:
-            dragged = (dragged or 0.0) + float(np.linalg.norm((after - now)[lowest, [0, 2]]))
-    return contacts + ([] if dragged is None else [dragged])
+    return soles_of(WALKER, WALKER.clips[name])
 
 
 def hinge_deg(name: str, joint: str) -> np.ndarray:
