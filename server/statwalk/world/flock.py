@@ -12,7 +12,7 @@ import numpy as np
 
 from statwalk.maths import vector
 from statwalk.maths.arrays import Bools, Floats
-from statwalk.world.obstacles import Obstacles, pushed_out, repulsion
+from statwalk.world.obstacles import Obstacles, evasion, pushed_out, repulsion
 from statwalk.world.sight import nearest_seen
 
 SETTLING_S = 0.7
@@ -61,6 +61,7 @@ class Members(NamedTuple):
 def flown(members: Members, rules: Rules, goal: Floats | None, obstacles: Obstacles, chance: Floats, dt: float) -> Members:
     """The flock `dt` seconds later. `goal` (3,): where it would like to be; `chance` (N, 3) −1…1."""
     wish = _forces(members, rules, chance) + repulsion(obstacles, members.position, rules.distance, rules.strength)
+    wish += evasion(obstacles, members.position, members.velocity, rules.distance)
     wish += _desires(members, rules, goal)
     velocity = members.velocity + _limited(wish, rules.max_acceleration) * dt
     velocity = _limited(velocity, rules.max_speed)

@@ -24,6 +24,10 @@ class Obstacles(NamedTuple):
     """(O,)"""
 
 
+AHEAD_S, SOONEST_S = 2.0, 0.3
+"""seconds that one looks ahead; less than that left, one does what would be enough then"""
+HEAD_ON = 1e-6
+
 NO_OBSTACLES = Obstacles(np.zeros((0, 3)), np.zeros(0), np.zeros((0, 3)), np.zeros(0, bool))
 
 
@@ -36,6 +40,24 @@ def repulsion(obstacles: Obstacles, position: Floats, distance: float, strength:
         part = distance / near
         force = np.where(gap < 2 * distance, strength * (part * part - 0.25) / 0.75, 0)
         total += outwards * force[:, None]
+    return total
+
+
+def evasion(obstacles: Obstacles, position: Floats, velocity: Floats, distance: float) -> Floats:
+    """Accelerations (N, 3) to the side, for those whose course leads into a sphere: what just takes them past it at `distance`."""
+    total = np.zeros_like(position)
+    speed = vector.length(velocity)
+    course = velocity / np.where(speed > 0, speed, 1)[:, None]
+    for row in (~obstacles.is_plane).nonzero()[0].tolist():
+        away = position - obstacles.center[row]
+        ahead = -vector.dot(away, course)
+        nearest = away + course * ahead[:, None]
+        missed = vector.length(nearest)
+        wide = obstacles.radius[row] + distance
+        seconds = np.maximum(ahead / np.where(speed > 0, speed, 1), SOONEST_S)
+        meets = (speed > 0) & (ahead > 0) & (missed < wide) & (seconds < AHEAD_S)
+        side = np.where((missed > HEAD_ON * wide)[:, None], vector.unit(nearest), vector.perpendicular(course))
+        total += np.where(meets[:, None], side * (2 * (wide - missed) / (seconds * seconds))[:, None], 0)
     return total
 
 
