@@ -6,13 +6,11 @@ takes a turn of its own.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.machine.advance import NEARLY, Advance
+from statwalk.machine.given import Given
 from statwalk.machine.runform import Machine
 from statwalk.machine.state import MOMENT, NEW, OWED, MachineState
 
@@ -23,27 +21,20 @@ Members = NDArray[np.intp]
 WORTH = 12
 """from so many turns on it costs less to find out who is alike"""
 MOST_MARKERS = 62
-"""of a motion; those of one with more take their turns one by one"""
-
-
-@dataclass(eq=False)
-class Given:
-    """What comes to each actor (row of the batch) in a tick."""
-
-    sensed: dict[int, list[int]] = field(default_factory=dict)
-    """rows of the senses that raise their events"""
-    inputs: dict[int, list[tuple[int, int, int]]] = field(default_factory=dict)
-    """event, kind and other of each input"""
+"""of a motion; with more of them turns are taken one by one"""
+MOST_INPUTS = 16
+"""of an actor in a tick; the same"""
 
 
 def alike(machine: Machine, state: MachineState, moved: Advance, tick: int, given: Given, at: At) -> list[Members]:
     """The turns of each situation, by their first."""
     count = len(at[0])
-    if count < WORTH or machine.marker_seconds.shape[1] > MOST_MARKERS:
+    if count < WORTH or machine.marker_seconds.shape[1] > MOST_MARKERS or given.most > MOST_INPUTS:
         return list(np.arange(count).reshape(-1, 1))
     table = np.concatenate(
         [
-            np.stack([state.state[at], moved.ended[at], moved.at_end[at], state.ended[at] == OWED, state.goal[at[0]], ids(given, at)], 1),
+            np.stack([state.state[at], moved.ended[at], moved.at_end[at], state.ended[at] == OWED, state.goal[at[0]]], 1),
+            given.table(at[0]),
             queues(state, tick, at),
             markers(machine, state, moved, at),
             state.held[at[0]],
@@ -65,14 +56,6 @@ def words(table: NDArray[np.int64]) -> NDArray[np.uint64]:
         found = (found ^ column) * np.uint64(0x9E3779B97F4A7C15)
         found ^= found >> np.uint64(29)
     return found
-
-
-def ids(given: Given, at: At) -> NDArray[np.int64]:
-    """(T,) the same number for those who get the same events from outside."""
-    known: dict[Any, int] = {((), ()): 0}
-    sensed, inputs = given.sensed, given.inputs
-    keys = [(tuple(sensed.get(actor, ())), tuple(inputs.get(actor, ()))) for actor in at[0].tolist()]
-    return np.array([known.setdefault(key, len(known)) for key in keys], np.int64)
 
 
 def queues(state: MachineState, tick: int, at: At) -> NDArray[np.int64]:

@@ -113,7 +113,9 @@ class Spread:
         flat = [(*change[2:], turn.carried and change is turn.record.changes[-1]) for turn in self.taken for change in turn.record.changes]
         place, row = spread([len(turn.record.changes) for turn in self.taken], self.group)
         columns: list[tuple[Any, ...]] = list(zip(*flat, strict=True)) if flat else [()] * (len(CHANGE_KINDS) - 1)
-        found: list[NDArray[Any]] = [np.array(column, kind)[row] for column, kind in zip(columns, (*CHANGE_KINDS[2:], np.bool_), strict=True)]
+        found: list[NDArray[Any]] = [
+            np.array(column, kind)[row] for column, kind in zip(columns, (*CHANGE_KINDS[2:], np.bool_), strict=True)
+        ]
         carried = found.pop()
         found[TIME] = np.where(carried, self.times[place], found[TIME])
         return Changes(self.at[0][place], self.at[1][place], *found)
@@ -121,9 +123,9 @@ class Spread:
     def verdicts(self) -> list[Verdict]:
         """What became of the events."""
         said = [[one[2:] for one in turn.record.verdicts] for turn in self.taken]
-        tick, make = self.batch.tick, Verdict._make
-        found = [make((tick, actor, *one)) for actor, group in self.each_turn() for one in said[group]]
-        if any(one.values for one in found):
+        tick, make = self.batch.tick, tuple.__new__  # the calls between it and a NamedTuple take longer than it
+        found = [make(Verdict, (tick, actor, *one)) for actor, group in self.each_turn() for one in said[group]]
+        if any(one.values for turn in self.taken for one in turn.record.verdicts):
             place, _ = spread([len(several) for several in said], self.group)
             found = [self._asked(one, where) if one.values else one for one, where in zip(found, place.tolist(), strict=True)]
         return found

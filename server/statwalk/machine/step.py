@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.machine.advance import advance, speeds
-from statwalk.machine.alike import Given
 from statwalk.machine.deciding import deciding
+from statwalk.machine.given import Given
 from statwalk.machine.record import CHANGE_KINDS, Action, Changes, Verdict
 from statwalk.machine.runform import Machine
 from statwalk.machine.sensing import sense
@@ -99,31 +99,28 @@ def step(
     moved = advance(machine, state, dt, around.rate)
     after = state._replace(time=moved.time, passed=moved.time, age=state.age + np.int32(1), ended=moved.ended)
     some = deciding(machine, state, moved, tick, around.measured, dt)
-    given = Given()
+    raised = np.zeros_like(state.sensing)
     if machine.senses:
         sensing, raised = sense(machine, state, around.measured, dt)
         after = after._replace(sensing=sensing)
-        give_sensed(machine, raised, given, some)
+        hear(machine, raised, some)
     if len(inputs.actor):
-        give_inputs(machine, inputs, given, some)
+        receive(machine, inputs, some)
     if not some.any():
         return StepResult(after, NO_CHANGES, [], [], state.time, moved.time, moved.wraps)
+    given = Given(len(some), inputs, raised)
     done = Spread(Turns(Batch(machine, state, moved, around.measured, around.key, tick, dt), some, given))
     return StepResult(done.state_after(after), done.changes(), done.verdicts(), done.actions(), state.time, moved.time, moved.wraps)
 
 
-def give_sensed(machine: Machine, raised: Bools, given: Given, some: Bools) -> None:
-    """Notes the senses (rows) of `raised` (N, K) for their actors, and in `some` (N, L) the layers that they concern."""
-    for actor, row in np.argwhere(raised).tolist():
-        given.sensed.setdefault(actor, []).append(row)
-        some[actor] |= machine.received[machine.senses[row].event]
+def hear(machine: Machine, raised: Bools, some: Bools) -> None:
+    """Notes in `some` (N, L) the layers concerned by the senses `raised` (N, K)."""
+    for column, one in enumerate(machine.senses):
+        some |= raised[:, column, None] & machine.received[one.event]
 
 
-def give_inputs(machine: Machine, inputs: Inputs, given: Given, some: Bools) -> None:
-    """Notes the inputs for their actors, and in `some` (N, L) the layers that they concern."""
-    other = [-1] * len(inputs.actor) if inputs.other is None else inputs.other.tolist()
-    for actor, event, kind, who in zip(inputs.actor.tolist(), inputs.event.tolist(), inputs.kind.tolist(), other, strict=True):
-        given.inputs.setdefault(actor, []).append((event, kind, who))
+def receive(machine: Machine, inputs: Inputs, some: Bools) -> None:
+    """Notes in `some` (N, L) the layers concerned by the inputs."""
     travels = inputs.kind == TRAVEL
     some[inputs.actor[travels], 0] = True
     which, layers = machine.received[inputs.event[~travels]].nonzero()

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.machine.advance import Advance
-from statwalk.machine.alike import At, Given, Members, alike
+from statwalk.machine.alike import At, Members, alike
 from statwalk.machine.asking import Answers
+from statwalk.machine.given import Given
 from statwalk.machine.moments import crossed
 from statwalk.machine.record import Record, Waiting
 from statwalk.machine.runform import Machine
@@ -61,7 +62,7 @@ class Turns:
         """The first of each group takes its turn; those for whom it would go another way come back as groups of their own."""
         rest: list[Members] = []
         for turn, members in zip(self._begun(np.array([group[0] for group in groups])), groups, strict=True):
-            turn.run(self.given.sensed.get(turn.actor, ()), self.given.inputs.get(turn.actor, ()))
+            turn.run(self.given.sensed_by(turn.actor), self.given.inputs_of(turn.actor))
             same = members if len(members) == 1 else self._same(turn, members, rest)
             self.taken.append(turn)
             self.members.append(same)
