@@ -16,7 +16,7 @@ from statwalk.files import bundle
 from statwalk.files.characterfile import load_character
 from statwalk.files.glb import read_model
 from statwalk.files.machinefile import FILE_NAME as MACHINE_FILE
-from statwalk.files.machinefile import MachineFile, load_machine
+from statwalk.files.machinefile import MachineFile, load_machine, machine_of
 from statwalk.files.scenefile import FILE_NAME as SCENE_FILE
 from statwalk.files.scenefile import ActorLine, SceneFile, load_scene_file
 from statwalk.stage.actor import Actor
@@ -41,12 +41,14 @@ def shipped_machines() -> list[str]:
     return sorted(path.parent.name for path in shipped_machines_folder().glob("*/machine.yaml"))
 
 
-def load(source: str | Path) -> Character | Role:
+def load(source: str | Path, text: str = "") -> Character | Role:
     """A Character from a model (.glb, .gltf, .zip), a folder with one, or a character file (.yaml); a Role from a machine folder or a
-    shipped machine's name.
+    shipped machine's name. `text`: the machine file of another version of it, as `replay` finds it in a log, under `name@2`.
 
     Raises ContentError where a file says something wrong and UnknownNameError where there is nothing of that name.
     """
+    if text:
+        return load_version(str(source).partition("@")[0], text)
     path = Path(source)
     if path.suffix.lower() in (*MODEL_SUFFIXES, ZIP_SUFFIX, *TEXT_SUFFIXES):
         return load_character_file(path)
@@ -55,7 +57,7 @@ def load(source: str | Path) -> Character | Role:
     return load_shipped(str(source), "model file, machine folder or shipped machine")
 
 
-def load_shipped(name: str, kind: str = "shipped machine") -> Role:
+def load_shipped(name: str, kind: str = "shipped machine", text: str = "") -> Role:
     """The Role of a shipped machine, `faq-walker`, or of one that belongs to a shipped scene, `playground.door`.
 
     A name is looked up among those there are, never put together to a path. Raises UnknownNameError.
@@ -66,7 +68,12 @@ def load_shipped(name: str, kind: str = "shipped machine") -> Role:
     }
     if name not in folders:
         raise UnknownNameError(kind, name, sorted(folders))
-    return load_role(folders[name], name)
+    return load_role(folders[name], name, text)
+
+
+def load_version(name: str, text: str) -> Role:
+    """The Role of a machine folder or a shipped machine, with another text in the place of its machine file."""
+    return load_role(Path(name), text=text) if (Path(name) / MACHINE_FILE).is_file() else load_shipped(name, text=text)
 
 
 def load_character_file(path: Path) -> Character:
@@ -109,9 +116,12 @@ def load_zip(path: Path) -> Character:
             raise error.in_file(f"{path}/{model.relative_to(folder)}") from None
 
 
-def load_role(folder: Path, name: str = "") -> Role:
-    """The Role of a machine folder: its machine file, and the character that file names. `name`: where it is not the folder's."""
-    file = load_machine(folder)
+def load_role(folder: Path, name: str = "", text: str = "") -> Role:
+    """The Role of a machine folder: its machine file, and the character that file names.
+
+    `name`: where it is not the folder's; `text`: what counts in the place of the machine file.
+    """
+    file = machine_of(text, folder) if text else load_machine(folder)
     character = load_character_file(character_path(file))
     file.check_root(character.skeleton.names)
     return Role.build(name or folder.resolve().name, character, file.definition, file.root_joint)

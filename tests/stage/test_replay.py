@@ -3,7 +3,9 @@
 import pytest
 from builders import role
 from statwalk.errors import StageError
+from statwalk.loading import load, shipped_machines_folder
 from statwalk.stage.replay import replay
+from statwalk.stage.stage import Stage
 
 ROLES = {"tiny": role()}
 HEADER = '{"statwalk": "log", "semantics": 1, "head": 5}'
@@ -33,3 +35,15 @@ def test_an_unknown_name_is_named_with_its_line(entry, message):
     with pytest.raises(StageError) as error:
         replay([HEADER, ADD, entry], ROLES.__getitem__)
     assert str(error.value).startswith(message)
+
+
+def test_a_log_with_edits_of_a_shipped_machine_needs_nothing_but_load():
+    text = (shipped_machines_folder() / "faq-walker" / "machine.yaml").read_text().replace("STAT  | STWK ", "STAT  | CRCH ")
+    stage = Stage()
+    actor = stage.add(load("faq-walker"))
+    stage.step(10)
+    stage.edit(load("faq-walker@2", text), text)
+    stage.send(actor, "FORWARD")
+    stage.step(10)
+    assert actor.state == "CRCH"
+    assert replay(stage.dump(), load).hash == stage.hash
