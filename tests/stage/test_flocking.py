@@ -50,9 +50,9 @@ def test_the_heading_turns_no_faster_than_it_may():
 
 def test_the_heading_takes_the_shorter_way_round():
     stage = Stage()
-    bird = stage.add(flock_role(goal=GoalDefinition((0, 0, -30))), (0, 0, 0), 3.0)
+    bird = stage.add(flock_role(goal=GoalDefinition((0, 0, -30))), (0, 0, 0), -3.0)  # it flies at π, which is −π
     stage.step(30)
-    assert bird.root.heading == pytest.approx(np.pi, abs=0.02)
+    assert bird.root.heading == pytest.approx(-np.pi, abs=0.02)
 
 
 def test_speed_climb_and_turn_are_set_within_their_bounds():
