@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from statwalk.errors import MachineError
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.build import AT_END, BLANK, NOW, OFF, UNDEFINED, MotionFacts, build
-from ticking import machine_of, text_of
+from statwalk.machine.build import AT_END, AT_MARKER, BLANK, NOW, OFF, UNDEFINED, MotionFacts, build
+from ticking import built, machine_of, text_of
 
 TABLE = "state | GO | STOP | END\nA | B! at end | - | Z\nb | | A |"
 TICKS = {"A": 30, "b": 60}
@@ -54,3 +54,52 @@ def test_a_parameter_that_is_a_speed_keeps_to_what_a_speed_may_be(bounds):
     text = text_of(TABLE, TICKS, f"parameters: {{pace: {{default: 1, {bounds}}}}}").replace("loop: false", "speed: pace")
     with pytest.raises(MachineError, match=r"line 10: pace is the speed of A, so it must stay in 0 … 100"):
         build(read_machine(text), {"A": MotionFacts(1), "b": MotionFacts(1)})
+
+
+@pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        ("cells: {b/STOP: {when: marker lef}}\n", r"line 9: the motion of b has no marker 'lef'; did you mean left\? There are: left"),
+        ("cells: {b/STOP: [{if: pase > 1, to: A}]}\n", r"line 10: .*no name is called 'pase'"),
+    ],
+)
+def test_markers_and_conditions_that_do_not_exist_are_refused(more, message):
+    with pytest.raises(MachineError, match=message):
+        machine_of(TABLE, TICKS, more, {"b": {"left": 6}})
+
+
+def test_a_default_may_name_a_marker_that_not_all_motions_have():
+    machine = machine_of(TABLE, TICKS, 'cells: {"*/GO": {to: A, when: marker left}}\n', {"b": {"left": 6}})
+    assert (machine.when[1, 0], machine.moments[1, 0].marker, machine.markers) == (AT_MARKER, "left", ((), (("left", 0.1),)))
+
+
+def test_markers_of_the_state_take_the_place_of_those_of_the_clip():
+    text = text_of(TABLE, TICKS).replace("motion: b,", "motion: b, markers: {left: 0.5, more: 0.2},")
+    assert built(text, TICKS, {"b": {"left": 6, "right": 30}}).markers[1] == (("more", 0.2), ("left", 0.5), ("right", 0.5))
+
+
+BLEND = """
+character: c.glb
+initial: MOVE
+states: {MOVE: {motion: {over: pace, clips: {walk: 1, run: 3}}, loop: true}}
+parameters: {pace: {default: 1, min: 0, max: 4}}
+table: |
+  state | GO
+  MOVE | MOVE
+"""
+
+
+def test_a_blend_lasts_as_long_as_its_longest_clip():
+    machine = built(BLEND, {"walk": 60, "run": 30})
+    assert (machine.duration.tolist(), machine.motions, machine.motion.tolist()) == ([1.0], ("walk", "run"), [0])
+    assert machine.blends[0].over == ("pace",)
+
+
+def test_cells_know_where_they_are_written():
+    machine = machine_of(TABLE, TICKS, 'cells: {"*/STOP": {to: A}, "b/*": {to: A}}\n')
+    assert (machine.sources[0, 1], machine.sources[1, 0]) == (("A", "STOP"), ("b", "*"))
+
+
+def test_what_conditions_may_ask_for_is_the_parameters_and_what_is_measured():
+    machine = machine_of("state | GO\na | a", {"a": 9}, "parameters: {speed: {default: 0, min: 0, max: 1}}\n")
+    assert machine.variables == ("speed", "turning", "height", "phase", "time")
