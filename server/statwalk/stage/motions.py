@@ -32,8 +32,12 @@ def motions_of(character: Character, machine: Machine, definition: MachineDefini
 
 def _motion(stock: Stock, machine: Machine, definition: MachineDefinition, row: int, state: StateDefinition) -> Motion | None:
     loop = bool(machine.loop[row])
+    if not state.motion:
+        if machine.layer_of[row] == 0:
+            raise definition.refuse(f"the state {machine.states[row]} needs a motion: there is nothing below the base", state.line)
+        return None
     if not isinstance(state.motion, BlendDefinition):
-        return stock.single(state.motion, loop) if state.motion else None
+        return stock.single(state.motion, loop)
     blend = state.motion
     places = np.array(list(blend.clips.values()), np.float64)
     try:

@@ -49,17 +49,20 @@ def _at(role: Role, state: MachineState, times: Floats) -> Pose:
 
 def _sampled(role: Role, states: Ints, times: Floats, parameters: Floats, first: bool = False) -> Pose:
     """Poses (N, …) of one layer: those who play the same motion at once. `first`: those that the motions begin with."""
-    rest = role.character.bind_pose
-    pose = Pose(*(np.empty((len(states), *array.shape), np.float32) for array in rest))
-    for state in np.unique(states):
-        rows = (states == state).nonzero()[0]
+
+    def play(state: int, rows: Ints | slice) -> Pose:
         motion = role.motions[state]
         assert motion is not None  # who has none is not asked
-        part: Pose = motion.first(parameters[rows]) if first else motion.pose(times[rows], parameters[rows])
-        if len(rows) == len(states):
-            return part
-        for array, some in zip(pose, part, strict=True):
-            array[rows] = some
+        found: Pose = motion.first(parameters[rows]) if first else motion.pose(times[rows], parameters[rows])
+        return found
+
+    if (states == states[0]).all():
+        return play(states[0], slice(None))
+    pose = Pose(*(np.empty((len(states), *array.shape), np.float32) for array in role.character.bind_pose))
+    for state in np.unique(states):
+        rows = (states == state).nonzero()[0]
+        for array, part in zip(pose, play(state, rows), strict=True):
+            array[rows] = part
     return pose
 
 
