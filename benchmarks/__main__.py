@@ -6,7 +6,8 @@ import morph
 import pose
 import skin
 import tick
+import world
 
-for table in (tick, pose, skin, morph, load, frame):
+for table in (tick, pose, skin, morph, load, frame, world):
     table.main()
     print()
