@@ -9,6 +9,9 @@ const LAG_S = 0.18;
 const CUT_HEIGHTS = 0.8;
 const AZIMUTH = 0.52;
 const ELEVATION = 0.14;
+/** Where several stand about: from behind and above, so that what lies ahead is in the picture. */
+const COMPANY_AZIMUTH = Math.PI + 0.45;
+const COMPANY_ELEVATION = 0.34;
 
 export class FollowCamera {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 500);
@@ -18,6 +21,7 @@ export class FollowCamera {
   private readonly centre = new THREE.Vector3(0, 0.9, 0);
   private height = 1.8;
   private radius = 1;
+  private heading = 0;
 
   constructor(
     element: HTMLElement,
@@ -41,22 +45,24 @@ export class FollowCamera {
     this.camera.far = this.radius * 80;
   }
 
-  /** Puts the whole character into the picture, from the front, a little from the side and from above. */
-  frame(): void {
+  /** Puts the whole character into the picture, from the front, a little from the side and from above; in `company` from behind. */
+  frame(company = false): void {
     this.followed.copy(this.goal);
     const target = this.controls.target.copy(this.goal).add(this.centre);
     const half = THREE.MathUtils.degToRad(this.camera.fov / 2);
     const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
     const distance = (this.radius / Math.sin(narrow)) * 1.14;
-    const away = new THREE.Vector3(Math.sin(AZIMUTH) * Math.cos(ELEVATION), Math.sin(ELEVATION), Math.cos(AZIMUTH) * Math.cos(ELEVATION));
+    const [azimuth, elevation] = company ? [COMPANY_AZIMUTH + this.heading, COMPANY_ELEVATION] : [AZIMUTH, ELEVATION];
+    const away = new THREE.Vector3(Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.cos(azimuth) * Math.cos(elevation));
     this.camera.position.copy(target).addScaledVector(away, distance);
     this.camera.updateProjectionMatrix();
     this.controls.update();
   }
 
-  /** The root of the followed character stands at `position`. */
-  aim(position: THREE.Vector3): void {
+  /** The root of the followed character stands at `position` and looks along `heading` (radians about +Y, 0 is +Z). */
+  aim(position: THREE.Vector3, heading = this.heading): void {
     this.goal.copy(position);
+    this.heading = heading;
   }
 
   /** Where the followed root was said to be. */

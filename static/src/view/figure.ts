@@ -37,6 +37,12 @@ export class Figure {
     return `${this.view.id} ${this.view.model.url}`;
   }
 
+  /** Where it looks, radians about +Y; 0 is +Z. */
+  get heading(): number {
+    const { x, y, z, w } = this.view.root.quaternion;
+    return Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y));
+  }
+
   /** The frame was applied: the rest follows. */
   settle(): void {
     const { root } = this.view;

@@ -19,6 +19,9 @@ export interface Modes {
   tetra: boolean;
 }
 
+/** In sizes of the watched actor: others within this way are put into the picture with it. */
+const COMPANY_REACH = 3;
+
 export class Picture {
   readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false });
   /** Becomes true when the watched actor was drawn for the first time, false when others come. */
@@ -113,7 +116,7 @@ export class Picture {
 
   private followWatched(): void {
     const figure = this.figure;
-    if (figure) this.scene.follow(figure.view.root.position);
+    if (figure) this.scene.follow(figure.view.root.position, figure.heading);
     if (figure && this.framed !== figure.key) this.frame();
     this.scene.invalidate();
     this.ready.set(figure !== null);
@@ -132,10 +135,23 @@ export class Picture {
     const span = Math.max(box.max.x - box.min.x, box.max.z - box.min.z);
     this.scene.fit(Math.max(height, 0.5 * span));
     for (const other of this.figures.values()) other.shade(Math.max(0.2 * height, 0.32 * span));
-    this.scene.view.subject(box);
-    this.scene.view.frame();
+    const company = this.figures.size > 1;
+    this.scene.view.subject(company ? this.around(figure, box) : box);
+    this.scene.view.frame(company);
     this.framed = figure.key;
     this.scene.invalidate();
+  }
+
+  /** The box of a figure with those near it, around its root: as many as one can look at together. */
+  private around(figure: Figure, own: THREE.Box3): THREE.Box3 {
+    const reach = own.getSize(new THREE.Vector3()).length() * COMPANY_REACH;
+    const near = new THREE.Box3().setFromCenterAndSize(new THREE.Vector3(), new THREE.Vector3().setScalar(2 * reach));
+    const all = own.clone();
+    for (const other of this.figures.values()) {
+      const away = other.view.root.position.clone().sub(figure.view.root.position);
+      if (near.containsPoint(away)) all.union(other.view.box().translate(away));
+    }
+    return all;
   }
 
   private switchStream(): void {

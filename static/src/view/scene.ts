@@ -66,8 +66,8 @@ export class Scene {
   }
 
   /** Light, ground and camera go with the character that stands at `position`. */
-  follow(position: THREE.Vector3): void {
-    this.view.aim(position);
+  follow(position: THREE.Vector3, heading?: number): void {
+    this.view.aim(position, heading);
     this.ground.follow(position.x, position.z);
     this.floor.position.set(position.x, 0, position.z);
     this.placeLight(this.key, position, [1.6, 3.2, 2.0]);
