@@ -41,6 +41,15 @@ def shipped_machines() -> list[str]:
     return sorted(path.parent.name for path in shipped_machines_folder().glob("*/machine.yaml"))
 
 
+def machine_folders() -> dict[str, Path]:
+    """The folders of all shipped machines by name, those of scenes among them: `faq-walker`, `playground.door`."""
+    alone = {path.parent.name: path.parent for path in shipped_machines_folder().glob(f"*/{MACHINE_FILE}")}
+    of_scenes = {
+        f"{path.parent.parent.name}.{path.parent.name}": path.parent for path in shipped_machines_folder().glob(f"*/*/{MACHINE_FILE}")
+    }
+    return alone | of_scenes
+
+
 def load(source: str | Path, text: str = "") -> Character | Role:
     """A Character from a model (.glb, .gltf, .zip), a folder with one, or a character file (.yaml); a Role from a machine folder or a
     shipped machine's name. `text`: the machine file of another version of it, as `replay` finds it in a log, under `name@2`.
@@ -62,10 +71,7 @@ def load_shipped(name: str, kind: str = "shipped machine", text: str = "") -> Ro
 
     A name is looked up among those there are, never put together to a path. Raises UnknownNameError.
     """
-    folders = {path.parent.name: path.parent for path in shipped_machines_folder().glob(f"*/{MACHINE_FILE}")}
-    folders |= {
-        f"{path.parent.parent.name}.{path.parent.name}": path.parent for path in shipped_machines_folder().glob(f"*/*/{MACHINE_FILE}")
-    }
+    folders = machine_folders()
     if name not in folders:
         raise UnknownNameError(kind, name, sorted(folders))
     return load_role(folders[name], name, text)

@@ -4,6 +4,7 @@ import filecmp
 import subprocess
 import sys
 
+import khronos
 import numpy as np
 import pytest
 from statwalk.errors import MachineError, UnknownNameError
@@ -35,6 +36,11 @@ class Played:
             if any(one.name == action for one in self.stage.state.actions):
                 return self.stage.tick
         raise AssertionError(f"no {action} in {most} ticks")
+
+
+@pytest.mark.parametrize("path", MADE)
+def test_the_models_are_valid(path):
+    assert khronos.errors((MACHINES / path).read_bytes()) == []
 
 
 def test_there_are_three():

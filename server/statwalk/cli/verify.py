@@ -14,7 +14,7 @@ from rich.table import Table
 
 from statwalk.errors import UnknownNameError
 from statwalk.files.machinefile import load_machine
-from statwalk.loading import load_character_file, shipped_machines, shipped_machines_folder
+from statwalk.loading import character_path, load_character_file, machine_folders
 from statwalk.machine.build import MotionFacts
 from statwalk.machine.findings import Finding
 from statwalk.machine.verify import verify as find
@@ -35,15 +35,16 @@ def folder_of(machine: str) -> Path:
     """The folder of a machine; raises UnknownNameError where there is none."""
     if Path(machine).is_dir():
         return Path(machine)
-    if machine in shipped_machines():
-        return shipped_machines_folder() / machine
-    raise UnknownNameError("machine folder or shipped machine", machine, shipped_machines())
+    known = machine_folders()
+    if machine not in known:
+        raise UnknownNameError("machine folder or shipped machine", machine, sorted(known))
+    return known[machine]
 
 
 def findings_of(folder: Path) -> list[Finding]:
     """All findings about the machine of a folder, with the motions of its character; raises ContentError where a file cannot be read."""
     file = load_machine(folder)
-    character = load_character_file(file.character_path)
+    character = load_character_file(character_path(file))
     file.check_root(character.skeleton.names)
     return find(file.definition, {name: MotionFacts(clip.duration, clip.loop) for name, clip in character.clips.items()})
 
