@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Ints
+from statwalk.maths.kernels.choose import loaded
 from statwalk.maths.pose import Pose
 from statwalk.motion.bundle import Bundle, spans
 from statwalk.motion.channel import WIDTHS, Channel, Interpolation, Path
@@ -57,8 +58,18 @@ class Shelf:
         """Channels of one kind, their values gathered in one take."""
         path, interpolation = PATHS[self.path[rows[0]]], INTERPOLATIONS[self.interpolation[rows[0]]]
         counts = WIDTHS[path] * self.times.counts[self.timing[rows]]
-        values = self.numbers.take(spans(self.first[rows], counts)).reshape(-1, WIDTHS[path])
+        values = gathered(self.numbers, self.first[rows], counts).reshape(-1, WIDTHS[path])
         return Bundle(path, interpolation, self.joint[rows], self.times, self.timing[rows], values)
+
+
+def gathered(numbers: NDArray[np.float32], starts: Ints, counts: Ints) -> NDArray[np.float32]:
+    """The counts[i] numbers from starts[i] on, for all i one after the other."""
+    compiled = loaded()
+    if compiled is None or not numbers.flags.aligned:
+        return numbers.take(spans(starts, counts))
+    out = np.empty(int(counts.sum()), np.float32)
+    compiled.gathered(numbers, np.asarray(starts, np.int64), np.asarray(counts, np.int64), out)
+    return out
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,15 +106,15 @@ class KeyTable(Sequence[Channel]):
 
     def tracks(self) -> tuple[Track, ...]:
         """The channels that change, packed for sampling."""
-        return tuple(track for packed, first, last in self.parts() for track in packed.tracks(first, last))
+        return tuple(track for packed, first, last in self.parts for track in packed.tracks(first, last))
 
     def lay(self, pose: Pose) -> None:
         """Write the values of the channels that never change into an unbatched pose."""
-        for packed, first, last in self.parts():
+        for packed, first, last in self.parts:
             packed.bundle.lay(pose, first, last)
 
-    def parts(self) -> Iterator[tuple[Packed, int, int]]:
+    @cached_property
+    def parts(self) -> list[tuple[Packed, int, int]]:
         """What is packed of the shelf, and which part of it is this animation's."""
-        for rows, packed in self.shelf.packed:
-            first, last = rows.searchsorted((self.start, self.end)).tolist()
-            yield packed, first, last
+        ends = ((packed, rows.searchsorted((self.start, self.end)).tolist()) for rows, packed in self.shelf.packed)
+        return [(packed, first, last) for packed, (first, last) in ends]

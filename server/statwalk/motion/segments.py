@@ -12,6 +12,7 @@ import numpy as np
 
 from statwalk.maths import curves, quat
 from statwalk.maths.arrays import Floats
+from statwalk.maths.kernels.choose import loaded
 from statwalk.motion.bundle import Bundle
 
 Evaluate = Callable[[Floats, Floats], Floats]
@@ -70,18 +71,34 @@ def _turns(bundle: Bundle) -> Floats:
 
 def _straight(bundle: Bundle) -> tuple[Evaluate, Floats]:
     """LINEAR: each key and the way to the next one; the last key of a channel is its own follower."""
-    values = _turns(bundle)
-    width, last = values.shape[1], bundle.ends - 1
+    is_turn, given = bundle.path == "rotation", bundle.values
+    compiled = loaded()
+    if compiled is None or given.dtype != np.float32:
+        return (arc, _arcs(bundle)) if is_turn else (line, _lines(bundle))
+    rows = np.empty((len(given), 2 * given.shape[1]), np.float32)
+    pack_rows = compiled.turns if is_turn else compiled.lines
+    pack_rows(np.require(given, requirements=["C", "A"]), np.asarray(bundle.ends, np.int64), rows)
+    return (arc if is_turn else line), rows
+
+
+def _arcs(bundle: Bundle) -> Floats:
+    values, last = _turns(bundle), bundle.ends - 1
+    rows = np.empty((len(values), 8), np.float32)
+    rows[:, :4] = values
+    rows[:-1, 4:] = values[1:]
+    rows[np.flatnonzero(quat.dot(values[:-1], values[1:]) < 0), 4:] *= -1  # the same turn, on the nearer side
+    rows[last, 4:] = rows[last, :4]
+    return rows
+
+
+def _lines(bundle: Bundle) -> Floats:
+    values, last = bundle.values, bundle.ends - 1
+    width = values.shape[1]
     rows = np.empty((len(values), 2 * width), np.float32)
     rows[:, :width] = values
-    if bundle.path == "rotation":
-        rows[:-1, width:] = values[1:]
-        rows[np.flatnonzero(quat.dot(values[:-1], values[1:]) < 0), width:] *= -1  # the same turn, on the nearer side
-        rows[last, width:] = rows[last, :width]
-        return arc, rows
     rows[:-1, width:] = values[1:] - values[:-1]
     rows[last, width:] = 0
-    return line, rows
+    return rows
 
 
 def _curve(bundle: Bundle, times: Floats, values: Floats, loop: bool) -> Floats:

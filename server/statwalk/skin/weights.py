@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.kernels.choose import loaded
 
 TOLERANCE, EXACT = 2e-3, 1.2e-7
 """off a sum of 1: what quantised weights are, and what 32-bit floats are"""
@@ -16,8 +17,8 @@ def normalised(joints: Ints, weights: Floats) -> tuple[NDArray[np.uint16], NDArr
 
     A vertex without any weight follows the first of its joints. Sums within quantisation error (8-bit weights) are not counted.
     """
-    if are_normalised(weights):
-        used = used_columns(weights)
+    used = used_where_normalised(weights)
+    if used:
         return joints[:, :used].astype(np.uint16, copy=False), weights[:, :used].astype(np.float32, copy=False), 0
     found, sums = joints.astype(np.uint16), summed(weights)
     exact = weights.astype(np.float64)
@@ -31,11 +32,20 @@ def normalised(joints: Ints, weights: Floats) -> tuple[NDArray[np.uint16], NDArr
     return found[:, :used], exact[:, :used].astype(np.float32), off
 
 
-def are_normalised(weights: Floats) -> bool:
-    """Whether all rows sum to 1, as exactly as 32-bit floats can, and fall: most files have them so."""
+def used_where_normalised(weights: Floats) -> int:
+    """How many columns have any, where all rows (V,I) sum to 1, as exactly as 32-bit floats can, and fall, as in most files; else 0."""
+    compiled = loaded() if weights.shape[1] == 4 and is_plain(weights) else None
+    if compiled is not None:
+        return int(compiled.normalised(weights, np.float32(EXACT)))
     columns = np.ascontiguousarray(weights.T)
     sums = columns.sum(0)
-    return bool(sums.max(initial=1) <= 1 + EXACT and sums.min(initial=1) >= 1 - EXACT and (columns[1:] <= columns[:-1]).all())
+    right = np.abs(sums - 1).max(initial=0) <= EXACT and (columns[1:] <= columns[:-1]).all()
+    return used_columns(weights) if right else 0
+
+
+def is_plain(values: Floats) -> bool:
+    """Whether compiled kernels take the array."""
+    return values.dtype == np.float32 and values.flags.aligned and values.flags.c_contiguous
 
 
 def summed(weights: Floats) -> NDArray[np.float64]:

@@ -11,6 +11,7 @@ from statwalk.files.glb.accessors import Accessors, Array
 from statwalk.files.glb.check import Json
 from statwalk.files.glb.document import Document
 from statwalk.files.glb.formats import COLORS, JOINTS, TEXCOORDS, VECTORS, WEIGHTS
+from statwalk.maths.kernels.choose import loaded
 from statwalk.skin.rows import unit
 from statwalk.skin.shading import smooth_normals, triangles
 
@@ -49,11 +50,18 @@ def normals(
 
 def unit_normals(given: Floats32) -> Floats32:
     """The normals (V,3) at unit length; the same array where they are, within what 32-bit floats can say."""
-    x, y, z = np.square(given.T, order="C")
-    squares = x + y + z
-    if squares.max() - 1 < 1e-6 and 1 - squares.min() < 1e-6:
+    if are_unit(given):
         return given
     return np.ascontiguousarray(unit(given.T, np.zeros((3, 1), np.float32)).T, np.float32)
+
+
+def are_unit(vectors: Floats32) -> bool:
+    """Whether all vectors (V,3) are of unit length, within what 32-bit floats can say."""
+    compiled = loaded()
+    if compiled is not None and vectors.flags.aligned and vectors.flags.c_contiguous:
+        return compiled.unit_length(vectors, np.float32(1e-6))
+    x, y, z = np.square(vectors.T, order="C")
+    return bool(np.abs(x + y + z - 1).max() < 1e-6)
 
 
 def influences(document: Document, accessors: Accessors, attributes: Json, count: int, place: str) -> tuple[Array, Floats32] | None:

@@ -63,6 +63,13 @@ def vectors(entries: Sequence[Json], key: str, default: list[float]) -> NDArray[
     return np.array(flat, np.float64).reshape(-1, len(default))
 
 
+def lists_of_indices(entries: Sequence[Json], key: str, end: int) -> list[list[int]] | None:
+    """The field of every object, a list of indices below `end`, empty where it is missing; None where one is anything else."""
+    values = [entry.get(key, []) for entry in entries]
+    flat = list(chain.from_iterable(values)) if all_of(values, list) else [BROKEN]
+    return values if not flat or (all_of(flat, int) and min(flat) >= 0 and max(flat) < end) else None
+
+
 def field(entries: Sequence[Json], key: str, default: object) -> list[Any]:
     """The field of every object, the default where it is missing."""
     try:
@@ -73,7 +80,9 @@ def field(entries: Sequence[Json], key: str, default: object) -> list[Any]:
 
 def named(entries: Sequence[Json], key: str) -> NDArray[np.bool_]:
     """Which objects have the field (N,)."""
-    return np.array(list(map(contains, entries, repeat(key))), bool)
+    if not any(map(contains, entries, repeat(key))):
+        return np.zeros(len(entries), bool)
+    return np.array([key in entry for entry in entries])
 
 
 def all_of(values: Sequence[Any], kind: type) -> bool:

@@ -22,6 +22,8 @@ from statwalk.skin.primitive import TRIANGLES, Primitive, Skin
 from statwalk.skin.weights import normalised
 
 MODES = range(7)
+CARRIED = frozenset(("mesh", "skin", "camera"))
+"""what a node may carry"""
 
 
 class Influences(NamedTuple):
@@ -114,6 +116,8 @@ def place_meshes(document: Document, accessors: Accessors, nodes: Hierarchy, ski
     weights: list[float] = []
     span: dict[int, tuple[int, int]] = {}
     for row, node in enumerate(document["nodes"]):
+        if CARRIED.isdisjoint(node):
+            continue
         place = f"/nodes/{row}"
         mesh = check.reference(node, "mesh", place, document["meshes"], "mesh")
         skin = check.reference(node, "skin", place, document["skins"], "skin")

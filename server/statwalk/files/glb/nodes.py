@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from statwalk.errors import ModelError
 from statwalk.files.glb import check
 from statwalk.files.glb.check import Json
-from statwalk.files.glb.columns import vectors
+from statwalk.files.glb.columns import lists_of_indices, vectors
 from statwalk.files.glb.document import Document
 from statwalk.files.glb.names import unique
 from statwalk.maths import quat
@@ -44,7 +44,7 @@ def hierarchy(document: Document) -> Hierarchy:
     nodes = document["nodes"]
     if len(nodes) > MOST_NODES:
         raise ModelError(f"there are {len(nodes)} nodes; {MOST_NODES} are allowed", place="/nodes")
-    children = [children_of(nodes, row, node) if "children" in node else [] for row, node in enumerate(nodes)]
+    children = lists_of_indices(nodes, "children", len(nodes)) or [children_of(nodes, row, node) for row, node in enumerate(nodes)]
     parent = parents_of(children)
     order = parents_first(children, parent)
     node_index = np.array(order, np.int32)

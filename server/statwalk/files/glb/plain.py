@@ -16,10 +16,12 @@ from statwalk.files.glb.columns import Codes, Column, codes, named, whole_number
 from statwalk.files.glb.document import Document
 from statwalk.files.glb.formats import FLOAT, FLOAT_BYTES
 from statwalk.files.glb.views import Views
+from statwalk.maths.kernels.choose import loaded
 
 WIDTHS = Codes(("no type", "SCALAR", "VEC2", "VEC3", "VEC4"))
 """floats to an element; matrices are left to `accessors`"""
 PIECE = 1 << 16
+BOUNDS = np.nextafter(np.array([-check.LARGEST, check.LARGEST], np.float32), np.array([-np.inf, np.inf], np.float32))
 Floats32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 
@@ -120,5 +122,8 @@ def sift(usable: Bools, here: Bools, found: PlainFloats, whole: Floats32) -> Non
 
 def is_usable(numbers: Floats32) -> bool:
     """Whether all are finite and none is beyond 1e24. Looked at in pieces that the cache still holds when they are looked at again."""
+    compiled = loaded()
+    if compiled is not None and numbers.flags.aligned:
+        return compiled.within(numbers, *BOUNDS)
     pieces = (numbers[start : start + PIECE] for start in range(0, len(numbers), PIECE))
     return all(piece.min() >= -check.LARGEST and piece.max() <= check.LARGEST for piece in pieces)

@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import NamedTuple
 
 VARIABLE = "STATWALK_KERNELS"
+MODULES = ("skinning", "morphing", "hierarchy", "reading")
 LOG = logging.getLogger(__name__)
 
 
@@ -21,6 +22,12 @@ class Kernels(NamedTuple):
     morphed: Callable[..., None]
     inbetween: Callable[..., None]
     placed: Callable[..., None]
+    within: Callable[..., bool]
+    unit_length: Callable[..., bool]
+    normalised: Callable[..., int]
+    gathered: Callable[..., None]
+    lines: Callable[..., None]
+    turns: Callable[..., None]
 
 
 @cache
@@ -31,9 +38,17 @@ def kernels() -> Kernels | None:
     if os.environ.get(VARIABLE) == "numpy":
         return None
     try:
-        skinning, morphing, hierarchy = (import_module(f"statwalk.maths.kernels.{name}") for name in ("skinning", "morphing", "hierarchy"))
+        skinning, morphing, hierarchy, reading = (import_module(f"statwalk.maths.kernels.{name}") for name in MODULES)
     except Exception as error:  # whatever ails numba here, vertices there must be
         missing = isinstance(error, ImportError)
         LOG.log(logging.INFO if missing else logging.WARNING, "skinning with NumPy: %s: %s", type(error).__name__, error)
         return None
-    return Kernels(skinning.palette, skinning.skinned, morphing.morphed, morphing.inbetween, hierarchy.placed)
+    return Kernels(
+        *(skinning.palette, skinning.skinned, morphing.morphed, morphing.inbetween, hierarchy.placed),
+        *(reading.within, reading.unit_length, reading.normalised, reading.gathered, reading.lines, reading.turns),
+    )
+
+
+def loaded() -> Kernels | None:
+    """The compiled kernels where somebody has asked for them before: what is done once, like reading a file, does not wait for them."""
+    return kernels() if kernels.cache_info().currsize else None

@@ -1,0 +1,96 @@
+"""What the kernels of a reader say is what NumPy says."""
+
+import numpy as np
+import pytest
+from statwalk.files.glb import attributes, plain
+from statwalk.maths.kernels import choose
+from statwalk.motion import segments
+from statwalk.motion.bundle import bundle
+from statwalk.motion.channel import Channel
+from statwalk.motion.keytable import gathered
+from statwalk.skin.weights import used_where_normalised
+
+pytest.importorskip("numba")
+CHANCE = np.random.default_rng(3)
+UNIT = CHANCE.normal(size=(77, 3))
+UNIT = (UNIT / np.linalg.norm(UNIT, axis=1, keepdims=True)).astype(np.float32)
+
+
+@pytest.fixture(params=["numpy", "compiled"])
+def way(request, monkeypatch):
+    """Both ways; the compiled ones as if they had been asked for before."""
+    kernels = choose.kernels() if request.param == "compiled" else None
+    for module in ("files.glb.plain", "files.glb.attributes", "motion.segments", "motion.keytable", "skin.weights"):
+        monkeypatch.setattr(f"statwalk.{module}.loaded", lambda: kernels)
+
+
+def with_one(values, row, value):
+    changed = values.copy()
+    changed[row] = value
+    return changed
+
+
+@pytest.mark.parametrize("count", [1, 15, 16, 33, 100_000])
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf, 2e24, -2e24])
+def test_an_unusable_number_is_found(way, count, value):
+    numbers = CHANCE.normal(size=count).astype(np.float32)
+    assert plain.is_usable(numbers)
+    assert not plain.is_usable(with_one(numbers, count // 2, value))
+
+
+@pytest.mark.parametrize("value", [1e24, -1e24])
+def test_the_largest_number_is_usable(way, value):
+    assert plain.is_usable(np.full(20, value, np.float32))
+
+
+@pytest.mark.parametrize("value", [(0, 0, 0), (1, 1e-2, 0), (np.nan, 0, 0)])
+def test_what_is_not_of_unit_length_is_found(way, value):
+    assert attributes.are_unit(UNIT)
+    assert not attributes.are_unit(with_one(UNIT, 40, value))
+
+
+@pytest.mark.parametrize(
+    ("row", "used"),
+    [
+        ([1, 0, 0, 0], 1),
+        ([0.5, 0.5, 0, 0], 2),
+        ([0.4, 0.3, 0.3, 0], 3),
+        ([0.25, 0.25, 0.25, 0.25], 4),
+        ([0.5, 0, 0.5, 0], 0),
+        ([1.5, -0.5, 0, 0], 0),
+        ([0.5, 0.4, 0, 0], 0),
+        ([np.nan, 0, 0, 0], 0),
+    ],
+)
+def test_weights_that_are_right_already(way, row, used):
+    assert used_where_normalised(np.float32([[1, 0, 0, 0]] * 5 + [row])) == used
+
+
+def test_numbers_are_gathered(way):
+    numbers = np.arange(50, dtype=np.float32)
+    assert gathered(numbers, np.array([7, 0, 30]), np.array([2, 3, 1])).tolist() == [7, 8, 0, 1, 2, 30]
+
+
+def keys(path, width):
+    """Channels of one, two and five keys; a quaternion of no length among them."""
+    times = [np.arange(count, dtype=np.float32) for count in (1, 2, 5)]
+    values = [CHANCE.normal(size=(len(time), width)).astype(np.float32) for time in times]
+    values[2][1] = 0
+    return bundle([Channel(joint, path, *pair) for joint, pair in enumerate(zip(times, values, strict=True))])
+
+
+@pytest.mark.parametrize(("path", "width"), [("translation", 3), ("rotation", 4)])
+def test_straight_keys_get_the_same_bits(path, width, monkeypatch):
+    listed = keys(path, width)
+    rows = []
+    for kernels in (None, choose.kernels()):
+        monkeypatch.setattr(segments, "loaded", lambda kernels=kernels: kernels)
+        rows.append(segments.pack(listed, loop=False)[1])
+    assert rows[0].tobytes() == rows[1].tobytes()
+
+
+def test_reading_does_not_ask_for_kernels(monkeypatch):
+    choose.kernels.cache_clear()
+    assert choose.loaded() is None
+    choose.kernels()
+    assert choose.loaded() is not None
