@@ -2,6 +2,7 @@
 
 import pytest
 from statwalk.files.machinefile import read_machine
+from statwalk.machine.properties import FORMS
 from statwalk.machine.verify import verify
 from ticking import Ticking, text_of
 
@@ -34,10 +35,10 @@ def test_the_counterexample_can_be_replayed():
 @pytest.mark.parametrize(
     ("sentence", "severity", "message"),
     [
-        ("JUMP leads to STAT within 4 s", "warning", "undecided: properties with a time are not supported yet"),
-        ("from STAT, GO reaches FLY within 2 s", "warning", "undecided: properties with a time are not supported yet"),
+        ("JUMP leads to STAT within 4 s", "warning", "undecided: how long the motions last is not known here"),
         ("WALL only after STAT", "error", "undecided: no state is called 'WALL'; did you mean WALK?"),
-        ("it looks good", "error", "undecided: a property reads `A only after B` or `never A -> B`"),
+        ("from STAT, GOO reaches FLY within 2 s", "error", "undecided: no event is called 'GOO'; did you mean GO?"),
+        ("it looks good", "error", f"undecided: a property reads {FORMS}"),
     ],
 )
 def test_undecided_with_the_reason(sentence, severity, message):

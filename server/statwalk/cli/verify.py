@@ -46,7 +46,7 @@ def findings_of(folder: Path) -> list[Finding]:
     file = load_machine(folder)
     character = load_character_file(character_path(file))
     file.check_root(character.skeleton.names)
-    return find(file.definition, {name: MotionFacts(clip.duration, clip.loop) for name, clip in character.clips.items()})
+    return find(file.definition, {name: MotionFacts(clip.duration, clip.loop, clip.markers) for name, clip in character.clips.items()})
 
 
 def shown(findings: list[Finding]) -> Table:

@@ -18,3 +18,7 @@ class Finding:
     line: int = 0
     state: str | None = None
     event: str | None = None
+    layer: str = ""
+    """the layer whose table it is about; empty: the base, or the machine as a whole"""
+    replay: tuple[tuple[int, str], ...] = ()
+    """of a property that is refuted: (tick, event) of what comes from outside in the counterexample, from a fresh stage at 60 Hz"""

@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from statwalk.machine.definition import END, MachineDefinition
-from statwalk.machine.expand import Cell
+from statwalk.machine.expand import Cell, landings
+from statwalk.machine.firing import Marks, certain, possible, why_never
 
-Graph = Mapping[str, Mapping[str, str]]
-"""state -> event -> next state; only cells that can fire, stays among them"""
+Cells = Mapping[tuple[str, str], Cell]
+"""(state, event) -> the cell that counts"""
+Graph = Mapping[str, Mapping[str, tuple[str, ...]]]
+"""state -> event -> the states that it may lead to; only cells that can fire, stays among them"""
 
 
-def graph_of(definition: MachineDefinition, cells: Mapping[tuple[str, str], Cell]) -> Graph:
-    """All that can happen in each state. Every motion ends sooner or later, so END and `at end` can always come."""
-    found: dict[str, dict[str, str]] = {state: {} for state in definition.states}
+def graph_of(definition: MachineDefinition, cells: Cells, marks: Marks) -> Graph:
+    """All that can happen in each state of a table. Conditions, senses and weights are free, and events come at any time."""
+    found: dict[str, dict[str, tuple[str, ...]]] = {state: {} for state in definition.states}
     for (state, event), cell in cells.items():
-        if not cell.off and cell.to in definition.states:
-            found[state][event] = cell.to
+        if not why_never(definition, cell, state, event, marks):
+            targets = tuple(dict.fromkeys(there for choice in possible(cell) for there in landings(definition, choice)))
+            if targets:
+                found[state][event] = targets
     return found
 
 
@@ -30,17 +35,20 @@ def reached(graph: Graph, start: str, without: Iterable[str] = ()) -> dict[str, 
     queue = deque([start])
     while queue:
         state = queue.popleft()
-        for event, target in graph[state].items():
-            if target not in before and target not in shut:
-                before[target] = (state, event)
-                queue.append(target)
+        for event, targets in graph[state].items():
+            for target in targets:
+                if target not in before and target not in shut:
+                    before[target] = (state, event)
+                    queue.append(target)
     return before
 
 
-def way(before: Mapping[str, tuple[str, str] | None], goal: str) -> str:
-    """`STAT -LEFT-> TLFT`: how a state is reached."""
+def way(before: Mapping[str, tuple[str, str] | None], goals: Collection[str]) -> str:
+    """`STAT -LEFT-> TLFT`: how the first of some states that can be reached is reached; empty where none can."""
+    state = next((one for one in before if one in goals), None)
+    if state is None:
+        return ""
     steps: list[str] = []
-    state = goal
     while (last := before[state]) is not None:
         steps.append(f" -{last[1]}-> {state}")
         state = last[0]
@@ -62,7 +70,8 @@ def cycle(edges: Mapping[str, str]) -> list[str]:
     return []
 
 
-def by_end(definition: MachineDefinition, cells: Mapping[tuple[str, str], Cell]) -> dict[str, str]:
-    """The state that follows when a motion ends and nobody touches anything, if any; idle counts where END is blank."""
+def by_end(definition: MachineDefinition, cells: Cells) -> dict[str, str]:
+    """The state that is sure to follow when a motion ends and nobody touches anything, if any; idle counts where END is blank."""
     found = {state: cells.get((state, END)) or cells.get((state, definition.idle or END)) for state in definition.states}
-    return {state: cell.to for state, cell in found.items() if cell and not cell.off and cell.to in definition.states}
+    sure = {state: certain(cell) for state, cell in found.items() if cell}
+    return {state: choice.to for state, choice in sure.items() if choice and choice.to in definition.states}

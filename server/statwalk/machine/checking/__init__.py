@@ -1,0 +1,1 @@
+"""The faults that the verifier looks for, by what they are about."""
