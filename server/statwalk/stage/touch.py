@@ -33,7 +33,10 @@ def touched(before: Contacts, casts: Sequence[Cast]) -> tuple[Contacts, tuple[Ra
     if not now.pairs:
         return now, ()
     bodies, row_of_pair = now.since(before, _bodies(casts, now.names)), now.row_of_pair
-    found = meetings(touches(bodies, row_of_pair >= 0), bodies, row_of_pair, now.remembered(before))
+    hits = touches(bodies, row_of_pair >= 0)
+    if not len(hits.first) and not len(before.touching):
+        return replace(now, bodies=bodies), ()
+    found = meetings(hits, bodies, row_of_pair, now.remembered(before))
     heard = [
         (event.time, event.actor, ORDER[touch.on], event)
         for cast in casts

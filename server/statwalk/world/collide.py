@@ -63,9 +63,15 @@ class Touches(NamedTuple):
     """(P, 3)"""
 
 
+_NONE, _NOWHERE = np.zeros(0), np.zeros((0, 3))
+NOBODY = Touches(_NONE.astype(np.int64), _NONE.astype(np.int64), _NONE, _NONE, _NONE.astype(bool), _NOWHERE, _NOWHERE)
+
+
 def touches(bodies: Bodies, wanted: Bools) -> Touches:
     """All pairs of other owners that meet, of kinds for which `wanted` (K, K) says so, in either order. Planes do not touch planes."""
     pairs = _candidates(bodies, wanted)
+    if not len(pairs.first):
+        return NOBODY
     a, b = bodies.take(pairs.first), bodies.take(pairs.second)
     there, back = _met(a, b), _met(a.reversed(), b.reversed())
     both = (there.is_hit | back.is_hit).nonzero()[0]
