@@ -61,6 +61,6 @@ class FlockDefinition:
     goal: GoalDefinition | None = None
     obstacles: tuple[ObstacleDefinition, ...] = ()
     avoid: tuple[str, ...] = ()
-    """colliders of actors of other roles that are flown around as well"""
+    """colliders of actors of other roles that are flown around as well, the first 64 at least"""
     sets: Mapping[str, str] = field(default_factory=dict)
     """the parameters that the flight sets: of speed, climb (metres per second) and turn (radians per second)"""

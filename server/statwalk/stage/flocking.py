@@ -23,6 +23,8 @@ from statwalk.world.flock import Members, Rules, flown
 from statwalk.world.obstacles import Obstacles
 
 TURN = 2 * np.pi
+MOST_OBSTACLES = 128
+"""that a flock keeps out of: its own first, then others' colliders"""
 
 
 class Flight(NamedTuple):
@@ -123,7 +125,7 @@ def _obstacles(definition: FlockDefinition, flock: Cast, casts: Sequence[Cast]) 
     for cast in casts if definition.avoid else ():
         if cast.role.name != flock.role.name:
             found = Obstacles._make(np.concatenate(pair) for pair in zip(found, _avoided(definition, cast), strict=True))
-    return found
+    return Obstacles._make(array[:MOST_OBSTACLES] for array in found)
 
 
 def _avoided(definition: FlockDefinition, cast: Cast) -> Obstacles:
