@@ -66,9 +66,9 @@ def test_speed_climb_and_turn_are_set_within_their_bounds():
 
 
 def test_a_goal_goes_round_to_the_left():
-    stage, (bird,) = stage_of((flock_role(goal=GoalDefinition((0, 0, 0), 2, 8)), (2, 0, 0)))
-    stage.step(480)
-    places = [(stage.step(), bird.root.position)[1] for _ in range(480)]
+    stage, (bird,) = stage_of((flock_role(goal=GoalDefinition((0, 0, 0), 1, 4)), (1, 0, 0)))
+    stage.step(240)
+    places = [(stage.step(), bird.root.position)[1] for _ in range(240)]
     x, _, z = np.array(places).T
     turned = np.unwrap(np.arctan2(-z, x))
     assert turned[-1] - turned[0] == pytest.approx(2 * np.pi, rel=0.02)
@@ -77,7 +77,7 @@ def test_a_goal_goes_round_to_the_left():
 def test_obstacles_are_kept_out_of():
     ball = ObstacleDefinition("sphere", (0, 0, 5), 2)
     stage, (bird,) = stage_of((flock_role(obstacles=(ball,), goal=GoalDefinition((0, 0, 12))), (0, 0, 0)))
-    nearest = min(np.linalg.norm((stage.step(), bird.root.position)[1] - (0, 0, 5)) for _ in range(600))
+    nearest = min(np.linalg.norm((stage.step(), bird.root.position)[1] - (0, 0, 5)) for _ in range(400))
     assert nearest >= 2 - 1e-6
     assert bird.root.position[2] > 8
 
@@ -86,7 +86,7 @@ def test_colliders_of_others_are_avoided_where_they_are_named():
     tower = replace(definition(), name="tower", colliders={"tower": ColliderDefinition("sphere", 1, radius=2.0)})
     tower_role = Role.build("tower", character(), tower, "hips")
     stage, (bird, _) = stage_of((flock_role(avoid=("tower",), goal=GoalDefinition((0, 0.1, 12))), (0, 0, 0)), (tower_role, (0, 0, 5)))
-    assert min(np.linalg.norm((stage.step(), bird.root.position)[1] - (0, 0, 5)) for _ in range(600)) >= 2 - 1e-6
+    assert min(np.linalg.norm((stage.step(), bird.root.position)[1] - (0, 0, 5)) for _ in range(400)) >= 2 - 1e-6
 
 
 def test_members_may_come_and_go_in_flight():

@@ -62,7 +62,8 @@ class Snapshots:
 
 def size(state: StageState) -> int:
     """Bytes of the arrays that a state holds, each counted once."""
-    arrays: dict[int, np.ndarray[Any, Any]] = {}
+    world = (state.contacts.touching, *(state.contacts.bodies or ()), *(array for flight in state.flights for array in flight[1:]))
+    arrays: dict[int, np.ndarray[Any, Any]] = {id(array): array for array in world}
     for cast in state.casts:
         own = (cast.ids, cast.position, cast.heading, cast.way, cast.hash)
         arrays |= {id(array): array for array in (*own, *cast.shown, *cast.before, *cast.fading, *cast.machine.arrays())}
