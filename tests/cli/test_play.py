@@ -48,3 +48,9 @@ def test_why_says_what_became_of_every_event() -> None:
 def test_a_parameter_that_the_machine_has_not_is_named() -> None:
     ended = play("faq-walker", "--events", "0:pace=2")
     assert (ended.returncode, "pace" in ended.stderr) == (2, True)
+
+
+def test_a_scene_is_played_and_its_deeds_are_told() -> None:
+    told = play("playground", "--events", "0:+FORWARD", "--seconds", "3").stdout
+    assert "coin 1: collect(coin)" in told
+    assert "door: open(door)" in told

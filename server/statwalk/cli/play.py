@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Annotated, NamedTuple
 
 import typer
@@ -12,7 +13,8 @@ from rich.console import Console
 from rich.table import Table
 
 from statwalk.errors import UnknownNameError
-from statwalk.loading import load, shipped_machines
+from statwalk.files.scenefile import FILE_NAME as SCENE_FILE
+from statwalk.loading import load, load_scene, shipped_machines, shipped_scenes
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Actor, Stage
 
@@ -23,6 +25,8 @@ EXAMPLES = """Examples:
   statwalk play faq-walker --events "0.5:+LEFT 1.5:-LEFT" --every-tick
 
   statwalk play faq-walker --events "0:@JUMP" --why
+
+  statwalk play playground --events "0:+FORWARD" --seconds 8
 
 An event is SECONDS:EVENT; + before its name holds it, - releases it. SECONDS:@STATE travels to a state; SECONDS:NAME=VALUE sets
 a parameter.
@@ -93,6 +97,14 @@ def reasons(stage: Stage) -> Iterator[str]:
         yield f"{one.tick:>6}  {one.event} {one.verdict} in {one.from_state}" + (f": {one.reason}" if one.reason else "")
 
 
+def deeds(stage: Stage) -> Iterator[str]:
+    """A line for every action of all actors."""
+    names = {actor.id: actor.name for actor in stage.actors}
+    for one in stage.actions:
+        arguments = f"({', '.join(map(str, one.arguments))})" if one.arguments else ""
+        yield f"{one.tick:>6}  {names.get(one.actor, one.actor)}: {one.name}{arguments}"
+
+
 def row(stage: Stage, actor: Actor, events: str) -> list[str]:
     """A line of the table: where the actor is after a tick."""
     (x, _, z), heading = actor.root
@@ -119,8 +131,21 @@ def role_of(machine: str) -> Role:
     raise UnknownNameError("machine", machine, shipped_machines())
 
 
+def opened(machine: str, seed: int, rate: int) -> tuple[Stage, Actor]:
+    """A stage with the machine, or with all of a scene, and the actor that is told the events: of a scene, its first.
+
+    :raises StatwalkError: if there is no such machine or scene, or its files must be refused.
+    """
+    if machine in shipped_scenes() or (Path(machine) / SCENE_FILE).is_file():
+        scene = load_scene(machine)
+        stage = Stage(seed or scene.seed, rate)
+        return stage, scene.enter(stage)[0]
+    stage = Stage(seed, rate)
+    return stage, stage.add(role_of(machine))
+
+
 def play(
-    machine: Annotated[str, typer.Argument(help="A machine folder, or the name of a shipped machine.")],
+    machine: Annotated[str, typer.Argument(help="A machine or scene folder, or a shipped one's name; of a scene the first actor.")],
     events: Annotated[str, typer.Option(help='What happens when, in seconds: "0:FORWARD 2:STOP"; +NAME holds, -NAME releases.')] = "",
     seconds: Annotated[float, typer.Option(help="How long to play.", min=0.0, max=3600.0)] = 4.0,
     rate: Annotated[int, typer.Option(help="Ticks a second.", min=1, max=240)] = 60,
@@ -129,8 +154,7 @@ def play(
     why: Annotated[bool, typer.Option("--why", help="What became of every event, and why.")] = False,
 ) -> None:
     """Plays a machine as fast as it can, and prints what changed, and the hash that the same inputs always give."""
-    stage = Stage(seed=seed, rate=rate)
-    actor = stage.add(role_of(machine))
+    stage, actor = opened(machine, seed, rate)
     table = Table(box=None)
     for heading in HEADINGS:
         table.add_column(heading, no_wrap=True, justify="left" if heading in WORDS else "right")
@@ -144,4 +168,6 @@ def play(
     console.print(table)
     if why:
         console.print("\n".join(["", "  tick  why", *said, ""]))
+    if len(stage.actors) > 1:
+        console.print("\n".join(["", "  tick  what was done", *deeds(stage), ""]), markup=False)
     console.print(f"after {stage.tick} ticks: [bold]{actor.state}[/], hash {stage.hash}")
