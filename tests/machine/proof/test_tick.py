@@ -76,4 +76,4 @@ def test_what_happens_is_among_what_can_happen(seed):
         if chance.random() < 0.1:
             actor.set(p=float(np.round(chance.uniform(0, 3), 2)))
         actor.step(*([press] if press else []))
-        assert node_of(actor) in ticks.after(before, actor.machine.columns[press] if press else NOBODY)
+        assert node_of(actor) in [one.node for one in ticks.after(before, actor.machine.columns[press] if press else NOBODY)]

@@ -46,8 +46,8 @@ class Now(NamedTuple):
     ending: bool = False
     """END is being answered: the motion that follows takes over `rest`"""
     begun: int = EARLIER
-    by: int = NOBODY
-    """the event that has changed the state in this tick"""
+    changes: tuple[tuple[int, int], ...] = ()
+    """event and new state of each change in this tick"""
 
     @property
     def node(self) -> Node:

@@ -24,17 +24,25 @@ class Ticks:
         self.machine, self.lengths = machine, lengths
         self.buffers = [math.ceil(one * TICKS_PER_SECOND - 1e-4) if patient else 0 for one in machine.buffer.tolist()]
 
-    def after(self, node: Node, press: int = NOBODY) -> dict[Node, int]:
-        """What a tick in which `press` comes (or nothing) can lead to, each with the event that has changed the state, if one has."""
+    def after(self, node: Node, press: int = NOBODY) -> list[Now]:
+        """What a tick in which `press` comes (or nothing) can lead to."""
+        return self.finished(self.begun(node), press)
+
+    def begun(self, node: Node) -> list[Now]:
+        """The first part of a tick: the motion advances, what waits is looked up, and markers."""
         first = self.advance(node)
         some = [first]
         for event, _ in node.queue:
             some = each(some, lambda one, event=event: self.meet(one, event) if one.left(event) is not None else [one])
         for name in first.crossed:
             some = each(some, lambda one, name=name: self.meet_marker(one, name))
+        return some
+
+    def finished(self, some: list[Now], press: int) -> list[Now]:
+        """The second part: `press` comes (or nothing), and END."""
         if press != NOBODY:
             some = each(some, lambda one: self.receive(one, press))
-        return {one.node: one.by for one in each(some, self.end)}
+        return [after for one in some for after in (self.end(one) if one.at_end else (one,))]
 
     def advance(self, node: Node) -> Now:
         """Rule 0: the motion advances."""
@@ -109,7 +117,7 @@ class Ticks:
         begun = self.entered(one, state, outcome)
         reached, length = begun + one.rest * one.ending, self.lengths.ticks[state]
         reached = reached % length if self.machine.loop[state] else min(reached, length)
-        return Now(state, reached, begun + BEGINNING, 0, (), RUNNING, False, queue, begun=begun, by=event)
+        return Now(state, reached, begun + BEGINNING, 0, (), RUNNING, False, queue, begun=begun, changes=(*one.changes, (event, state)))
 
     def entered(self, one: Now, state: int, outcome: Outcome) -> int:
         """Ticks into the new motion at which it begins."""
@@ -123,8 +131,7 @@ class Ticks:
 
     def end(self, one: Now) -> list[Now]:
         """Rule 4: what waited for the end, else the END column, else the idle event."""
-        waited = [event for event, left in one.queue if left == FOR_END]
-        return self.end_of(waited, one._replace(ending=True), False) if one.at_end else [one]
+        return self.end_of([event for event, left in one.queue if left == FOR_END], one._replace(ending=True), False)
 
     def end_of(self, waited: list[int], one: Now, stayed: bool) -> list[Now]:
         """The same for those that have waited for it and are left; `stayed`: one of them was taken, so END has no say."""

@@ -43,15 +43,15 @@ def refuted(machine: Machine, goals: Collection[int], before: Sequence[Step], af
 def said(machine: Machine, steps: Sequence[Step], since: int) -> str:
     """` -LEFT 0.5 s-> TLFT`, for each change and each event from outside; `since` ticks went before."""
     parts: list[str] = []
-    told = [(tick, step) for tick, step in enumerate(steps, since + 1) if step.by != NOBODY or step.press != NOBODY]
-    for (by, press), several in groupby(told, lambda one: (one[1].by, one[1].press if one[1].by == NOBODY else NOBODY)):
-        ticks, states = zip(*((tick, step.node.state) for tick, step in several), strict=True)
-        if press == NOBODY:
-            changes = zip(ticks, states, strict=True)
-            parts += [f" -{machine.events[by]} {seconds(tick)}-> {machine.states[state]}" for tick, state in changes]
+    told = [(tick, step) for tick, step in enumerate(steps, since + 1) if step.changes or step.press != NOBODY]
+    for (press, is_change), several in groupby(told, lambda one: (one[1].press, bool(one[1].changes))):
+        some = list(several)
+        if is_change:
+            changes = [(tick, *change) for tick, step in some for change in step.changes]
+            parts += [f" -{machine.events[event]} {seconds(tick)}-> {machine.states[state]}" for tick, event, state in changes]
         else:
-            again = f" to {seconds(ticks[-1])}" if len(ticks) > 1 else ""
-            parts.append(f" -{machine.events[press]} {seconds(ticks[0])}{again}-")
+            again = f" to {seconds(some[-1][0])}" if len(some) > 1 else ""
+            parts.append(f" -{machine.events[press]} {seconds(some[0][0])}{again}-")
     if len(parts) > MOST_CHANGES_SAID:
         parts = [*parts[: MOST_CHANGES_SAID - 1], " …"]
     return "".join(parts)
@@ -59,5 +59,5 @@ def said(machine: Machine, steps: Sequence[Step], since: int) -> str:
 
 def permitting(machine: Machine, steps: Sequence[Step]) -> str:
     """Whether the run is one among several that chance or conditions may choose."""
-    places = [(one.node.state, other.by) for one, other in pairwise(steps) if other.by != NOBODY]
+    places = [(one.node.state, event) for one, other in pairwise(steps) for event, _ in other.changes]
     return ", if conditions and chance will have it" if any(machine.target[place] == MIXED for place in places) else ""
