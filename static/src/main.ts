@@ -3,8 +3,12 @@
 import "./style/base.css";
 import "./style/layout.css";
 import "./style/view.css";
+import "./style/tally.css";
 import "./style/graph.css";
 import "./style/table.css";
+import "./style/editing.css";
+import "./style/why.css";
+import "./style/way.css";
 import "./style/events.css";
 import "./style/dialog.css";
 import "./style/help.css";
@@ -13,6 +17,7 @@ import "./style/timeline.css";
 import "./style/drop.css";
 import "./style/bring.css";
 import "./style/mapping.css";
+import { Editing } from "./editing";
 import { type ViewerKey, Keyboard } from "./input";
 import { Meter } from "./net/meter";
 import { BringDialog } from "./panels/bring";
@@ -24,13 +29,18 @@ import { GraphPanel } from "./panels/graph";
 import { HelpDialog } from "./panels/help";
 import { StateBadge, modeBar, notices, toggleMode } from "./panels/overview";
 import { StatusPanel } from "./panels/status";
-import { TablePanel } from "./panels/table";
+import { layerTabs } from "./panels/table/layertabs";
+import { TableRoom } from "./panels/table/room";
 import { tabs } from "./panels/tabs";
-import { Timeline } from "./panels/timeline";
-import { Transport } from "./panels/transport";
+import { Tally } from "./panels/tally";
+import { Timeline } from "./panels/timeline/timeline";
+import { Transport } from "./panels/timeline/transport";
+import { wayBar } from "./panels/waybar";
+import { WhyPanel } from "./panels/why/whypanel";
 import { Player } from "./player";
 import { Session } from "./session";
 import { exposeForTests } from "./testhook";
+import { Travelling } from "./travelling";
 import { Picture } from "./view/picture";
 import { chooseQuality, rendererName } from "./view/quality";
 import { Scene } from "./view/scene";
@@ -79,6 +89,21 @@ function bringOwn(chooser: Chooser): void {
   byId("add").addEventListener("click", () => dialog.choose());
 }
 
+/** The why-panel; what it proposes is tried in the table and on the stage. */
+function explainer(session: Session, table: TableRoom, travelling: Travelling): WhyPanel {
+  const trials = {
+    edit: (layer: number, state: string, event: string, text: string) => table.propose(layer, state, event, text),
+    goTo: (state: string) => void travelling.go(state),
+    look: (tick: number) => session.look(tick),
+  };
+  const why = new WhyPanel(byId("why"), session, trials, (layer, state, event) => table.go(layer, state, event));
+  byId("verdict").addEventListener("click", () => {
+    const { tick } = byId("verdict").dataset;
+    if (tick) void why.open(Number(tick));
+  });
+  return why;
+}
+
 function start(name: string): void {
   const session = new Session();
   const scene = new Scene(byId<HTMLCanvasElement>("picture"), chooseQuality(name, location.search), reducedMotion);
@@ -86,14 +111,19 @@ function start(name: string): void {
   const player = new Player(session);
   const drawn = new Meter();
   const transport = new Transport(byId("transport"), session, player);
-  const timeline = new Timeline(byId("lanes"), byId("tools"), session, player, scene.quality === "low" ? 100 : 33);
+  const travelling = new Travelling(session);
+  const table = new TableRoom(session, new Editing(session), travelling);
+  const why = explainer(session, table, travelling);
+  const timeline = new Timeline(byId("lanes"), byId("tools"), session, player, scene.quality === "low" ? 100 : 33, (tick) => void why.open(tick));
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
   const badge = new StateBadge(byId("badge"), session, picture);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session);
-  new TablePanel(byId("table"), byId("verdict"), session);
+  layerTabs(byId("layers"), session);
+  wayBar(byId("way"), session, travelling);
   bringOwn(new Chooser(byId("chooser"), session));
   modeBar(byId("modes"), session, picture);
+  new Tally(byId("tally"), session);
   notices(byId("notices"), session);
   tabs(byId("tabs"), byId("panels"));
   const keys = viewerKeys(session, picture, transport, () => help.toggle());

@@ -4,9 +4,11 @@ import * as api from "./net/api";
 import { Connection, type Link } from "./net/connection";
 import { type GlbChunks, chunksOf, tickOf } from "./net/glb";
 import { Meter, RoundTrip } from "./net/meter";
-import type { EventKind, FrameKind, Hello, Refused, ServerMessage, Status, Verdict } from "./net/protocol";
+import type { Action, EventKind, FrameKind, Hello, MachineInfo, Refused, ServerMessage, Status, Verdict } from "./net/protocol";
 import type { Handed } from "./net/relay";
 import { type PoseFrame, isGlb, readPoseFrame } from "./net/wire";
+import { blendTicks } from "./blendticks";
+import { lineOf } from "./history";
 import { Lookback } from "./lookback";
 import { Bell, Signal } from "./store";
 import { Watched } from "./watched";
@@ -19,6 +21,7 @@ export class Session extends Watched {
   /** The tick this page looks at, or null while it follows the stage. */
   readonly looking = this.back.looking;
   readonly verdicts = new Bell<Verdict>();
+  readonly actions = new Bell<Action>();
   readonly notices = new Bell<string>();
   /** This page is about to leave its stage: what it holds there has to be let go of. */
   readonly leaving = new Bell<null>();
@@ -32,6 +35,7 @@ export class Session extends Watched {
   first = 0;
   hash = "";
   stage = "";
+  private playedVersion: number | undefined;
   private lastPhase: number | null = null;
   private refs = 1;
   private readonly connection: Connection;
@@ -53,11 +57,16 @@ export class Session extends Watched {
   watch(stage: string): void {
     this.leaving.ring(null);
     this.stage = stage;
-    this.history.clear();
+    this.forgetPast();
     this.back.forget();
     this.state.set(null);
     this.pose = this.glb = null;
     this.connection.connect(stage, () => this.frames.value);
+  }
+
+  private forgetPast(): void {
+    this.history.clear();
+    this.happenings.clear();
   }
 
   retry(): void {
@@ -83,13 +92,10 @@ export class Session extends Watched {
     this.pose = frame;
     this.hash = frame.hash;
     this.moved(frame.tick, frame.head);
-    frame.casts.forEach((cast, c) => {
-      const actors = this.hello.value?.casts[c]?.actors ?? [];
-      actors.forEach(({ id }, row) => this.history.see(id, frame.tick, cast.state[row * cast.layers] ?? 0));
-    });
+    frame.casts.forEach((cast, c) => this.remember(frame.tick, cast, c));
     const place = this.place();
     const cast = place && frame.casts[place.cast];
-    if (cast) this.state.set(cast.state[place.row * cast.layers] ?? null);
+    if (cast) this.showStates(cast, place.row);
     this.lastPhase = cast ? (cast.phase[place.row * cast.layers] ?? null) : null;
   }
 
@@ -101,8 +107,11 @@ export class Session extends Watched {
     const actor = this.actor.value;
     if (actor === null) return;
     // The GLB carries no states: the last one known goes on until a verdict says otherwise.
-    if (this.looking.value === null && this.state.value !== null) this.history.see(actor, tick, this.state.value);
-    else this.state.set(this.history.stateAt(actor, tick));
+    const live = this.looking.value === null;
+    if (live) this.layerStates.value.forEach((state, layer) => this.history.see(lineOf(actor, layer), tick, state));
+    else this.tellStates((this.cast?.layers ?? []).map((_, layer) => this.history.stateAt(lineOf(actor, layer), tick) ?? ""));
+    const base = this.stateIndex(actor, this.layerStates.value[0] ?? "");
+    this.state.set(base >= 0 ? base : null);
   }
 
   private moved(tick: number, head: number): void {
@@ -115,6 +124,7 @@ export class Session extends Watched {
     if (message.type === "hello") this.greet(message);
     else if (message.type === "status") this.report(message);
     else if (message.type === "verdict") this.judge(message);
+    else if (message.type === "action") this.act(message);
     else if (message.type === "forked") this.fork(message.stage);
     else if (message.type === "pong") this.trip.answer(message.ref, performance.now());
     else if (message.type === "error") this.refused(message);
@@ -129,7 +139,7 @@ export class Session extends Watched {
   private greet(hello: Hello): void {
     const same = hello.stage === this.hello.value?.stage;
     const restarted = !same || hello.head < this.head;
-    if (restarted) this.history.clear();
+    if (restarted) this.forgetPast();
     // A server that was started again may have read another table.
     if (same && restarted) this.machine.set(null);
     this.stage = hello.stage;
@@ -147,14 +157,24 @@ export class Session extends Watched {
     const { stage } = hello;
     await api.history(stage).then((told) => this.recall(stage, told), () => undefined);
     if (!restarted) return;
-    await api.log(stage).then((entries) => stage === this.stage && this.history.remember(entries, hello.tick), () => undefined);
+    await api.log(stage).then((entries) => stage === this.stage && this.happenings.remember(entries, hello.tick), () => undefined);
   }
 
-  /** Fetches the machine of the watched actor, unless it is there. */
+  /** Fetches the machine of the watched actor, unless it is there in the version that the stage plays. */
   async loadMachine(): Promise<void> {
-    const name = this.cast?.machine;
-    if (name === undefined || name === this.machine.value?.name) return;
-    await api.machine(name).then((machine) => this.machine.set(machine), (error: Error) => this.notices.ring(error.message));
+    const { machine: name, version } = this.cast ?? {};
+    const known = this.machine.value;
+    if (name === undefined || (name === known?.name && version === this.playedVersion)) return;
+    await api.machine(name).then((machine) => this.takeMachine(machine, version), (error: Error) => this.notices.ring(error.message));
+  }
+
+  /** Shows `machine`, unless a newer version of it is there; `played`: the version by the stage's own count. */
+  takeMachine(machine: MachineInfo, played = this.playedVersion): void {
+    this.playedVersion = played;
+    const known = this.machine.value;
+    if (known?.name === machine.name && known.version >= machine.version) return;
+    if (known?.name !== machine.name || this.layer.value >= machine.layers.length) this.layer.set(0);
+    this.machine.set(machine);
   }
 
   private report({ head, first, paused, speed, viewers }: Status): void {
@@ -164,13 +184,20 @@ export class Session extends Watched {
   }
 
   private judge(verdict: Verdict): void {
-    this.history.judge(verdict);
-    const to = verdict.verdict === "taken" && verdict.to ? this.stateIndex(verdict.actor, verdict.to) : -1;
-    if (to >= 0) this.history.see(verdict.actor, verdict.tick, to);
-    if (verdict.actor !== this.actor.value) return;
-    if (this.frames.value === "glb" && this.looking.value === null && to >= 0) this.state.set(to);
+    const { actor, layer, tick, to } = verdict;
+    const rate = this.hello.value?.rate ?? 60;
+    this.happenings.judge(verdict, this.place(actor) && this.cast?.machine === this.machine.value?.name ? blendTicks(this.machine.value, verdict, rate) : 0);
+    const led = verdict.verdict === "taken" && to ? this.stateIndex(actor, to, layer) : -1;
+    if (led >= 0) this.history.see(lineOf(actor, layer), tick, to!);
+    if (actor !== this.actor.value) return;
+    if (this.frames.value === "glb" && this.looking.value === null && led >= 0) this.leads(layer, led, to!);
     // Who looks back sees the past: what fires now is for later.
     if (this.looking.value === null) this.verdicts.ring(verdict);
+  }
+
+  private act(action: Action): void {
+    this.happenings.act(action);
+    if (this.looking.value === null) this.actions.ring(action);
   }
 
   private fork(stage: string): void {

@@ -15,6 +15,7 @@
  */
 
 import * as THREE from "three";
+import { lineOf } from "./history";
 import type { Meter } from "./net/meter";
 import type { Session } from "./session";
 import type { Picture } from "./view/picture";
@@ -109,7 +110,7 @@ export function exposeForTests(session: Session, picture: Picture, drawn: Meter)
     posed: () => picture.posed,
     shown: () => picture.stream,
     quality: () => picture.scene.quality,
-    lanes: () => session.history.between(session.actor.value ?? -1, 0, Infinity).map(({ start, end, state }) => [start, end, session.stateName(state)]),
+    lanes: () => session.history.between(lineOf(session.actor.value ?? -1), 0, Infinity).map(({ start, end, state }) => [start, end, state]),
     stats,
     joints: () => jointsByName(picture),
     pixels: () => measure(drawBodies(picture)),

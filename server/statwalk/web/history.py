@@ -65,7 +65,8 @@ def beginnings(stage: Stage) -> Iterator[Change]:
     came = {entry.actor: entry for entry in stage.log if entry.kind == "add"}
     for entry in came.values():
         if entry.tick >= oldest:
-            yield Change(tick=entry.tick, actor=entry.actor, layer=0, state=initial(stage, entry))
+            for layer, state in enumerate(initials(stage, entry)):
+                yield Change(tick=entry.tick, actor=entry.actor, layer=layer, state=state)
     for (actor, layer), verdict in first.items():
         if came[actor].tick < oldest:
             yield Change(tick=oldest, actor=actor, layer=layer, state=verdict.from_state)
@@ -75,7 +76,7 @@ def beginnings(stage: Stage) -> Iterator[Change]:
                 yield Change(tick=oldest, actor=quiet.id, layer=layer, state=state)
 
 
-def initial(stage: Stage, entry: LogEntry) -> str:
-    """The state in which an actor comes."""
+def initials(stage: Stage, entry: LogEntry) -> list[str]:
+    """The states in which an actor comes, one for each layer."""
     machine = stage.roles[entry.value["role"]].machine
-    return machine.states[machine.initial]
+    return [machine.states[state] for state in machine.initials]

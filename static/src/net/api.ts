@@ -1,6 +1,6 @@
 /** The REST interface, as far as the page uses it; a refusal becomes an Error with the server's own words. */
 
-import type { CharacterSummary, LogEntry, MachineInfo, MachineSummary, Mapping, StageInfo, StateHistory } from "./protocol";
+import type { CharacterSummary, Edited, Edition, Finding, LogEntry, MachineInfo, MachineSummary, Mapping, SceneSummary, StageInfo, StateHistory } from "./protocol";
 
 export class ApiError extends Error {
   constructor(
@@ -8,6 +8,8 @@ export class ApiError extends Error {
     message: string,
     /** Which member or which place of a file is wrong, and why. */
     readonly places: readonly { field: string; message: string }[] = [],
+    /** What the verifier has against an edit. */
+    readonly findings: readonly Finding[] = [],
   ) {
     super(message);
   }
@@ -15,25 +17,35 @@ export class ApiError extends Error {
 
 /** The server's problem+json in words: detail, else title, else the status. */
 export function problemOf(status: number, body: unknown): ApiError {
-  const { detail, title, errors } = (body ?? {}) as { detail?: unknown; title?: unknown; errors?: unknown };
+  const { detail, title, errors, findings } = (body ?? {}) as Record<"detail" | "title" | "errors" | "findings", unknown>;
   const words = [detail, title].find((text) => typeof text === "string" && text);
   const places = Array.isArray(errors) ? (errors as { field: string; message: string }[]) : [];
-  return new ApiError(status, typeof words === "string" ? words : `the server answered ${status}`, places);
+  return new ApiError(status, typeof words === "string" ? words : `the server answered ${status}`, places, Array.isArray(findings) ? (findings as Finding[]) : []);
 }
 
-async function call(method: string, path: string, body?: object): Promise<Response> {
-  const options: RequestInit = { method };
-  if (body) Object.assign(options, { headers: { "content-type": "application/json" }, body: JSON.stringify(body) });
+/** `version`: the one of a machine that an edit is based on. */
+export async function call(method: string, path: string, body?: object, version?: number): Promise<Response> {
+  const headers: Record<string, string> = version === undefined ? {} : { "if-match": `"${version}"` };
+  const options: RequestInit = { method, headers };
+  if (body) Object.assign(options, { headers: { ...headers, "content-type": "application/json" }, body: JSON.stringify(body) });
   const reply = await fetch(new URL(`api/${path}`, document.baseURI), options);
   if (!reply.ok) throw problemOf(reply.status, await reply.json().catch(() => ({})));
   return reply;
 }
 
-async function read<T>(path: string): Promise<T> {
+export async function read<T>(path: string): Promise<T> {
   return (await (await call("GET", path)).json()) as T;
 }
 
-const id = encodeURIComponent;
+export const id = encodeURIComponent;
+
+/** What a cell is to say, as one writes it in the table; empty: blank. */
+export interface NewCell {
+  layer: string;
+  state: string;
+  event: string;
+  text: string;
+}
 
 /** JSON lines or one JSON value with the entries in it. */
 export function parseLog(text: string): LogEntry[] {
@@ -46,7 +58,14 @@ export function parseLog(text: string): LogEntry[] {
 }
 
 export const machines = (): Promise<MachineSummary[]> => read("machines");
+export const scenes = (): Promise<SceneSummary[]> => read("scenes");
 export const machine = (name: string): Promise<MachineInfo> => read(`machines/${id(name)}`);
+export const verify = (name: string): Promise<{ findings: Finding[] }> => read(`machines/${id(name)}/verify`);
+export const versions = (name: string): Promise<Edition[]> => read(`machines/${id(name)}/versions`);
+/** Changes a cell of a machine whose `version` was seen last; `dry`: only what would be said. */
+export const patchCell = async (name: string, version: number, cell: NewCell, dry: boolean): Promise<Edited> =>
+  (await (await call("PATCH", `machines/${id(name)}/cells${dry ? "?dry=true" : ""}`, cell, version)).json()) as Edited;
+export const undo = async (name: string, version: number): Promise<Edited> => (await (await call("POST", `machines/${id(name)}/undo`, undefined, version)).json()) as Edited;
 export const characters = (): Promise<CharacterSummary[]> => read("characters");
 export const mapping = (character: string): Promise<Mapping> => read(`characters/${id(character)}/mapping`);
 export const removeCharacter = (name: string): Promise<Response> => call("DELETE", `characters/${id(name)}`);
@@ -61,6 +80,11 @@ export const log = async (stageId: string): Promise<LogEntry[]> => parseLog(awai
 export async function newStage(machineName: string): Promise<string> {
   const reply = await call("POST", "stages", { clock: "real", actors: [{ machine: machineName }] });
   return ((await reply.json()) as { id: string }).id;
+}
+
+/** A real-time stage furnished as a scene; gives the new stage's id. */
+export async function newScene(scene: string): Promise<string> {
+  return ((await (await call("POST", "stages", { clock: "real", scene })).json()) as { id: string }).id;
 }
 
 export const pause = (stageId: string, paused: boolean): Promise<Response> => call("POST", `stages/${id(stageId)}/pause`, { paused });

@@ -1,5 +1,8 @@
 /** What the server says: the JSON of the socket (`statwalk.v1`) and of the REST interface under /api. */
 
+export type { Cell, Edge, Edited, Edition, Finding, KeyBinding, LayerInfo, MachineInfo, Parameter, StateInfo } from "./machineinfo";
+export type { Explained, Plan, Remedy, Why, WhyNot } from "./explained";
+
 export const SUBPROTOCOL = "statwalk.v1";
 
 export type FrameKind = "pose" | "glb";
@@ -21,8 +24,12 @@ export interface CastHello {
   names: string[];
   nodes: number[];
   parents: number[];
+  /** Which version of the machine the stage plays. */
+  version: number;
   layers: string[];
+  /** The states of all layers; `state_layers` says whose each is. */
   states: string[];
+  state_layers: number[];
   events: string[];
   actors: ActorName[];
 }
@@ -57,13 +64,17 @@ export interface Verdict {
   type: "verdict";
   tick: number;
   actor: number;
-  layer: number | string;
+  layer: number;
   event: string;
   verdict: "taken" | "waits" | "dropped";
   reason: string;
   from: string | null;
   /** The state it led to; null or empty where the state stayed. */
   to: string | null;
+  /** Row and column of the cell that decided, as they are written. */
+  cell?: [string, string] | null;
+  /** What the cell's condition saw. */
+  values?: Record<string, number>;
 }
 
 export interface Action {
@@ -72,6 +83,7 @@ export interface Action {
   tick: number;
   actor: number;
   name: string;
+  arguments: (string | number)[];
 }
 
 export interface Accepted {
@@ -109,53 +121,12 @@ export type ClientMessage =
   | { type: "frames"; frames: FrameKind }
   | { type: "ping"; ref: number };
 
-/** One filled cell of the expanded table; `source` says whether it was written or came from a default. */
-export interface Cell {
-  to: string | null;
-  when?: string;
-  blend?: number;
-  restart?: boolean;
-  action?: string | null;
-  source?: string;
-}
-
-export interface KeyBinding {
-  press?: string | null;
-  hold?: string | boolean | null;
-  release?: string | null;
-}
-
-export interface Edge {
-  from: string;
-  to: string;
-  events: string[];
-}
-
-export interface StateInfo {
-  name: string;
-  motion: string;
-  loop: boolean;
-  duration: number;
-}
-
-export interface MachineInfo {
-  name: string;
-  title?: string | null;
-  description?: string | null;
-  character: string;
-  initial: string;
-  idle?: string | null;
-  states: StateInfo[];
-  events: string[];
-  table: Record<string, Record<string, Cell | null>>;
-  keys: Record<string, KeyBinding>;
-  edges: Edge[];
-}
-
 export interface MachineSummary {
   name: string;
   title?: string | null;
   character: string;
+  /** The scene that it belongs to, or empty. */
+  scene: string;
 }
 
 export interface CharacterSummary {
@@ -214,4 +185,11 @@ export function parseMessage(text: string): ServerMessage | null {
   } catch {
     return null;
   }
+}
+
+export interface SceneSummary {
+  name: string;
+  title: string;
+  description: string;
+  actors: number;
 }

@@ -1,6 +1,6 @@
 /** The state graph: the live state glows, a transition lights up as it fires. */
 
-import type { MachineInfo, Verdict } from "../net/protocol";
+import type { LayerInfo, Verdict } from "../net/protocol";
 import type { Session } from "../session";
 import { flash, say, svg } from "./dom";
 import { layoutGraph } from "./graphlayout";
@@ -26,9 +26,9 @@ function drawEdge(edge: PlacedEdge): SVGGElement {
   return svg("g", { class: atEnd ? "edge at-end" : "edge" }, title, ...paths, label);
 }
 
-function drawState({ name, x, y, width }: PlacedState, machine: MachineInfo): SVGGElement {
+function drawState({ name, x, y, width }: PlacedState, machine: LayerInfo): SVGGElement {
   const motion = machine.states.find((state) => state.name === name);
-  const facts = motion ? `${motion.motion}, ${motion.duration.toFixed(2)} s${motion.loop ? ", loops" : ""}` : "";
+  const facts = motion ? `${motion.motion ?? "no motion"}, ${motion.duration.toFixed(2)} s${motion.loop ? ", loops" : ""}` : "";
   const box = svg("rect", { x: x - width / 2, y: y - STATE_HEIGHT / 2, width, height: STATE_HEIGHT, rx: 8 });
   const text = svg("text", { x, y: y + 4, "text-anchor": "middle" }, name.length > 19 ? `${name.slice(0, 18)}…` : name);
   return svg("g", { class: name === machine.initial ? "state initial" : "state" }, svg("title", {}, `${name}: ${facts}`), box, text);
@@ -47,7 +47,8 @@ export class GraphPanel {
   ) {
     host.append(this.canvas);
     session.machine.on(() => this.draw());
-    session.state.on(() => this.mark());
+    session.layer.on(() => this.draw());
+    session.layerStates.on(() => this.mark());
     session.verdicts.on((verdict) => this.fire(verdict));
     new ResizeObserver(() => this.fit()).observe(host);
   }
@@ -61,7 +62,7 @@ export class GraphPanel {
   }
 
   private draw(): void {
-    const machine = this.session.machine.value;
+    const machine = this.session.layerInfo;
     if (!machine || !this.aspect) return;
     const names = machine.states.map((state) => state.name);
     const layout = layoutGraph(names, machine.edges, this.aspect);
@@ -82,7 +83,7 @@ export class GraphPanel {
   }
 
   private mark(): void {
-    const live = this.session.stateName(this.session.state.value);
+    const live = this.session.shownState;
     for (const [name, group] of this.states) group.classList.toggle("live", name === live);
     for (const group of this.edges.values()) group.classList.remove("near");
     for (const group of this.leaving.get(live) ?? []) {
@@ -92,8 +93,8 @@ export class GraphPanel {
     }
   }
 
-  private fire({ verdict, event, from, to }: Verdict): void {
-    if (verdict !== "taken" || !from) return;
+  private fire({ verdict, event, layer, from, to }: Verdict): void {
+    if (verdict !== "taken" || !from || layer !== this.session.layer.value) return;
     const group = this.edges.get(edgeKey(from, to || from));
     if (!group) return;
     flash(group, "fired");

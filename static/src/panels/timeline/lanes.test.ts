@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { place, spanOf, stateColour } from "./lanes";
+import { place, spanOf, stateColour, tickAt } from "./lanes";
 
 describe("spanOf", () => {
   it.each([
@@ -15,6 +15,16 @@ describe("place", () => {
     const span = { from: 100, to: 300 };
     expect([place(100, span, 800), place(200, span, 800), place(300, span, 800)]).toEqual([0, 400, 800]);
   });
+});
+
+describe("tickAt", () => {
+  const span = { from: 0, to: 1000 };
+
+  it("is the tick that lies there", () => expect(tickAt(400, span, 1000, [], 7)).toBe(400));
+
+  it("is what happened near it", () => expect(tickAt(400, span, 1000, [300, 396, 405], 7)).toBe(396));
+
+  it("is never outside", () => expect(tickAt(-5, span, 1000, [], 7)).toBe(0));
 });
 
 describe("stateColour", () => {

@@ -1,10 +1,10 @@
 /** Pause, step, speed, tick counter, live. Pausing and speed are the stage's, for all who watch; looking back is this page's own. */
 
-import * as api from "../net/api";
-import type { Player } from "../player";
-import type { Session } from "../session";
-import { el, say } from "./dom";
-import { type IconName, icon } from "./icons";
+import * as api from "../../net/api";
+import type { Player } from "../../player";
+import type { Session } from "../../session";
+import { el, say } from "../dom";
+import { type IconName, icon } from "../icons";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 

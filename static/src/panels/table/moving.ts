@@ -1,0 +1,17 @@
+/** Going from cell to cell by the arrow keys. */
+
+export interface Spot {
+  row: number;
+  column: number;
+}
+
+const STEPS: Record<string, [number, number]> = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] };
+
+/** Where `key` leads from `from` in a grid of so many rows and columns; null where it is no key that moves. */
+export function moved(from: Spot, key: string, rows: number, columns: number): Spot | null {
+  const within = (value: number, size: number): number => Math.min(size - 1, Math.max(0, value));
+  if (key === "Home") return { row: from.row, column: 0 };
+  if (key === "End") return { row: from.row, column: columns - 1 };
+  const step = STEPS[key];
+  return step ? { row: within(from.row + step[0], rows), column: within(from.column + step[1], columns) } : null;
+}

@@ -1,0 +1,158 @@
+/** The state table of a layer: the live row, the cell that fired last, and one cell that has the keyboard. */
+
+import type { Finding, Verdict } from "../../net/protocol";
+import type { Session } from "../../session";
+import { el, flash, say } from "../dom";
+import { verdictLine } from "../why/words";
+import { type Drawn, cellKey, drawTable } from "./cellview";
+import { moved } from "./moving";
+
+/** What the table asks for: a cell to be edited, from its text or from what was typed; a state to be gone to. */
+export interface TableWishes {
+  edit(cell: HTMLTableCellElement, typed: string | null): void;
+  goTo(state: string): void;
+}
+
+const EMPTY: Drawn = { head: el("tr"), body: [], rows: new Map(), cells: new Map() };
+
+export class TablePanel {
+  private readonly table = el("table", { "aria-label": "state table", role: "grid" });
+  private drawn = EMPTY;
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly line: HTMLElement,
+    private readonly session: Session,
+    private readonly wishes: TableWishes,
+  ) {
+    host.append(this.table);
+    session.machine.on(() => this.draw());
+    session.layer.on(() => this.draw());
+    session.layerStates.on(() => this.mark());
+    session.verdicts.on((verdict) => this.judge(verdict));
+    this.table.addEventListener("click", (click) => this.clicked(click));
+    this.table.addEventListener("contextmenu", (click) => this.asked(click));
+    this.table.addEventListener("keydown", (press) => this.pressed(press));
+  }
+
+  private draw(): void {
+    const [layer, machine] = [this.session.layerInfo, this.session.machine.value];
+    if (!layer || !machine) return;
+    const focused = this.table.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset : null;
+    this.drawn = drawTable(layer, machine.events, layer === machine.layers[0] ? (state) => this.wishes.goTo(state) : null);
+    this.table.replaceChildren(el("thead", {}, this.drawn.head), el("tbody", {}, ...this.drawn.body));
+    this.drawn.cells.values().next().value?.setAttribute("tabindex", "0");
+    this.line.textContent = "";
+    if (focused?.["state"]) this.focus(this.cell(focused["state"], focused["event"] ?? ""));
+    this.mark();
+  }
+
+  cell(state: string, event: string): HTMLTableCellElement | null {
+    return this.drawn.cells.get(cellKey(state, event)) ?? null;
+  }
+
+  /** Leads to the cell that a finding is about, or to its row. */
+  go({ state, event, layer }: Pick<Finding, "state" | "event" | "layer">): void {
+    const index = this.session.machine.value?.layers.findIndex(({ name }) => name === (layer || "base")) ?? -1;
+    if (index >= 0) this.session.layer.set(index);
+    const row = state ? this.drawn.rows.get(state) : undefined;
+    if (!row || !state) return;
+    this.reveal(row);
+    const cell = event ? this.cell(state, event) : null;
+    if (cell) this.revealSideways(cell);
+    flash(cell ?? row, "shown");
+    this.focus(cell);
+  }
+
+  private focus(cell: HTMLElement | null): void {
+    if (!cell) return;
+    this.table.querySelectorAll("[tabindex='0']").forEach((old) => old.setAttribute("tabindex", "-1"));
+    cell.setAttribute("tabindex", "0");
+    cell.focus({ preventScroll: true });
+  }
+
+  private clicked({ target }: Event): void {
+    const cell = target instanceof Element ? target.closest("td") : null;
+    if (cell) this.wishes.edit(cell, null);
+  }
+
+  private asked(click: Event): void {
+    const head = click.target instanceof Element ? click.target.closest<HTMLElement>("th[data-state][tabindex]") : null;
+    if (!head) return;
+    click.preventDefault();
+    this.wishes.goTo(head.dataset["state"]!);
+  }
+
+  /** The keys of the cell that has the keyboard; they go no further, to the character. */
+  private pressed(press: KeyboardEvent): void {
+    const cell = press.target;
+    if (!(cell instanceof HTMLTableCellElement) || press.ctrlKey || press.metaKey || press.altKey || press.key === "Tab") return;
+    press.stopPropagation();
+    if (press.key === "Escape") return cell.blur();
+    if (this.move(cell, press.key) || this.act(cell, press.key)) press.preventDefault();
+  }
+
+  private move(cell: HTMLTableCellElement, key: string): boolean {
+    const rows = [...this.drawn.rows.values()];
+    const row = cell.parentElement as HTMLTableRowElement;
+    const spot = moved({ row: rows.indexOf(row), column: cell.cellIndex }, key, rows.length, row.cells.length);
+    const next = spot && rows[spot.row]?.cells[spot.column];
+    if (!next) return false;
+    this.reveal(next.parentElement!);
+    this.revealSideways(next);
+    this.focus(next.hasAttribute("tabindex") ? next : null);
+    return true;
+  }
+
+  private act(cell: HTMLTableCellElement, key: string): boolean {
+    const starts = key === "Enter" || key === "F2";
+    const state = cell.dataset["state"] ?? "";
+    if (cell.tagName === "TH") {
+      if (starts) this.wishes.goTo(state);
+      return starts;
+    }
+    if (starts) this.wishes.edit(cell, null);
+    else if (key === "Delete" || key === "Backspace") this.wishes.edit(cell, "");
+    else if (key.length === 1 && key !== "?") this.wishes.edit(cell, key);
+    else return false;
+    return true;
+  }
+
+  private mark(): void {
+    const live = this.session.shownState;
+    for (const [name, row] of this.drawn.rows) row.toggleAttribute("aria-current", name === live);
+    const row = this.drawn.rows.get(live);
+    // Who works in the table is not carried off by what the character does.
+    if (row && !this.host.contains(document.activeElement)) this.reveal(row);
+  }
+
+  /** Scrolls the table alone, and only as far as it must. */
+  private reveal(row: HTMLElement): void {
+    const [top, bottom] = [row.offsetTop - 32, row.offsetTop + row.offsetHeight];
+    if (top < this.host.scrollTop) this.host.scrollTop = top;
+    else if (bottom > this.host.scrollTop + this.host.clientHeight) this.host.scrollTop = bottom - this.host.clientHeight;
+  }
+
+  /** Brings a cell into view sideways, beside the column that stays. */
+  private revealSideways(cell: HTMLElement): void {
+    const stays = this.table.querySelector<HTMLElement>("th")?.offsetWidth ?? 0;
+    const [left, right] = [cell.offsetLeft - stays, cell.offsetLeft + cell.offsetWidth];
+    if (cell.tagName === "TH" || left < this.host.scrollLeft) this.host.scrollLeft = Math.max(0, left);
+    else if (right > this.host.scrollLeft + this.host.clientWidth) this.host.scrollLeft = right - this.host.clientWidth;
+  }
+
+  private judge(verdict: Verdict): void {
+    if (verdict.event === "END" && verdict.verdict !== "taken") return;
+    say(this.line, verdictLine(verdict));
+    this.line.dataset["verdict"] = verdict.verdict;
+    this.line.dataset["tick"] = String(verdict.tick);
+    const cell = verdict.layer === this.session.layer.value ? this.cell(verdict.from ?? "", verdict.event) : null;
+    if (!cell) return;
+    if (verdict.verdict === "taken") {
+      this.table.querySelector(".last")?.classList.remove("last");
+      cell.classList.add("last");
+      if (verdict.to && verdict.to !== verdict.from && !this.host.contains(document.activeElement)) this.revealSideways(cell);
+    }
+    flash(cell, verdict.verdict);
+  }
+}
