@@ -38,11 +38,12 @@ class Given:
         """Rows of the senses that raise their events."""
         return self.sensed[actor].nonzero()[0].tolist() if self.sensed.shape[1] else []
 
-    def table(self, actors: Actors) -> NDArray[np.int64]:
-        """(T, W) all of it: the same row for those to whom the same comes."""
+    def columns(self, actors: Actors) -> list[NDArray[Any]]:
+        """Columns (T,) of all of it: the same in all of them for those to whom the same comes."""
         count = self.count[actors]
-        columns = [self.sensed[actors], count[:, None]]
+        found: list[NDArray[Any]] = [*self.sensed[actors].T, count]
         for number in range(self.most):
-            row = np.where(number < count, self.first[actors] + number, 0)
-            columns.append(np.where((number < count)[:, None], self.rows[row], 0))
-        return np.concatenate(columns, axis=1).astype(np.int64)
+            some = number < count
+            row = np.where(some, self.first[actors] + number, 0)
+            found += [np.where(some, part[row], 0) for part in self.rows.T]
+        return found

@@ -61,6 +61,8 @@ class Queueing:
     """how often chance has decided"""
     questions: list[tuple[Program, bool]] = field(default_factory=list)
     """the conditions that were asked, and their answers"""
+    keys_moved: bool = False
+    """`held` has changed"""
     personal: bool = False
     """it went by the actor's own phase or chance"""
     asked: Asked = ()

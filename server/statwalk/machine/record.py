@@ -103,3 +103,4 @@ class Changes(NamedTuple):
 
 
 CHANGE_KINDS = (np.int64, np.int64, np.int16, np.int16, np.int16, np.int16, np.float32, np.bool_, np.float64, np.uint8)
+NO_CHANGES = Changes._make(np.zeros(0, kind) for kind in CHANGE_KINDS)

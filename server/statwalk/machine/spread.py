@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.machine.record import CHANGE_KINDS, Action, Changes, Verdict
+from statwalk.machine.record import CHANGE_KINDS, NO_CHANGES, Action, Changes, Verdict
 from statwalk.machine.runparts import MIXED
-from statwalk.machine.state import FOREVER, MOMENT, MOST_WAITING, NEW, MachineState
+from statwalk.machine.state import FOREVER, MOMENT, NEW, MachineState
 from statwalk.machine.turn import Turn
 from statwalk.machine.turns import Turns
-from statwalk.maths.arrays import Bools, Floats
+from statwalk.maths.arrays import Floats
 
 TIME = Changes._fields.index("time") - 2
 """where the time stands in a change without actor and layer"""
+STATE, ENDED, GOAL, CHANGED, CARRIED, ENTERED, WAITS, ALERT = range(8)
+NOTHING_WAITS = (-1, 0, 0, -1, -1)
 
 
 class Spread:
@@ -28,21 +30,20 @@ class Spread:
         """(T,) which turn counts for each"""
         for number, members in enumerate(turns.members):
             self.group[members] = number
+        self.now = np.array([whole_numbers(turn) for turn in self.taken], np.int64)[self.group].T
+        """(8, T) see `whole_numbers`"""
+        self.seconds = np.array([(turn.time, turn.start, turn.passed) for turn in self.taken])[self.group].T
+        """(3, T)"""
+        self.changed = self.now[CHANGED] > 0
         self.times = self._times()
         """(T,) seconds into the motion"""
 
-    def each(self, value: Callable[[Turn], Any], kind: Any) -> NDArray[Any]:
-        """(T, …) a value of the turn that counts for each."""
-        return np.array([value(turn) for turn in self.taken], kind)[self.group]
-
     def _times(self) -> Floats:
         """Where the motion has changed at END, each takes over what was left of its own."""
-        changed, carried = self.each(lambda turn: turn.changes > 0, bool), self.each(lambda turn: turn.carried, bool)
-        time: Floats = np.where(changed, self.each(lambda turn: turn.time, float), self.batch.moved.time[self.at])
+        time: Floats = np.where(self.changed, self.seconds[0], self.batch.moved.time[self.at])
+        carried = self.now[CARRIED] > 0
         if carried.any():
-            state = self.each(lambda turn: turn.state, int)[carried]
-            start = self.each(lambda turn: turn.start, float)[carried]
-            time[carried] = self._entering((self.at[0][carried], self.at[1][carried]), state, start)
+            time[carried] = self._entering((self.at[0][carried], self.at[1][carried]), self.now[STATE][carried], self.seconds[1][carried])
         return time
 
     def _entering(self, at: tuple[NDArray[np.intp], NDArray[np.intp]], state: NDArray[Any], start: Floats) -> Floats:
@@ -57,59 +58,65 @@ class Spread:
 
     def state_after(self, after: MachineState) -> MachineState:
         """`after`, the state of those who had no turn, with all turns in it."""
-        state, at, times = self.batch.state, self.at, self.times
-        changed = self.each(lambda turn: turn.changes > 0, bool)
-        passed = np.where(changed, self.each(lambda turn: turn.passed, float), times)
-        age = np.where(self.each(lambda turn: turn.entered, bool), 0, after.age[at])
+        state, at, now, times = self.batch.state, self.at, self.now, self.times
         base = at[1] == 0
         after = after._replace(
-            state=put(state.state, at, self.each(lambda turn: turn.state, np.int16)),
+            state=put(state.state, at, now[STATE]),
             time=put(after.time, at, times),
-            passed=put(after.passed, at, passed),
-            age=put(after.age, at, age),
-            ended=put(after.ended, at, self.each(lambda turn: turn.ended, np.uint8)),
-            held=put(state.held, at[0], self.each(lambda turn: turn.held, np.int32)),
-            goal=put(state.goal, at[0][base], self.each(lambda turn: turn.goal, np.int16)[base]),
+            passed=put(after.passed, at, np.where(self.changed, self.seconds[2], times)),
+            age=put(after.age, at, np.where(now[ENTERED] > 0, 0, after.age[at])),
+            ended=put(after.ended, at, now[ENDED]),
+            held=self._held(state.held),
+            goal=put(state.goal, at[0][base], now[GOAL][base]),
             last=self._last(state.last),
         )
-        return self._with_queues(after, changed)
+        return self._with_queues(after)
+
+    def _held(self, held: NDArray[np.int32]) -> NDArray[np.int32]:
+        """What is held down now; the turns of an actor agree."""
+        if not any(turn.keys_moved for turn in self.taken):
+            return held
+        return put(held, self.at[0], np.array([turn.held for turn in self.taken], np.int32)[self.group])
 
     def _last(self, last: NDArray[np.int16]) -> NDArray[np.int16]:
         """What was left last: each layer has outer states of its own."""
         machine = self.batch.machine
         if not machine.histories:
             return last
-        found, own = last.copy(), self.each(lambda turn: turn.last, np.int16)
+        found, own = last.copy(), np.array([turn.last for turn in self.taken], np.int16)[self.group]
         layers = [machine.layer_of[machine.inside[:, history].argmax()] for history in range(len(machine.histories))]
         for history, layer in enumerate(layers):
             there = self.at[1] == layer
             found[self.at[0][there], history] = own[there, history]
         return found
 
-    def _with_queues(self, after: MachineState, changed: Bools) -> MachineState:
+    def _with_queues(self, after: MachineState) -> MachineState:
         """What waits now, and when it must be looked at: in a new state at once, whenever that came about."""
         state = self.batch.state
-        wake = put(state.wake, self.at, FOREVER)
-        queued = self.each(lambda turn: bool(turn.queue), bool) | (state.waiting_event[self.at][:, 0] >= 0)
+        queued = (self.now[WAITS] > 0) | (state.waiting_event[..., 0][self.at] >= 0)
         if not queued.any():
-            return after._replace(wake=wake)
+            return after._replace(wake=put(state.wake, self.at, FOREVER))
         at, group = (self.at[0][queued], self.at[1][queued]), self.group[queued]
-        event, until, held, other, kept = (part[group] for part in queues_of(self.taken))
-        own = np.take_along_axis(state.waiting_until[at], np.maximum(kept, 0), 1)
-        until = np.where(kept >= 0, own, until)
+        longest = max(max(len(turn.queue) for turn in self.taken), int((state.waiting_event[at] >= 0).sum(1).max()))
+        event, until, held, other, kept = (part[group] for part in queues_of(self.taken, longest))
+        first = (*at, slice(longest))
+        until = np.where(kept >= 0, np.take_along_axis(state.waiting_until[first], np.maximum(kept, 0), 1), until)
         soonest = np.where(event >= 0, until, FOREVER).min(1)
-        wake[at] = np.where((event[:, 0] >= 0) & changed[queued], NEW, soonest)
+        wake = np.full(len(self.group), FOREVER)
+        wake[queued] = np.where((event[:, 0] >= 0) & self.changed[queued], NEW, soonest)
         return after._replace(
-            wake=wake,
-            waiting_event=put(state.waiting_event, at, event),
-            waiting_until=put(state.waiting_until, at, until),
-            waiting_held=put(state.waiting_held, at, held),
-            waiting_other=put(state.waiting_other, at, other),
-            alert=put(state.alert, self.at, self.each(is_alert, bool)),
+            wake=put(state.wake, self.at, wake),
+            waiting_event=put(state.waiting_event, first, event),
+            waiting_until=put(state.waiting_until, first, until),
+            waiting_held=put(state.waiting_held, first, held),
+            waiting_other=put(state.waiting_other, first, other),
+            alert=put(state.alert, self.at, self.now[ALERT]),
         )
 
     def changes(self) -> Changes:
         """The motions that have started."""
+        if not self.changed.any():
+            return NO_CHANGES
         flat = [(*change[2:], turn.carried and change is turn.record.changes[-1]) for turn in self.taken for change in turn.record.changes]
         place, row = spread([len(turn.record.changes) for turn in self.taken], self.group)
         columns: list[tuple[Any, ...]] = list(zip(*flat, strict=True)) if flat else [()] * (len(CHANGE_KINDS) - 1)
@@ -147,7 +154,9 @@ class Spread:
 
 
 def put(array: NDArray[Any], at: Any, values: Any) -> NDArray[Any]:
-    """A copy of the array with values in some places."""
+    """A copy of the array with values in some places; the array itself where it has them already."""
+    if (array[at] == values).all():
+        return array
     changed = array.copy()
     changed[at] = values
     return changed
@@ -162,19 +171,18 @@ def spread(counts: Sequence[int], group: NDArray[np.intp]) -> tuple[NDArray[np.i
     return place, np.arange(len(place)) - np.repeat(each.cumsum() - each, each) + begins[place]
 
 
-def queues_of(taken: Sequence[Turn]) -> tuple[NDArray[Any], ...]:
-    """(G, 16) each: event, until, held, other, and the place in the old queue whose `until` is kept, -1 none."""
-    shape = (len(taken), MOST_WAITING)
-    event, until, held = np.full(shape, -1, np.int16), np.zeros(shape, np.int64), np.zeros(shape, bool)
-    other, kept = np.full(shape, -1, np.int64), np.full(shape, -1, np.intp)
-    for row, turn in enumerate(taken):
-        for place, one in enumerate(turn.queue):
-            event[row, place], until[row, place], held[row, place], other[row, place] = one.event, one.until, one.held, one.other
-            kept[row, place] = one.slot if one.until == one.kept else -1
-    return event, until, held, other, kept
+def queues_of(taken: Sequence[Turn], longest: int) -> tuple[NDArray[Any], ...]:
+    """(G, longest) each: event, until, held, other, and the place in the old queue whose `until` is kept, -1 none."""
+    rows = [
+        [(one.event, one.until, one.held, one.other, one.slot if one.until == one.kept else -1) for one in turn.queue]
+        + [NOTHING_WAITS] * (longest - len(turn.queue))
+        for turn in taken
+    ]
+    return tuple(np.array(rows, np.int64).transpose(2, 0, 1))
 
 
-def is_alert(turn: Turn) -> bool:
-    """Whether something waits for a marker, a window or a condition."""
+def whole_numbers(turn: Turn) -> tuple[int, ...]:
+    """What a turn has come to, in the order of STATE, ENDED, GOAL, CHANGED, CARRIED, ENTERED, WAITS and ALERT."""
     row = turn.machine.targets[turn.state]
-    return any(one.until == MOMENT or (NEW < one.until < MOMENT and row[one.event] == MIXED) for one in turn.queue)
+    alert = any(one.until == MOMENT or (NEW < one.until < MOMENT and row[one.event] == MIXED) for one in turn.queue)
+    return turn.state, turn.ended, turn.goal, turn.changes, turn.carried, turn.entered, len(turn.queue), alert

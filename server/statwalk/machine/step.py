@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from statwalk.machine.advance import advance, speeds
 from statwalk.machine.deciding import deciding
 from statwalk.machine.given import Given
-from statwalk.machine.record import CHANGE_KINDS, Action, Changes, Verdict
+from statwalk.machine.record import NO_CHANGES, Action, Changes, Verdict
 from statwalk.machine.runform import Machine
 from statwalk.machine.sensing import sense
 from statwalk.machine.smoothing import smooth
@@ -55,7 +55,6 @@ class Inputs(NamedTuple):
     """id of the actor that was touched, or raised the event; -1, or None for all: none"""
 
 
-NO_CHANGES = Changes._make(np.zeros(0, kind) for kind in CHANGE_KINDS)
 NOTHING = Inputs(*(np.zeros(0, np.int64) for _ in range(3)))
 
 

@@ -66,7 +66,7 @@ class Turn(Taking):
                 self.verdict(event, "dropped", "it is held already" if self.held[event] else "only a motion raises END")
         else:
             if kind == HOLD:
-                self.held[event] = max(self.held) + 1
+                self.held[event], self.keys_moved = max(self.held) + 1, True
             if waiting:
                 waiting.until, waiting.held, waiting.other = NEW, False, other  # a newer one of the same name renews it, in its place
             if concerned:
@@ -74,7 +74,7 @@ class Turn(Taking):
 
     def release(self, event: int, waiting: Waiting | None) -> None:
         """The key is up: what waits only because it was held is dropped; a press of its own goes on waiting."""
-        self.held[event] = 0
+        self.held[event], self.keys_moved = 0, True
         if waiting and waiting.held:
             self.drop(event, waiting, "it was released")
 
