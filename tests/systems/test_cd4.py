@@ -69,6 +69,10 @@ def test_the_event_knows_who_where_and_when():
     (raised,) = stage.state.raised
     assert (raised.actor, raised.event, raised.other, raised.time) == (hit.id, "HIT", other.id, 0)
     assert raised.point == pytest.approx((0.6 * 0.5 / 0.8, 0, 0))
+    stage.step()
+    (verdict,) = stage.state.verdicts
+    assert (verdict.event, verdict.other) == ("HIT", other.id)
+    assert verdict.reason.startswith("touched at 0.38, 0.00, 0.00 m, 0.00 into the tick")
 
 
 def test_enter_stay_leave():

@@ -84,7 +84,8 @@ def forward(state: StageState, entries: Sequence[LogEntry], dt: float, seed: int
         contacts=contacts,
         flights=flights,
     )
-    verdicts = [verdict for cast, done in stepped for verdict in _verdicts(cast, done)]
+    where = {one[:3]: one.where for one in state.raised if one.point}
+    verdicts = [verdict for cast, done in stepped for verdict in _verdicts(cast, done, where)]
     return replace(after, verdicts=(*_notices(after, notices), *verdicts))
 
 
@@ -146,14 +147,16 @@ def _actions(stepped: Iterable[tuple[Cast, StepResult]], count: int, now: int) -
     )
 
 
-def _verdicts(cast: Cast, done: StepResult) -> Iterable[Verdict]:
+def _verdicts(cast: Cast, done: StepResult, where: Mapping[tuple[int, str, int], str]) -> Iterable[Verdict]:
+    """The ids and names of actors, states and events in place of their rows; of touches also where they came about."""
     states, events, cells = cast.role.machine.states, cast.role.machine.events, cells_of(cast.role)
     for one in done.verdicts:
         here, event = states[one.from_state], events[one.event]
         to = states[one.to_state] if one.to_state >= 0 else ""
         cell = cells.get((one.layer, here, event)) if any(one.cell) else None
         said = Verdict(one.tick, int(cast.ids[one.actor]), one.layer, event, one.verdict, one.reason, here, to)
-        said = said._replace(values=one.values, other=one.other)
+        touch = where.get((said.actor, event, one.other), "")
+        said = said._replace(values=one.values, other=one.other, reason="; ".join(filter(None, (touch, one.reason))))
         yield said._replace(cell=cell.written, source=cell.source, line=cell.line) if cell else said
 
 

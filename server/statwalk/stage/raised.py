@@ -35,6 +35,11 @@ class Raised(NamedTuple):
     time: float = 0.0
     """0…1 within the tick in which it was touched"""
 
+    @property
+    def where(self) -> str:
+        """The place and the moment of a touch, in words."""
+        return f"touched at {', '.join(f'{part:.2f}' for part in self.point or ())} m, {self.time:.2f} into the tick"
+
 
 class Notice(NamedTuple):
     """What the machine itself cannot give a verdict on: an event that reached nobody, or somebody who cannot take it; what an edit did."""
