@@ -8,8 +8,8 @@ from model import Model, Motion, material
 from shapes import Array, about_x, about_z, ball, box, joined, lathe
 
 WOOD = material("wood", "#7a4a22", 0.7)
-IRON = material("iron", "#2f343b", 0.4, 0.7)
-BRASS = material("brass", "#d8b04a", 0.3, 0.9)
+IRON = material("iron", "#3d434c", 0.45, 0.2)
+BRASS = material("brass", "#e0b84e", 0.3, 0.2)
 PAINT = material("paint", "#e5383b", 0.25)
 MUZZLE, FAR, HIGH, FLIGHT_S = 0.75, 12.0, 1.02, 0.4
 DROPS = 10

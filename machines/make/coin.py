@@ -4,8 +4,8 @@ import numpy as np
 from model import Model, material, turn_about
 from shapes import Array, about_x, box, joined, lathe
 
-GOLD = material("gold", "#ffcf3f", 0.25, 0.85)
-RIM = material("rim", "#c98f14", 0.35, 0.85)
+GOLD = material("gold", "#ffcf3f", 0.3, 0.15)
+RIM = material("rim", "#d99a1c", 0.35, 0.15)
 HEIGHT, TURN_S, VANISH_S, AWAY_S = 0.95, 2.0, 0.5, 10.0
 
 

@@ -8,8 +8,8 @@ PLASTER = material("plaster", "#d9c7a8", 0.9)
 BRICK = material("brick", "#a5604a", 0.85)
 OAK = material("oak", "#8a5a2b", 0.55)
 DARK_OAK = material("dark oak", "#5d3a1a", 0.6)
-BRASS = material("brass", "#d8b04a", 0.3, 0.9)
-IRON = material("iron", "#3b3f45", 0.4, 0.8)
+BRASS = material("brass", "#e0b84e", 0.3, 0.2)
+IRON = material("iron", "#4a4f57", 0.45, 0.2)
 BEAM = material("beam", "#ff2a1a", 0.4, emissiveFactor=[1.0, 0.1, 0.05])
 WIDE, TALL, WIRE = 0.96, 2.06, 1.1
 
