@@ -1,12 +1,17 @@
-/** Which machine is watched: the stage that has it already, else a new stage of one's own; and which actor of several. */
+/** Which machine or scene is watched: the stage that has it already, else a new stage of one's own; and which actor of several. */
 
 import * as api from "../net/api";
 import type { Session } from "../session";
 import { el } from "./dom";
 
+/** Before a scene's name in the list; no machine's name has a colon. */
+const SCENE = "scene:";
+
 export class Chooser {
   private readonly machines = el("select", { "aria-label": "machine", title: "machine" });
   private readonly actors = el("select", { "aria-label": "actor", title: "actor" });
+  /** The scene that each machine belongs to, or empty. */
+  private scenes = new Map<string, string>();
   /** The stage this page opened for itself, if it did. */
   private own: string | null = null;
 
@@ -27,14 +32,19 @@ export class Chooser {
   }
 
   private async list(): Promise<void> {
-    const machines = await api.machines().catch(() => []);
-    this.machines.replaceChildren(...machines.map(({ name, title }) => el("option", { value: name }, title ?? name)));
+    const [machines, scenes] = await Promise.all([api.machines().catch(() => []), api.scenes().catch(() => [])]);
+    const alone = machines.filter(({ scene }) => !scene).map(({ name, title }) => el("option", { value: name }, title ?? name));
+    const furnished = scenes.map(({ name, title, description }) => el("option", { value: SCENE + name, title: description }, title));
+    const group = furnished.length ? [el("optgroup", { label: "scenes" }, ...furnished)] : [];
+    this.scenes = new Map(machines.map(({ name, scene }) => [name, scene]));
+    this.machines.replaceChildren(el("optgroup", { label: "machines" }, ...alone), ...group);
     this.select();
   }
 
   private select(): void {
     const name = this.session.cast?.machine;
-    if (name !== undefined) this.machines.value = name;
+    const scene = this.scenes.get(name ?? "");
+    if (name !== undefined) this.machines.value = scene ? SCENE + scene : name;
     this.actors.value = String(this.session.actor.value);
   }
 
@@ -52,13 +62,14 @@ export class Chooser {
     await this.choose(machine);
   }
 
-  /** Watches `machine`: on the main stage if it is there, else on a stage made for it. */
-  private async choose(machine: string): Promise<void> {
+  /** Watches a machine or scene: on the main stage if it is there, else on a stage made for it. */
+  private async choose(what: string): Promise<void> {
     const left = this.own;
     await this.session.command(async () => {
       const main = await api.stage("main").catch(() => null);
-      const shared = main?.actors.some((actor) => actor.machine === machine) ?? false;
-      this.own = shared ? null : await api.newStage(machine);
+      const shared = main?.actors.some(({ machine }) => machine === what || SCENE + this.scenes.get(machine) === what) ?? false;
+      const make = (): Promise<string> => (what.startsWith(SCENE) ? api.newScene(what.slice(SCENE.length)) : api.newStage(what));
+      this.own = shared ? null : await make();
       this.session.watch(this.own ?? "main");
       if (left !== null) await api.remove(left);
     });
