@@ -85,6 +85,18 @@ def test_what_waits_for_the_end_is_asked_then():
         assert actor.step() == state
 
 
+def test_what_waits_for_a_window_in_which_nothing_was_true_waits_for_the_next_one():
+    """The window opens in the ticks 4 to 8 of 20, and so again in tick 24; the buffer of 18 ticks is over by then."""
+    cells = f"{STAMINA}cells:\n  stat/JUMP: {{when: window 0.2..0.4, to: [{{if: stamina > 10, to: JUMP}}]}}\n"
+    actor = Ticking(TABLE, TICKS, cells)
+    actor.set(stamina=5)
+    actor.step("JUMP")
+    actor.run(15)
+    assert actor.waiting == ["JUMP"]
+    actor.set(stamina=15)
+    assert actor.path(10) == [(24, "JUMP")]
+
+
 @pytest.mark.parametrize(
     ("condition", "true"),
     [("speed > 1.5", True), ("turning < 0", False), ("height == 3", True), ("phase > 0.2 and phase < 0.3", True), ("time >= 0.1", False)],

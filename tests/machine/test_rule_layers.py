@@ -100,6 +100,11 @@ def test_and_its_own_queue():
     assert actor.last.changes.layer.tolist() == [1]
 
 
+def test_a_motion_that_is_none_has_no_markers():
+    text = FILE.replace("CALM: {motion: none}", "CALM: {motion: none, markers: {start: 0}}")
+    assert built(text, TICKS).markers[4] == ()
+
+
 def test_a_motion_that_is_none_has_no_end():
     actor = actor_of()
     actor.run(100)

@@ -145,6 +145,13 @@ def test_so_does_one_that_the_time_left_over_has_passed():
     assert actor.said == ["mark taken"]
 
 
+def test_a_loop_that_is_entered_at_its_end_begins():
+    actor = Ticking("state | GO | mark\nA | b |\nb | | b", {"A": 9, "b": 9}, "cells: {A/GO: {enter: 1}}\n", {"b": {"mark": 0}})
+    assert (actor.step("GO"), actor.time_in_ticks) == ("b", 0)
+    actor.step()
+    assert actor.said == ["mark taken"]
+
+
 BLEND = """
 character: c.glb
 initial: MOVE

@@ -96,13 +96,14 @@ def duration_of(state: StateDefinition, motions: Mapping[str, MotionFacts]) -> f
 
 def markers_of(state: StateDefinition, motions: Mapping[str, MotionFacts]) -> tuple[tuple[str, float], ...]:
     """Name and phase of each marker, by phase: the state's own, then those of its (first) clip, as its blend says or as the clip has."""
-    found = dict(state.markers)
-    for clip in state.clips[:1]:
-        facts = motions[clip]
-        if isinstance(state.motion, BlendDefinition):
-            found = {**state.motion.markers.get(clip, {}), **found}
-        found = {**{name: time / facts.duration for name, time in facts.markers if facts.duration > 0}, **found}
-    return tuple(sorted(found.items(), key=lambda one: (one[1], one[0])))
+    if not state.clips:
+        return ()
+    clip, named = state.clips[0], dict(state.markers)
+    if isinstance(state.motion, BlendDefinition):
+        named = {**state.motion.markers.get(clip, {}), **named}
+    duration = motions[clip].duration
+    own = [(name, time / duration) for name, time in motions[clip].markers if name not in named and duration > 0]
+    return tuple(sorted([*named.items(), *own], key=lambda one: (one[1], one[0])))
 
 
 def speed_of(definition: MachineDefinition, state: str) -> tuple[float, int]:

@@ -11,7 +11,7 @@ from statwalk.machine.advance import NEARLY, Advance
 from statwalk.machine.asking import Answers
 from statwalk.machine.moments import any_crossed
 from statwalk.machine.runform import Machine
-from statwalk.machine.runparts import AT_MARKER, IN_WINDOW, MIXED
+from statwalk.machine.runparts import AT_MARKER, IN_WINDOW, MIXED, NOW
 from statwalk.machine.state import MOMENT, NEW, MachineState
 from statwalk.maths.arrays import Bools, Floats
 
@@ -56,6 +56,7 @@ def come(machine: Machine, state: MachineState, moved: Advance, answers: Answers
         opens, closes = (edge[here[:, None], queue] for edge in machine.windows)
         found |= (windows & open_window(opens, closes, passed, time, wraps)).any(1)
     blank = (queue >= 0) & (until > NEW) & (until < MOMENT) & (machine.target[here[:, None], queue] == MIXED)
+    found |= (blank & (when != NOW)).any(1)  # nothing was true at its moment: it waits for the next
     return found | true_now(machine, here, queue, blank, answers)
 
 

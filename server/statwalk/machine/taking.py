@@ -92,17 +92,21 @@ class Taking(Queueing):
             self.leave(here)
 
     def start_of(self, target: int, one: Outcome) -> float:
-        """Seconds into the new motion at which it is entered."""
+        """Seconds into the new motion at which it is entered; the end of a loop is its beginning."""
         machine, duration = self.machine, float(self.machine.duration[target])
         if one.enter == 0 or not math.isfinite(duration):
             return 0.0
-        if one.enter != MATCH:
-            return one.enter * duration
+        start = (self.matched(target) if one.enter == MATCH else one.enter) * duration
+        return math.fmod(start, duration) if machine.loop[target] and duration > 0 else start
+
+    def matched(self, target: int) -> float:
+        """The phase of a motion that goes with that of the present one."""
+        machine = self.machine
         self.personal = True
         whole = float(machine.duration[self.state])
         phase = self.time / whole if whole > 0 else 0.0
         loop = bool(machine.loop[self.state] and machine.loop[target])
-        return float(match(machine.markers[self.state], machine.markers[target], phase, loop)) * duration
+        return float(match(machine.markers[self.state], machine.markers[target], phase, loop))
 
     def entering(self, state: int, start: float) -> float:
         """Seconds into a motion that is entered at `start`, and takes over the time left after END."""
