@@ -23,8 +23,9 @@ def test_json_is_for_programs():
     done = run("faq-walker", "--json")
     assert done.returncode == 0
     findings = orjson.loads(done.stdout)["findings"]
-    assert [one["severity"] for one in findings] == ["info"] * 4
+    assert [one["severity"] for one in findings] == ["info"] * 6
     assert findings[0]["message"] == "JUMP only after WALK: proved"
+    assert findings[4]["message"] == "JUMP leads to CRCH within 1.2 s: proved (at most 1.167 s)"
 
 
 def test_a_file_that_cannot_be_read_makes_status_2_and_one_line(tmp_path):
