@@ -1,5 +1,7 @@
 """A bee, as large as a sparrow, so that one sees it."""
 
+from itertools import pairwise
+
 import numpy as np
 from model import Model, Motion, material, turn_about
 from shapes import ball, joined, loft, mirrored, wing
@@ -19,10 +21,10 @@ def make() -> Model:
         model.joint(f"{name}.wing", "Body", (side * 0.02, 0.035, 0.015))
     radius = lambda z: 0.045 * np.sqrt(np.clip(1 - ((z + 0.05) / 0.075) ** 2, 0, 1))  # noqa: E731
     edges = np.linspace(-0.125, 0.025, 8)
-    for band in range(7):
-        z = np.linspace(edges[band], edges[band + 1], 3)
-        stuff = BLACK if band % 2 == 0 else YELLOW
-        model.part("Tail", loft([(0, 0, float(at) + 0.01) for at in z], radius(z).tolist(), (0.92 * radius(z)).tolist(), 12), stuff)
+    bands = [np.linspace(first, last, 3) for first, last in pairwise(edges)]
+    rings = [loft([(0, 0, float(at) + 0.01) for at in z], radius(z).tolist(), (0.92 * radius(z)).tolist(), 12) for z in bands]
+    model.part("Tail", joined(*rings[0::2]), BLACK)
+    model.part("Tail", joined(*rings[1::2]), YELLOW)
     chest = np.linspace(-0.035, 0.045, 5)
     round_ = (0.036 * np.sqrt(np.clip(1 - ((chest - 0.005) / 0.04) ** 2, 0, 1))).tolist()
     model.part("Body", loft([(0, 0.005, float(at) + 0.02) for at in chest], round_, round_, 12), YELLOW)
