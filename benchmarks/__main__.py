@@ -2,12 +2,13 @@
 
 import frame
 import load
+import machine
 import morph
 import pose
 import skin
 import tick
 import world
 
-for table in (tick, pose, skin, morph, load, frame, world):
+for table in (tick, pose, skin, morph, load, frame, world, machine):
     table.main()
     print()

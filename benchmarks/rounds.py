@@ -8,21 +8,23 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter
-from typing import Any
+from typing import Any, Self
 
-PEER = Path(__file__).resolve().parent / "peers" / "three.mjs"
+PEERS = Path(__file__).resolve().parent / "peers"
 Job = Callable[[], float | None]
 TURN = 0.05
 
 
-class Three:
-    """three.js in a Node process of its own, which times its jobs itself."""
+class Node:
+    """A script of `peers` in a Node process of its own, which times its jobs itself."""
+
+    script = ""
 
     def __init__(self) -> None:
         node = shutil.which("node")
         if node is None:
             raise SystemExit("node is not on the PATH")
-        self.process = subprocess.Popen([node, str(PEER)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen([node, str(PEERS / self.script)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def job(self, name: str, **asked: Any) -> Job:
         """A job that returns its seconds."""
@@ -36,13 +38,25 @@ class Three:
 
         return run
 
-    def __enter__(self) -> Three:
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
         assert self.process.stdin
         self.process.stdin.close()
         self.process.wait()
+
+
+class Three(Node):
+    """three.js."""
+
+    script = "three.mjs"
+
+
+class XState(Node):
+    """XState."""
+
+    script = "xstate.mjs"
 
 
 def least(jobs: dict[str, Job], rounds: int) -> dict[str, float]:
