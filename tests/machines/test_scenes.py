@@ -1,6 +1,5 @@
 """The shipped scenes, played: what touches what, and what comes of it."""
 
-import filecmp
 import subprocess
 import sys
 
@@ -8,6 +7,7 @@ import khronos
 import numpy as np
 import pytest
 from statwalk.errors import MachineError, UnknownNameError
+from statwalk.files.glb import read_model
 from statwalk.loading import load, load_scene, shipped_machines, shipped_scenes
 from statwalk.machine.verify import verify
 from statwalk.stage.replay import replay
@@ -157,8 +157,17 @@ def test_a_character_of_a_machine_that_is_not_shipped(tmp_path):
         load(tmp_path)
 
 
+def arrays_of(path):
+    """All numbers of a model: places at rest, and the values of its clips."""
+    model = read_model(path.read_bytes(), "model", None)
+    parts = [array for part in model.parts for array in (part.positions, part.normals, part.indices)]
+    return [*model.bind_pose, *parts, *(channel.values for clip in model.clips.values() for channel in clip.channels)]
+
+
 def test_the_models_are_those_that_the_makers_make(tmp_path):
     for path in MADE:
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
     subprocess.run([sys.executable, MACHINES / "make", tmp_path], check=True, capture_output=True)
-    assert [path for path in MADE if not filecmp.cmp(tmp_path / path, MACHINES / path, shallow=False)] == []
+    for path in MADE:
+        for made, shipped in zip(arrays_of(tmp_path / path), arrays_of(MACHINES / path), strict=True):
+            np.testing.assert_allclose(made, shipped, atol=1e-5)  # another processor's sine has other last bits
