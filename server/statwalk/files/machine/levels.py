@@ -65,9 +65,9 @@ class Scope:
     def __init__(self, flat: Flat, outer: str) -> None:
         self.flat, self.outer = flat, outer
 
-    def __contains__(self, name: str) -> bool:
+    def __contains__(self, name: object) -> bool:
         """Whether a name is that of a state here."""
-        return self.flat.has(self.state(name))
+        return isinstance(name, str) and self.flat.has(self.state(name))
 
     def row(self, node: Node, name: str, line: int | None = None) -> str:
         """The full name of a row (for `*`, OUTER.*); raises MachineError where it is no state of this level or of those within."""
