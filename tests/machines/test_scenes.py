@@ -125,13 +125,13 @@ def test_a_ball_that_meets_nobody_flies_on():
 def test_a_scene_is_replayed_bit_for_bit():
     played = Played()
     played.stage.hold(played.actor["walker"], "FORWARD")
-    played.stage.step(300)
+    played.stage.step(130)
     assert replay(played.stage.dump(), lambda name, *_: load(name)).hash == played.stage.hash
 
 
 def test_bees_stay_together_and_do_not_collide():
     stage = load_scene("swarm").open()
-    stage.step(240)
+    stage.step(120)
     places = stage.state.casts[0].position
     away = np.linalg.norm(places[:, None] - places, axis=-1) + np.eye(len(places)) * 9
     assert np.ptp(places, axis=0).max() < 4
