@@ -22,7 +22,7 @@ def random_cell(chance, state, states):
     when = chance.choice(WHENS)
     match chance.randrange(8):
         case 0:
-            return f"{{to: [{{if: p > 1, to: {to}}}, {{if: p > 2, to: {other}}}]}}"
+            return f"{{to: [{{if: p > 1, to: {to}}}, {{if: p > 2, to: {other}}}]{when}}}"
         case 1:
             return f"{{to: [{{if: p > 1, to: {to}}}, {{to: {other}}}]{when}}}"
         case 2 if other != to:
