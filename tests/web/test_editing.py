@@ -85,6 +85,12 @@ async def test_a_property_that_no_longer_holds_refuses_it(client: httpx.AsyncCli
     assert "JUMP only after WALK" in answer.json()["findings"][0]["message"]
 
 
+async def test_one_of_several_errors_can_be_mended(client: httpx.AsyncClient) -> None:
+    body = {"state": "STAT", "event": "LEFT", "text": "TLFT"}
+    mended = await client.patch("/api/machines/faq-printed/cells", json=body, headers={"If-Match": '"1"'})
+    assert [one["kind"] for one in mended.json()["findings"] if one["severity"] == "error"] == ["undefined state"] * 2
+
+
 async def test_a_dry_run_only_says(client: httpx.AsyncClient) -> None:
     answer = await patch(client, "WALK", "LEFT", "TRGT", dry=True)
     assert answer.json()["table"]["WALK"]["LEFT"]["to"] == "TRGT"

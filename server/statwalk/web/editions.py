@@ -101,9 +101,9 @@ class Editions:
             raise Problem(422, "an edit keeps the character; make another machine for another one", field="character")
         file.check_root(role.character.skeleton.names)
         new = Role.build(role.name, role.character, file.definition, file.root_joint)
-        known = {(one.kind, one.message) for one in findings_of(entry.file, role) if one.severity == "error"}
+        known = {one.about for one in findings_of(entry.file, role) if one.severity == "error"}
         findings = findings_of(file, new)
-        errors = [one for one in findings if one.severity == "error" and (one.kind, one.message) not in known]
+        errors = [one for one in findings if one.severity == "error" and one.about not in known]
         if errors:
             raise RefusedEdit(errors)
         newest = self.of(name)[-1].version
