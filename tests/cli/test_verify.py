@@ -4,6 +4,7 @@ import subprocess
 import sys
 
 import orjson
+import pytest
 from where import MACHINES
 
 
@@ -17,6 +18,11 @@ def test_errors_are_printed_and_make_status_1():
     assert done.returncode == 1
     assert "TLFG is no state; did you mean TLFT?" in done.stdout
     assert "2 errors, 5 warnings" in done.stdout
+
+
+@pytest.mark.parametrize("machine", ["faq-walker", "walker-layers"])
+def test_what_ships_keeps_its_promises(machine):
+    assert run(machine).stdout.endswith(f"{machine}: 0 errors, 0 warnings\n")
 
 
 def test_json_is_for_programs():
