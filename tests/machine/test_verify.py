@@ -148,6 +148,13 @@ def test_a_touch_with_no_collider():
     assert [one.message for one in verify(broken)] == ["HIT touches with 'body', which is no collider"]
 
 
+def test_an_event_that_is_raised_on_others_and_nearly_one_of_its_own():
+    cells = 'cells: {A/SHOOT: {to: B, action: "raise(SHOOOT, other)"}, A/END: {to: B, action: "raise(BARK, dog)"}}\n'
+    assert found("state | SHOOT | END\nA | |\nB | | A", more=cells) == [
+        ("unknown event", "raise(SHOOOT, other) raises what is no event here; did you mean SHOOT?")
+    ]
+
+
 OUTER = """character: c.glb
 initial: A
 states: {A: {motion: m}, B: {machine: {initial: IN, states: {IN: {motion: m}, OUT: {motion: m%s}}}}}

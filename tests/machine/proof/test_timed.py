@@ -96,6 +96,31 @@ def test_a_motion_that_may_stand_still():
     assert answer("JUMP leads to FLY within 9 s", text=text).startswith("undecided: it takes 0.25 s at the least, and at the most for ever")
 
 
+BLENDED = """character: c.glb
+initial: A
+parameters: {speed: {default: 1, min: 1, max: 3}}
+states: {A: {motion: walk}, B: {motion: {over: speed, clips: {walk: 1, run: 3}}}}
+table: |
+  state | GO | END
+  A     | B  |
+  B     |    | A
+"""
+
+
+def test_a_blend_lasts_as_long_as_one_of_its_clips_or_something_between():
+    ticks = {"walk": 60, "run": 30}
+    said = "undecided: it takes 0.5 s at the least, and at the most 1 s; B lasts as long as speed will have it"
+    assert answer("B leads to A within 0.8 s", text=BLENDED, ticks=ticks) == said
+    assert answer("B leads to A within 1 s", text=BLENDED, ticks=ticks) == "proved (at most 1 s)"
+
+
+def test_fractions_of_a_tick_are_looked_at_from_both_sides():
+    ticks = {"A": 60, "B": 10.5, "C": 10.5}
+    table = "state | GO | END\nA | B |\nB | | C\nC | | A"
+    assert answer("B leads to A within 0.367 s", "", table, ticks) == "proved (at most 0.3667 s)"
+    assert answer("B leads to A within 0.35 s", "", table, ticks).startswith("undecided: it takes 0.3333 s at the least")
+
+
 def test_a_marker_comes_with_the_motion_alone():
     table = "state | GO | foot\nA | B |\nB | | A"
     assert answer("B leads to A within 0.5 s", "", table, {"A": 60, "B": 60}, {"B": {"foot": 24}}) == "proved (at most 0.4 s)"
