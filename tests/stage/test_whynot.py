@@ -129,6 +129,12 @@ def test_a_cell_that_is_off_is_put_back():
     }
 
 
+def test_an_end_that_nothing_answers_gets_a_cell():
+    stage, _ = asked(PLAIN, "GO")
+    (remedy,) = whynot(stage, 1, "END", 15).remedies
+    assert (remedy.change["state"], remedy.change["event"], remedy.fires) == ("WALK", "END", 61)
+
+
 def test_what_is_held_is_released_first():
     stage = Stage()
     actor = stage.add(role_of(PLAIN))

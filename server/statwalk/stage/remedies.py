@@ -72,6 +72,7 @@ def candidates(question: Question) -> Iterator[Candidate]:
         seconds = abs(tick - question.tick) / question.stage.rate
         yield Candidate(MOMENT + seconds, {"kind": "moment", "tick": tick})
         later = tick if tick > question.tick else later
+    yield from _cell(question)
     if question.event == END:
         return
     if question.cast.machine.held[question.row, question.place[1]]:
@@ -84,7 +85,6 @@ def candidates(question: Question) -> Iterator[Candidate]:
     yield from _values(question)
     yield from sensed(question)
     yield from _elsewhere(question)
-    yield from _cell(question)
 
 
 def _values(question: Question) -> Iterator[Candidate]:

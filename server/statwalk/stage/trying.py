@@ -61,6 +61,7 @@ class Attempt:
         self.origin, self.actor, self.event, self.tick = stage, actor, event, tick
         self.fork = stage
         self.press = LogEntry(tick, "press", actor, event)
+        self.sent = [] if event == END else [self.press]
 
     def begin(self, tick: int) -> None:
         """The fork, at the tick before `tick`."""
@@ -83,7 +84,7 @@ class Attempt:
     def given(self) -> list[LogEntry]:
         """The entries of the tick in question, the event among them, unless it comes about in another way."""
         entries = self.origin.entries(self.tick)
-        return entries if came(self.origin, self.actor, self.event, self.tick) else [*entries, self.press]
+        return entries if came(self.origin, self.actor, self.event, self.tick) else [*entries, *self.sent]
 
     def others(self) -> Sequence[LogEntry]:
         """The entries of the tick in question without the event."""
@@ -95,8 +96,7 @@ class Attempt:
     def try_send(self, change: Change) -> bool:
         """Sent in another tick."""
         self.begin(change["tick"])
-        sent = [] if self.event == END else [self.press]
-        return self.step([*self.origin.entries(change["tick"]), *sent])
+        return self.step([*self.origin.entries(change["tick"]), *self.sent])
 
     try_moment = try_send
 
@@ -139,7 +139,7 @@ class Attempt:
         role = self.role()
         layer = [one.name for one in role.machine.layers][change["layer"]]
         self.fork.edit(with_definition(role, with_cell(role.definition, layer, (change["state"], change["event"]), cell)))
-        return self.step(self.given())
+        return self.step(self.given()) or (self.event == END and self.watch(along=True))
 
     def try_buffer(self, change: Change) -> bool:
         """The event waits longer."""

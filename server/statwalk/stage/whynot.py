@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from statwalk.errors import StageError, UnknownNameError
+from statwalk.machine.definition import END
 from statwalk.stage.fold import forward
 from statwalk.stage.frame import Verdict
 from statwalk.stage.log import LogEntry
@@ -72,10 +73,10 @@ def _asked(stage: Stage, actor: int, event: str, tick: int) -> tuple[Question, b
         return [one for one in done.verdicts if (one.actor, one.event) == (actor, event)]
 
     came = verdicts(entries)
-    given = came or verdicts([*entries, LogEntry(tick, "press", actor, event)])
-    if not given:  # END, which nobody can send
+    if event == END and not came:  # nobody can send it
         here = cast.role.machine.states[cast.machine.state[row, 0]]
-        given = [Verdict(tick, actor, 0, event, "dropped", f"{here} has not come to its end", here, "")]
+        came = [Verdict(tick, actor, 0, END, "dropped", "its motion has not come to the end, or nothing answers that", here, "")]
+    given = came or verdicts([*entries, LogEntry(tick, "press", actor, event)])
     verdict = min(given, key=lambda one: (one.verdict != "taken", one.layer))
     return Question(stage, actor, event, tick, cast, row, verdict), bool(came)
 
