@@ -118,7 +118,7 @@ function start(name: string): void {
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
   const badge = new StateBadge(byId("badge"), session, picture);
   const events = new EventsPanel(byId("events"), session);
-  new GraphPanel(byId("graph"), session);
+  new GraphPanel(byId("graph"), session, (state) => void travelling.go(state));
   layerTabs(byId("layers"), session);
   wayBar(byId("way"), session, travelling);
   bringOwn(new Chooser(byId("chooser"), session));

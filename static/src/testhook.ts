@@ -6,6 +6,8 @@
  *              as the page shows them now; state() is a name, looking() null while live
  * posed() shown()
  *              the tick of the frame that the scene shows, and the stream it came by ("pose", "glb")
+ * layerStates() version() played()
+ *              the state of each layer; the version of the machine that the table shows, and of that which the stage plays, by its own count
  * lanes()      [first tick, last tick, state] of every run that is known of the watched actor
  * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
  * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres (pose stream)
@@ -104,6 +106,9 @@ export function exposeForTests(session: Session, picture: Picture, drawn: Meter)
     head: () => session.head,
     hash: () => session.hash,
     state: () => session.stateName(session.state.value),
+    layerStates: () => session.layerStates.value,
+    version: () => session.machine.value?.version ?? 0,
+    played: () => session.cast?.version ?? 0,
     looking: () => session.looking.value,
     link: () => session.link.value.state,
     frames: () => session.frames.value,

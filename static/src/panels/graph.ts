@@ -2,8 +2,9 @@
 
 import type { LayerInfo, Verdict } from "../net/protocol";
 import type { Session } from "../session";
-import { flash, say, svg } from "./dom";
+import { el, flash, say, svg } from "./dom";
 import { layoutGraph } from "./graphlayout";
+import { statesToDraw } from "./graphnear";
 import { type Layout, type PlacedEdge, type PlacedState, STATE_HEIGHT } from "./graphshape";
 
 const edgeKey = (from: string, to: string): string => JSON.stringify([from, to]);
@@ -31,7 +32,7 @@ function drawState({ name, x, y, width }: PlacedState, machine: LayerInfo): SVGG
   const facts = motion ? `${motion.motion ?? "no motion"}, ${motion.duration.toFixed(2)} s${motion.loop ? ", loops" : ""}` : "";
   const box = svg("rect", { x: x - width / 2, y: y - STATE_HEIGHT / 2, width, height: STATE_HEIGHT, rx: 8 });
   const text = svg("text", { x, y: y + 4, "text-anchor": "middle" }, name.length > 19 ? `${name.slice(0, 18)}…` : name);
-  return svg("g", { class: name === machine.initial ? "state initial" : "state" }, svg("title", {}, `${name}: ${facts}`), box, text);
+  return svg("g", { class: name === machine.initial ? "state initial" : "state", "data-state": name }, svg("title", {}, `${name}: ${facts}; double click: go there`), box, text);
 }
 
 export class GraphPanel {
@@ -39,18 +40,31 @@ export class GraphPanel {
   private states = new Map<string, SVGGElement>();
   private edges = new Map<string, SVGGElement>();
   private leaving = new Map<string, SVGGElement[]>();
+  private readonly note = el("p", { class: "graph-note" });
   private aspect = 0;
+  /** The state whose neighbourhood alone is drawn, or null where the whole graph is. */
+  private drawnFor: string | null = null;
 
   constructor(
     private readonly host: HTMLElement,
     private readonly session: Session,
+    private readonly goTo: (state: string) => void,
   ) {
-    host.append(this.canvas);
+    host.append(this.canvas, this.note);
+    for (const kind of ["contextmenu", "dblclick"]) this.canvas.addEventListener(kind, (click) => this.wished(click));
     session.machine.on(() => this.draw());
     session.layer.on(() => this.draw());
     session.layerStates.on(() => this.mark());
     session.verdicts.on((verdict) => this.fire(verdict));
     new ResizeObserver(() => this.fit()).observe(host);
+  }
+
+  /** A state that is clicked twice, or with the other button, is gone to; the base alone can be sent anywhere. */
+  private wished(click: Event): void {
+    const state = click.target instanceof Element ? click.target.closest<SVGGElement>(".state")?.dataset["state"] : undefined;
+    if (state === undefined || this.session.layer.value !== 0) return;
+    click.preventDefault();
+    this.goTo(state);
   }
 
   private fit(): void {
@@ -64,8 +78,12 @@ export class GraphPanel {
   private draw(): void {
     const machine = this.session.layerInfo;
     if (!machine || !this.aspect) return;
-    const names = machine.states.map((state) => state.name);
-    const layout = layoutGraph(names, machine.edges, this.aspect);
+    const all = machine.states.map((state) => state.name);
+    const names = statesToDraw(all, machine.edges, this.session.shownState);
+    this.drawnFor = names.length < all.length ? this.session.shownState : null;
+    say(this.note, this.drawnFor === null ? "" : `${names.length} of ${all.length} states`);
+    const shown = new Set(names);
+    const layout = layoutGraph(names, machine.edges.filter(({ from, to }) => shown.has(from) && shown.has(to)), this.aspect);
     this.place(layout);
     this.canvas.classList.toggle("dense", layout.dense);
     this.edges = new Map(layout.edges.map((edge) => [edgeKey(edge.from, edge.to), drawEdge(edge)]));
@@ -84,6 +102,8 @@ export class GraphPanel {
 
   private mark(): void {
     const live = this.session.shownState;
+    // Where only what is near is drawn, another state has other neighbours.
+    if (this.drawnFor !== null && this.drawnFor !== live && live) return this.draw();
     for (const [name, group] of this.states) group.classList.toggle("live", name === live);
     for (const group of this.edges.values()) group.classList.remove("near");
     for (const group of this.leaving.get(live) ?? []) {

@@ -21,6 +21,9 @@ const POINTER: [string, string][] = [
   ["drag", "turn around the character"],
   ["right drag", "move sideways and up"],
   ["wheel", "nearer, farther"],
+  ["cell", "edit it: STATE, STATE!, -, STATE at end"],
+  ["state, twice", "go there, by the events that lead there soonest"],
+  ["timeline", "drag: the past; click: why?"],
 ];
 
 export class HelpDialog {

@@ -24,7 +24,7 @@ export function drawCell({ name: state, outer }: StateInfo, event: string, cell:
   // A sibling in a sub-machine goes by its short name, as in the file.
   const near = outer && to.startsWith(`${outer}.`) ? to.slice(outer.length + 1) : to;
   const parts = [el("span", { class: "to" }, near), others > 1 ? fork(others) : null, ...signs.map((sign) => el("small", {}, sign))];
-  const place = { "data-state": state, "data-event": event, tabindex: -1 };
+  const place = { "data-state": state, "data-column": event, tabindex: -1 };
   return el("td", { class: cellClasses(state, cell, known), title: cellSentence(state, event, cell), role: "gridcell", ...place }, ...parts);
 }
 

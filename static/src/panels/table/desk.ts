@@ -9,6 +9,8 @@ import { countWords, findingItems, marked, mended } from "./findings";
 export class Desk {
   private readonly verdict = el("p", { class: "trial", role: "status" });
   private readonly cell = el("p", { class: "cell-says" });
+  /** What one may go on typing. */
+  readonly suggestions = el("ul", { class: "suggestions", role: "listbox", id: "suggestions", "aria-label": "completions" });
   private readonly list = el("ul", { class: "findings" });
   private editing_ = false;
   private stays = "";
@@ -18,7 +20,7 @@ export class Desk {
     private readonly editing: Editing,
     private readonly go: (finding: Finding) => void,
   ) {
-    host.append(this.cell, this.verdict, this.list);
+    host.append(this.suggestions, this.cell, this.verdict, this.list);
     host.hidden = true;
     editing.findings.on(() => !this.editing_ && !host.hidden && this.list_(editing.findings.value));
   }

@@ -19,13 +19,15 @@ interface Place {
 
 export class CellEditor {
   private readonly field = el("input", { type: "text", class: "cell-field", spellcheck: "false", autocomplete: "off", maxlength: 200, role: "combobox", "aria-controls": "suggestions", hidden: true });
-  private readonly suggestions = new Suggestions((text) => this.complete(text));
+  private readonly suggestions: Suggestions;
   private place: Place | null = null;
   private before = "";
   private byPointer = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
   /** Counts trials: only the newest one's answer is shown. */
   private trials = 0;
+  /** The request under way: one at a time, or a trial could come after the edit that it was a trial of. */
+  private line: Promise<unknown> = Promise.resolve();
 
   constructor(
     private readonly host: HTMLElement,
@@ -35,18 +37,18 @@ export class CellEditor {
     private readonly cellAt: (state: string, event: string) => HTMLTableCellElement | null,
   ) {
     host.append(this.field);
+    this.suggestions = new Suggestions(desk.suggestions, (text) => this.complete(text));
     this.field.addEventListener("input", () => this.typed());
     this.field.addEventListener("keydown", (press) => this.pressed(press));
     this.field.addEventListener("keyup", (press) => press.stopPropagation());
     this.field.addEventListener("blur", () => this.left());
-    host.addEventListener("scroll", () => this.suggestions.hide());
     for (const signal of [session.machine, session.layer]) signal.on(() => this.settle());
     session.leaving.on(() => this.close(false));
   }
 
   /** Edits a cell; what is typed in another one is kept first, and stays there where it is refused. */
   async open(cell: HTMLTableCellElement, typed: string | null): Promise<void> {
-    const { state, event } = cell.dataset;
+    const { state, column: event } = cell.dataset;
     const layer = this.session.layerInfo;
     if (!state || !event || !layer || (this.place && !(await this.leave()))) return;
     this.place = { layer: layer.name, state, event };
@@ -92,7 +94,7 @@ export class CellEditor {
 
   private suggest(layer: LayerInfo, state: string): void {
     const texts = completions(this.field.value, targets(layer, state), markersOf(layer, state));
-    this.suggestions.show(this.changed || !this.before ? texts : [], this.field);
+    this.suggestions.show(this.changed || !this.before ? texts : []);
   }
 
   private complete(text: string): void {
@@ -121,7 +123,6 @@ export class CellEditor {
   }
 
   private left(): void {
-    this.suggestions.hide();
     if (!this.changed) this.close(false);
   }
 
@@ -139,8 +140,10 @@ export class CellEditor {
     if (!place) return;
     if (!this.changed) return dry ? this.desk.unchanged() : this.close(true);
     this.desk.trying();
-    const answer = await this.editing.cell(place, text, dry).catch((error: Error): Answer => ({ kind: "refused", words: error.message, findings: [] }));
-    if (trial !== this.trials || place !== this.place) return;
+    const asked = this.line.then(() => (dry && trial !== this.trials ? null : this.editing.cell(place, text, dry)));
+    this.line = asked.catch(() => null);
+    const answer = await asked.catch((error: Error): Answer => ({ kind: "refused", words: error.message, findings: [] }));
+    if (!answer || trial !== this.trials || place !== this.place) return;
     if (answer.kind === "fine" && !dry) return this.kept(place);
     this.field.setAttribute("aria-invalid", String(answer.kind === "refused"));
     this.desk.show(answer);
@@ -159,7 +162,7 @@ export class CellEditor {
     const place = this.place;
     this.place = null;
     clearTimeout(this.timer);
-    this.suggestions.hide();
+    this.suggestions.show([]);
     this.field.hidden = true;
     this.field.removeAttribute("aria-invalid");
     this.desk.end();

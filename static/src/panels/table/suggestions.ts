@@ -1,38 +1,29 @@
-/** The list of texts below a field that one may choose from. */
+/** Texts that one may go on with, in a row: Tab takes the first, the arrows choose. */
 
 import { el } from "../dom";
 
 export class Suggestions {
-  readonly list = el("ul", { class: "suggestions", role: "listbox", id: "suggestions", "aria-label": "completions", hidden: true });
   private texts: readonly string[] = [];
   private chosen = -1;
 
-  constructor(private readonly take: (text: string) => void) {
-    document.body.append(this.list);
+  constructor(
+    private readonly list: HTMLElement,
+    private readonly take: (text: string) => void,
+  ) {
+    list.hidden = true;
     // The field keeps the keyboard.
-    this.list.addEventListener("pointerdown", (press) => {
+    list.addEventListener("pointerdown", (press) => {
       press.preventDefault();
       const item = press.target instanceof Element ? press.target.closest("li") : null;
-      if (item) this.take(item.textContent ?? "");
+      if (item) this.take(this.texts[[...this.list.children].indexOf(item)] ?? "");
     });
   }
 
-  /** Shows `texts` below `field`, or above it where there is no room. */
-  show(texts: readonly string[], field: HTMLElement): void {
+  show(texts: readonly string[]): void {
     this.texts = texts;
     this.chosen = -1;
     this.list.hidden = texts.length === 0;
-    this.list.replaceChildren(...texts.map((text) => el("li", { role: "option" }, text)));
-    const box = field.getBoundingClientRect();
-    const height = this.list.offsetHeight;
-    const above = box.bottom + height > window.innerHeight && box.top > height;
-    this.list.style.left = `${Math.min(box.left, window.innerWidth - this.list.offsetWidth - 8)}px`;
-    this.list.style.top = `${above ? box.top - height - 2 : box.bottom + 2}px`;
-  }
-
-  hide(): void {
-    this.texts = [];
-    this.list.hidden = true;
+    this.list.replaceChildren(...texts.map((text, i) => el("li", { role: "option" }, text, i ? null : el("kbd", {}, "⇥"))));
   }
 
   get open(): boolean {
@@ -44,6 +35,7 @@ export class Suggestions {
     if (!this.open) return null;
     this.chosen = (this.chosen + by + this.texts.length + (this.chosen < 0 && by < 0 ? 1 : 0)) % this.texts.length;
     [...this.list.children].forEach((item, i) => item.setAttribute("aria-selected", String(i === this.chosen)));
+    this.list.children[this.chosen]?.scrollIntoView({ block: "nearest", inline: "nearest" });
     return this.texts[this.chosen] ?? null;
   }
 

@@ -43,7 +43,7 @@ export class TablePanel {
     this.table.replaceChildren(el("thead", {}, this.drawn.head), el("tbody", {}, ...this.drawn.body));
     this.drawn.cells.values().next().value?.setAttribute("tabindex", "0");
     this.line.textContent = "";
-    if (focused?.["state"]) this.focus(this.cell(focused["state"], focused["event"] ?? ""));
+    if (focused?.["state"]) this.focus(this.cell(focused["state"], focused["column"] ?? ""));
     this.mark();
   }
 

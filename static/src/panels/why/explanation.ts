@@ -44,5 +44,5 @@ export function explanation(one: Explained, layer: string, go: (state: string, e
     row("blend", blendWords(one)),
     row("joints", joints(one)),
   ];
-  return el("section", { class: "event-why", "data-event": one.event }, head, el("dl", {}, ...facts));
+  return el("section", { class: "event-why", "data-about": one.event }, head, el("dl", {}, ...facts));
 }

@@ -1,0 +1,181 @@
+"""The table is edited in place: tried while one types, kept or dropped, undone; two editors do not overwrite each other."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from browser.conftest import Server, until
+from playwright.sync_api import Page
+from statwalk.loading import shipped_machines_folder
+
+NAME = "edited"
+CELL = "td[data-state=WALK][data-column=LEFT]"
+REFUSED_ANSWER = "status of 422"
+LAYER = """
+layers:
+  head:
+    mask: [Head]
+    initial: REST
+    states:
+      REST: {motion: none}
+      NOD: {motion: crouch}
+    table: |
+      state | NOD | END
+      REST  | NOD |
+      NOD   | -   | REST
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The FAQ's walker as a machine of one's own, with a second layer."""
+    text = (shipped_machines_folder() / "faq-walker" / "machine.yaml").read_text()
+    made = tmp_path_factory.mktemp("own") / NAME
+    made.mkdir()
+    (made / "machine.yaml").write_text(text.replace("character: walker.glb", "character: faq-walker") + LAYER)
+    return made
+
+
+@pytest.fixture(scope="module")
+def playing(folder: Path) -> Iterator[Server]:
+    """A server whose main stage plays that machine."""
+    running = Server(folder.parent / "data", folder)
+    running.start()
+    yield running
+    running.stop()
+
+
+@pytest.fixture
+def own(playing: Server) -> Iterator[Server]:
+    """That server; afterwards the table says what it said."""
+    text = machine(playing)["text"]
+    yield playing
+    now = machine(playing)
+    if now["text"] != text:
+        url = f"{playing.url}/api/machines/{NAME}"
+        httpx.put(url, json={"text": text}, headers={"If-Match": f'"{now["version"]}"'}).raise_for_status()
+
+
+@pytest.fixture
+def table(own: Server, opened: Callable[[str], Page], allowed: list[str]) -> Page:
+    """The page, with the version that it began with."""
+    allowed.append(REFUSED_ANSWER)
+    page = opened(own.url)
+    page.evaluate("Object.assign(window, {start: __viewer.version(), played: __viewer.played()})")
+    return page
+
+
+def machine(server: Server) -> dict[str, Any]:
+    """The machine as the server has it."""
+    got: dict[str, Any] = httpx.get(f"{server.url}/api/machines/{NAME}").json()
+    return got
+
+
+def edited(page: Page, times: int = 1) -> None:
+    """Waits until the table has changed so many times."""
+    until(page, "__viewer.version() === window.start + arg", times)
+
+
+def type_in_cell(page: Page, text: str) -> None:
+    """Opens the cell and types, until the server has said something to it."""
+    page.locator(CELL).click()
+    page.keyboard.type(text)
+    until(page, "['fine', 'refused'].includes(document.querySelector('#desk').dataset.trial)")
+
+
+def test_enter_keeps_what_is_typed(own: Server, folder: Path, table: Page) -> None:
+    """The cell changes on the page, on the stage that is played, and in the file, where nothing else moves."""
+    before = (folder / "machine.yaml").read_text().splitlines()
+    type_in_cell(table, "TRGT at end")
+    table.keyboard.press("Enter")
+    edited(table)
+    until(table, "__viewer.played() > window.played")
+    after = (folder / "machine.yaml").read_text().splitlines()
+    assert table.locator(CELL).inner_text() == "TRGT⇥"
+    assert [line for line in after if line not in before] == [next(line for line in after if line.strip().startswith("WALK  |"))]
+
+
+def test_what_is_refused_stays_in_the_cell(own: Server, table: Page) -> None:
+    type_in_cell(table, "TLXT")
+    table.keyboard.press("Enter")
+    until(table, "document.querySelector('.cell-field').getAttribute('aria-invalid') === 'true'")
+    assert table.locator(".cell-field").input_value() == "TLXT"
+    assert "did you mean TLFT" in table.locator("#desk .new").first.inner_text()
+    assert machine(own)["version"] == table.evaluate("window.start")
+
+
+def test_escape_drops_what_is_typed(own: Server, table: Page) -> None:
+    type_in_cell(table, "STAT")
+    table.keyboard.press("Escape")
+    until(table, "document.querySelector('.cell-field').hidden")
+    assert table.locator(CELL).inner_text() == "TLFT"
+    assert machine(own)["version"] == table.evaluate("window.start")
+
+
+def test_a_new_finding_leads_to_its_place(table: Page) -> None:
+    """Nothing leads to JUMP any more: that is said before the edit is made, and a click shows the row."""
+    table.locator("td[data-state=WALK][data-column=JUMP]").click()
+    table.keyboard.press("Delete")
+    until(table, "document.querySelector('#desk .new .where')")
+    assert "JUMP" in table.locator("#desk .new").first.inner_text()
+
+
+def test_undo_goes_back(own: Server, table: Page) -> None:
+    text = machine(own)["text"]
+    type_in_cell(table, "STAT")
+    table.keyboard.press("Enter")
+    edited(table)
+    table.keyboard.press("Control+z")
+    edited(table, 2)
+    assert machine(own)["text"] == text
+
+
+def test_the_keyboard_alone_edits(own: Server, table: Page) -> None:
+    """From a cell the arrows lead to the next one; typing starts there, Tab takes the completion."""
+    table.locator("td[data-state=WALK][data-column=FORWARD]").focus()
+    table.keyboard.press("ArrowRight")
+    until(table, f"document.activeElement === document.querySelector('{CELL}')")
+    table.keyboard.type("trg")
+    until(table, "!document.querySelector('.suggestions').hidden")
+    table.keyboard.press("Tab")
+    table.keyboard.press("Enter")
+    edited(table)
+    assert table.locator(CELL).inner_text() == "TRGT"
+
+
+def test_somebody_elses_edit_is_not_overwritten(own: Server, table: Page, allowed: list[str]) -> None:
+    """The page says so, shows the other's edit, and keeps what was typed; Enter then keeps both."""
+    allowed.append("status of 412")
+    table.locator(CELL).click()
+    table.evaluate("document.querySelector('.cell-field').value = 'STAT'")
+    cell = {"state": "WALK", "event": "RIGHT", "text": "STAT"}
+    httpx.patch(f"{own.url}/api/machines/{NAME}/cells", json=cell, headers={"If-Match": f'"{machine(own)["version"]}"'}).raise_for_status()
+    table.keyboard.press("Enter")
+    until(table, "__viewer.version() > window.start && document.querySelector('.cell-field').value === 'STAT'")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    rows = {row[0]: row for row in machine(own)["rows"]}
+    assert rows["WALK"][2:4] == ["STAT", "STAT"]
+
+
+def test_an_edit_does_not_stop_the_motion(own: Server, table: Page) -> None:
+    """The actor is in the same state before and after, and has not begun it again."""
+    table.keyboard.down("ArrowUp")
+    until(table, "__viewer.state() === 'WALK'")
+    walking = table.evaluate("__viewer.lanes().length")
+    type_in_cell(table, "TRGT")
+    table.keyboard.press("Enter")
+    edited(table)
+    until(table, "__viewer.played() > window.played && __viewer.ready")
+    assert table.evaluate("__viewer.lanes().length") == walking
+    table.keyboard.up("ArrowUp")
+
+
+def test_a_layer_has_its_own_table_and_graph(table: Page) -> None:
+    table.get_by_role("tab", name="head").click()
+    until(table, "document.querySelector('#table tr[aria-current] th')?.textContent === 'REST'")
+    until(table, "document.querySelector('#graph .live text')?.textContent === 'REST'")
+    table.locator("[data-event=NOD]").click()
+    until(table, "__viewer.layerStates()[1] === 'NOD'")

@@ -1,0 +1,87 @@
+"""Any moment of the timeline tells why; what did not happen tells what would have made it; a state can be gone to."""
+
+from collections.abc import Callable, Iterator
+
+import httpx
+import pytest
+from browser.conftest import Server, until
+from playwright.sync_api import Page
+
+CLICK_AT = """async tick => {
+  const bar = document.querySelector('.scrub');
+  while (Number(bar.max) < tick) await new Promise(done => setTimeout(done, 20));
+  const box = document.querySelector('#lanes canvas').getBoundingClientRect();
+  const at = (tick - Number(bar.min)) / (Number(bar.max) - Number(bar.min));
+  return [box.left + at * box.width, box.top + 20];
+}"""
+
+
+@pytest.fixture
+def still(server: Server, opened: Callable[[str], Page]) -> Iterator[Page]:
+    """A page at a stage that moves only when it is told to: FORWARD in tick 11, JUMP in tick 31, 60 ticks in all."""
+    machine = httpx.get(f"{server.url}/api/machines").json()[0]["name"]
+    stage = httpx.post(f"{server.url}/api/stages", json={"clock": "manual", "actors": [{"machine": machine}]}).headers["Location"]
+    for event, ticks in (("FORWARD", 20), ("JUMP", 30)):
+        httpx.post(f"{server.url}{stage}/step", json={"ticks": 10})
+        httpx.post(f"{server.url}{stage}/events", json={"event": event})
+        httpx.post(f"{server.url}{stage}/step", json={"ticks": ticks - 10})
+    yield opened(f"{server.url}/?stage={stage.rsplit('/', 1)[1]}")
+    httpx.delete(f"{server.url}{stage}")
+
+
+def why(page: Page, tick: int) -> None:
+    """Clicks on a tick of the timeline and waits for its explanation."""
+    page.mouse.click(*page.evaluate(CLICK_AT, tick))
+    until(page, "document.querySelector('#why').dataset.tick === String(arg)", tick)
+
+
+def test_a_click_on_the_timeline_tells_why(still: Page) -> None:
+    why(still, 11)
+    told = still.locator(".event-why[data-about=FORWARD]").inner_text()
+    assert [part in told for part in ("taken", "STAT/FORWARD", "STAT → STWK")] == [True, True, True]
+    assert still.evaluate("__viewer.looking()") == 11
+
+
+def test_the_cell_is_shown_in_the_table(still: Page) -> None:
+    why(still, 11)
+    still.locator(".event-why .where").click()
+    until(still, "document.activeElement?.dataset.state === 'STAT' && document.activeElement.dataset.column === 'FORWARD'")
+
+
+def test_escape_closes_it(still: Page) -> None:
+    why(still, 11)
+    still.locator("#why [aria-label^=close]").focus()
+    still.keyboard.press("Escape")
+    until(still, "document.querySelector('#why').hidden")
+
+
+def test_why_not_proposes_what_helps_and_the_cell_takes_it(still: Page) -> None:
+    """JUMP does nothing in STAT; the remedy that changes the cell is put into it, to be kept or dropped."""
+    why(still, 5)
+    still.locator(".why-not select").select_option("JUMP")
+    until(still, "document.querySelector('.remedies [data-kind=cell] button')")
+    still.locator(".remedies [data-kind=cell] button").first.click()
+    until(still, "document.querySelector('.cell-field').value.startsWith('JUMP')")
+    still.keyboard.press("Escape")
+
+
+def test_one_goes_to_a_state_and_sees_the_way(viewer: Page) -> None:
+    until(viewer, "__viewer.state() === 'STAT'")
+    viewer.locator("#table th[data-state=JUMP]").click(button="right")
+    until(viewer, "!document.querySelector('#way').hidden")
+    assert "JUMP" in viewer.locator("#way").inner_text()
+    until(viewer, "__viewer.state() === 'JUMP'")
+    until(viewer, "document.querySelector('#way').hidden")
+
+
+def test_the_way_can_be_cancelled(viewer: Page) -> None:
+    until(viewer, "__viewer.state() === 'STAT'")
+    viewer.locator("#table th[data-state=LAND]").click(button="right")
+    until(viewer, "!document.querySelector('#way').hidden")
+    viewer.get_by_role("button", name="cancel", exact=True).click()
+    until(viewer, "document.querySelector('#way').hidden")
+
+
+def test_lanes_tell_taken_from_waiting_and_dropped(still: Page) -> None:
+    """What this page has not seen itself it asks for; the states are there, and the clock stands still."""
+    assert still.evaluate("__viewer.lanes().map(([, , state]) => state)") == ["STAT", "STWK"]
