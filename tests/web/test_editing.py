@@ -112,6 +112,7 @@ async def test_the_version_is_asked_for(client: httpx.AsyncClient, header: dict[
 async def test_a_text_that_is_no_machine_says_where(client: httpx.AsyncClient, text: str, place: str) -> None:
     answer = await client.put(WALKER, json={"text": text}, headers={"If-Match": "1"})
     assert (answer.status_code, answer.json()["errors"][0]["field"]) == (422, place)
+    assert str(MACHINES) not in answer.text  # where the file lies on the server is nobody's business
 
 
 async def test_the_same_text_leaves_every_bit(client: httpx.AsyncClient) -> None:

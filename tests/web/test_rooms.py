@@ -101,3 +101,9 @@ async def test_the_frame_of_a_tick_is_a_model(client: httpx.AsyncClient) -> None
     assert (await get(client, stage))["tick"] == 10
     assert (await client.get(f"{stage}/frame.glb", params={"tick": 11})).status_code == 409
     await client.delete(stage)
+
+
+@pytest.mark.parametrize(("path", "status"), [("/api/machines", 200), ("/api/nothing", 404)])
+async def test_head_is_get_without_a_body(client: httpx.AsyncClient, path: str, status: int) -> None:
+    answer = await client.head(path)
+    assert (answer.status_code, answer.headers["content-type"]) == (status, (await client.get(path)).headers["content-type"])

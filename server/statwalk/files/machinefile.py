@@ -79,9 +79,9 @@ def load_machine(folder: Path) -> MachineFile:
     return machine_of(read_text(folder / FILE_NAME, MachineError), folder)
 
 
-def machine_of(text: str, folder: Path) -> MachineFile:
+def machine_of(text: str, folder: Path, file: str = "") -> MachineFile:
     """The machine that a text says in the place of its folder's machine file. Raises MachineError with file, line and name."""
-    root = parse(text, str(folder / FILE_NAME), MachineError, KEYS)
+    root = parse(text, file or str(folder / FILE_NAME), MachineError, KEYS)
     character = character_name(root)
     definition, table_text = define(root, folder.resolve().name, folder)
     entries = root.entries()

@@ -96,7 +96,7 @@ class Editions:
         :raises RefusedEdit: if the verifier finds errors that were not there before.
         """
         entry, role = self.library.entry(name), self.library.role(name)
-        file = machine_of(text, entry.folder)
+        file = machine_of(text, entry.folder, FILE_NAME)
         if file.character_path != entry.file.character_path:
             raise Problem(422, "an edit keeps the character; make another machine for another one", field="character")
         file.check_root(role.character.skeleton.names)
@@ -115,7 +115,7 @@ class Editions:
         with self.lock:
             edited = self.checked(name, text, what, before)
             entry = self.library.entry(name)
-            file = machine_of(text, entry.folder)
+            file = machine_of(text, entry.folder, FILE_NAME)
             if write and saved(entry) == "file":
                 put_in_place(entry.folder / FILE_NAME, text)
             self.library.renew(replace(entry, file=file), edited.role)

@@ -146,7 +146,8 @@ class Guard:
         except Problem as problem:
             await answer(problem.body())(scope, receive, send)
             return
-        await self.app(scope, bodies(scope).counted(receive) if scope["type"] == "http" else receive, send)
+        receive = bodies(scope).counted(receive) if scope["type"] == "http" else receive
+        await self.app(with_head_as_get(scope), receive, send)
 
     def check(self, scope: Scope) -> None:
         """Everything that can be said from the request line and the headers."""
@@ -159,6 +160,11 @@ class Guard:
             check_fetch_site(headers)
             if scope["type"] == "http":
                 bodies(scope).check(headers)
+
+
+def with_head_as_get(scope: Scope) -> Scope:
+    """HEAD is answered as GET; the server that called leaves the body out."""
+    return {**scope, "method": "GET"} if scope["type"] == "http" and scope["method"] == "HEAD" else scope
 
 
 def with_security_headers(send: Send) -> Send:

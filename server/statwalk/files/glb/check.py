@@ -102,7 +102,8 @@ def required_reference(entry: Json, key: str, place: str, collection: list[Any],
 def index(value: Any, place: str, collection: list[Any], kind: str) -> int:
     """A value that must be an index into a collection."""
     if type(value) is not int or not 0 <= value < len(collection):
-        raise ModelError(f"{shown(value)} is not the index of a {kind}; there are {len(collection)}", place=place)
+        article = "an" if kind[0] in "aeiou" else "a"
+        raise ModelError(f"{shown(value)} is not the index of {article} {kind}; there are {len(collection)}", place=place)
     return value
 
 
