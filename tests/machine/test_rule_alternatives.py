@@ -91,7 +91,7 @@ def test_what_waits_for_a_window_in_which_nothing_was_true_waits_for_the_next_on
     actor = Ticking(TABLE, TICKS, cells)
     actor.set(stamina=5)
     actor.step("JUMP")
-    actor.run(15)
+    actor.run(22)
     assert actor.waiting == ["JUMP"]
     actor.set(stamina=15)
     assert actor.path(10) == [(24, "JUMP")]

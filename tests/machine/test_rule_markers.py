@@ -91,9 +91,10 @@ def test_it_comes_again_in_every_loop():
 
 
 def test_in_a_blank_cell_a_marker_means_nothing_and_does_not_wait():
-    actor = walker("state | left-down | GO\nwalk | | JUMP\nJUMP | walk |")
-    actor.run(5)
-    assert (actor.said, actor.waiting) == ([], [])
+    actor = walker("state | left-down | GO\nwalk | | walk\nJUMP | walk |")
+    actor.run(4)
+    actor.step("GO")
+    assert (actor.said, actor.waiting) == (["GO taken"], [])
 
 
 def test_a_star_is_no_marker():
@@ -107,6 +108,13 @@ def test_markers_of_one_tick_come_by_time():
     actor = walker(table, markers={"walk": {"late": 4.9, "early": 4.1}})
     actor.run(5)
     assert actor.said == ["early taken", "late taken"]
+
+
+def test_so_they_do_across_the_seam():
+    actor = walker("state | early | late\nwalk | walk | walk", markers={"walk": {"early": 1, "late": 19}})
+    actor.machine.speed[0] = 9  # 9, 18, 7: over 19 and 1
+    actor.run(3)
+    assert actor.said == ["late taken", "early taken"]
 
 
 def test_the_events_of_a_tick_have_their_order():

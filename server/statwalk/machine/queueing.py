@@ -42,8 +42,6 @@ class Queueing:
     """END came in this tick and has not been answered"""
     owed: bool
     """this END is one that a stay has put off"""
-    carry: float
-    """seconds of this tick that were left after END"""
     queue: list[Waiting]
     held: list[int]
     last: list[int]
@@ -52,11 +50,9 @@ class Queueing:
     entered: bool = False
     """the state is another one than at the tick before, or again the same after another"""
     ending: bool = False
-    """END is being answered: the motion that follows takes over `carry`"""
-    start: float = 0.0
-    """seconds into its motion at which the state was entered last in this tick"""
+    """END is being answered: the motion that follows takes over the time that is left"""
     carried: bool = False
-    """the time left after END came on top"""
+    """what was left of the tick after END has still to come on top"""
     draws: int = 0
     """how often chance has decided"""
     questions: list[tuple[Program, bool]] = field(default_factory=list)

@@ -18,6 +18,8 @@ from statwalk.maths.arrays import Floats
 TIME = Changes._fields.index("time") - 2
 """where the time stands in a change without actor and layer"""
 STATE, ENDED, GOAL, CHANGED, CARRIED, ENTERED, WAITS, ALERT = range(8)
+WORTH_A_LOOK = 4096
+"""copying fewer numbers costs less than comparing some of them"""
 NOTHING_WAITS = (-1, 0, 0, -1, -1)
 
 
@@ -32,8 +34,8 @@ class Spread:
             self.group[members] = number
         self.now = np.array([whole_numbers(turn) for turn in self.taken], np.int64)[self.group].T
         """(8, T) see `whole_numbers`"""
-        self.seconds = np.array([(turn.time, turn.start, turn.passed) for turn in self.taken])[self.group].T
-        """(3, T)"""
+        self.seconds = np.array([(turn.time, turn.passed) for turn in self.taken])[self.group].T
+        """(2, T) into the motion, and before its markers that are still to be met"""
         self.changed = self.now[CHANGED] > 0
         self.times = self._times()
         """(T,) seconds into the motion"""
@@ -43,11 +45,11 @@ class Spread:
         time: Floats = np.where(self.changed, self.seconds[0], self.batch.moved.time[self.at])
         carried = self.now[CARRIED] > 0
         if carried.any():
-            time[carried] = self._entering((self.at[0][carried], self.at[1][carried]), self.now[STATE][carried], self.seconds[1][carried])
+            time[carried] = self._entering((self.at[0][carried], self.at[1][carried]), self.now[STATE][carried], self.seconds[0][carried])
         return time
 
     def _entering(self, at: tuple[NDArray[np.intp], NDArray[np.intp]], state: NDArray[Any], start: Floats) -> Floats:
-        """`Taking.entering` for many."""
+        """Seconds into a motion that is entered at `start`, and takes over the time left after END."""
         machine, duration = self.batch.machine, self.batch.machine.duration[state]
         row, speed = machine.speed_parameter[state], machine.speed[state]
         if machine.parameters:
@@ -63,7 +65,7 @@ class Spread:
         after = after._replace(
             state=put(state.state, at, now[STATE]),
             time=put(after.time, at, times),
-            passed=put(after.passed, at, np.where(self.changed, self.seconds[2], times)),
+            passed=put(after.passed, at, np.where(self.changed, self.seconds[1], times)),
             age=put(after.age, at, np.where(now[ENTERED] > 0, 0, after.age[at])),
             ended=put(after.ended, at, now[ENDED]),
             held=self._held(state.held),
@@ -154,8 +156,8 @@ class Spread:
 
 
 def put(array: NDArray[Any], at: Any, values: Any) -> NDArray[Any]:
-    """A copy of the array with values in some places; the array itself where it has them already."""
-    if (array[at] == values).all():
+    """A copy of the array with values in some places; a large one itself where it has them already."""
+    if array.size > WORTH_A_LOOK and (array[at] == values).all():
         return array
     changed = array.copy()
     changed[at] = values

@@ -80,9 +80,9 @@ class Taking(Queueing):
         here = self.state
         start = self.start_of(target, one)
         self.changes += 1
-        self.start, self.carried = start, self.ending
+        self.carried = self.ending
         self.state, self.ended, self.at_end, self.crossed, self.wraps = target, RUNNING, False, (), 0
-        self.time, self.passed = self.entering(target, start), start + BEGINNING
+        self.time, self.passed = start, start + BEGINNING
         self.record.changes.append(
             Change(self.actor, self.layer, here, target, event, one.action, one.blend, target == here, self.time, one.curve)
         )
@@ -107,17 +107,6 @@ class Taking(Queueing):
         phase = self.time / whole if whole > 0 else 0.0
         loop = bool(machine.loop[self.state] and machine.loop[target])
         return float(match(machine.markers[self.state], machine.markers[target], phase, loop))
-
-    def entering(self, state: int, start: float) -> float:
-        """Seconds into a motion that is entered at `start`, and takes over the time left after END."""
-        machine, duration = self.machine, float(self.machine.duration[state])
-        time = start
-        if self.ending:
-            row = int(machine.speed_parameter[state])
-            time += self.carry * float(self.answers.state.smoothed[self.actor, row] if row >= 0 else machine.speed[state])
-        if machine.loop[state]:
-            return math.fmod(time, duration) if duration > 0 else 0.0
-        return min(time, duration)
 
     def remember(self, old: int, new: int) -> None:
         """Outer states that are left keep in mind from where."""

@@ -88,7 +88,7 @@ class Turns:
             *(part.tolist() for part in (*at, self.index[which], batch.key[at[0]])),
             *(part[at].tolist() for part in (state.state, moved.time, state.passed, moved.wraps)),
             self._crossed(at),
-            *(part.tolist() for part in (moved.ended[at], moved.at_end[at], state.ended[at] == OWED, moved.carry[at])),
+            *(part.tolist() for part in (moved.ended[at], moved.at_end[at], state.ended[at] == OWED)),
             queues_of(state, at),
             *(part[at[0]].tolist() for part in (state.held, state.last, state.goal)),
         )
