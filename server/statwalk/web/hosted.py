@@ -12,6 +12,7 @@ from statwalk.errors import UnknownNameError
 from statwalk.stage.clock import Clock
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Actor, Stage
+from statwalk.stage.timeline import SLICE
 from statwalk.web import messages
 from statwalk.web.library import Library
 from statwalk.web.mailbox import FrameKind, Mailbox, Shown
@@ -69,17 +70,28 @@ class HostedStage:
         self.screen.show(self.stage, facts=True)
 
     def step(self, ticks: int) -> None:
-        """So many steps, each shown to the viewers."""
-        with self.turn():
-            for _ in range(ticks):
-                self.tick()
+        """So many steps, each shown to the viewers; every now and then others have their turn."""
+        for done in range(0, ticks, SLICE):
+            with self.turn():
+                for _ in range(min(SLICE, ticks - done)):
+                    self.tick()
+            time.sleep(0)  # who waits for the lock gets it
 
     def seek(self, tick: int) -> None:
-        """Moves the playhead, for everybody."""
+        """Moves the playhead, for everybody; while the way there is worked out others have their turn."""
         with self.turn() as stage:
-            stage.seek(tick)
+            slices = stage.seeking(tick)
+        while self.goes_on(slices):
+            time.sleep(0)
+
+    def goes_on(self, slices: Iterator[int]) -> bool:
+        """Whether a slice of the way to another tick was left; when none is, it is shown."""
+        with self.turn() as stage:
+            if next(slices, None) is not None:
+                return True
             self.screen.show(stage, facts=False)
             self.announce()
+            return False
 
     def pause(self, paused: bool) -> None:
         """Stops or starts the clock."""
