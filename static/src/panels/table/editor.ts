@@ -42,6 +42,8 @@ export class CellEditor {
     this.field.addEventListener("keydown", (press) => this.pressed(press));
     this.field.addEventListener("keyup", (press) => press.stopPropagation());
     this.field.addEventListener("blur", () => this.left());
+    // The desk below takes room from the table: the cell stays in sight.
+    new ResizeObserver(() => this.place && this.field.scrollIntoView({ block: "nearest", inline: "nearest" })).observe(host);
     for (const signal of [session.machine, session.layer]) signal.on(() => this.settle());
     session.leaving.on(() => this.close(false));
   }

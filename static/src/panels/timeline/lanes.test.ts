@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { place, spanOf, stateColour, tickAt } from "./lanes";
+import { place, spanOf, stateColour, tickAt, upTo } from "./lanes";
 
 describe("spanOf", () => {
   it.each([
@@ -25,6 +25,13 @@ describe("tickAt", () => {
   it("is what happened near it", () => expect(tickAt(400, span, 1000, [300, 396, 405], 7)).toBe(396));
 
   it("is never outside", () => expect(tickAt(-5, span, 1000, [], 7)).toBe(0));
+});
+
+describe("upTo", () => {
+  it("draws out the newest alone", () => {
+    const runs = [{ start: 0, end: 4, state: "A" }, { start: 5, end: 9, state: "B" }];
+    expect(upTo(runs, 20).map((run) => run.end)).toEqual([4, 20]);
+  });
 });
 
 describe("stateColour", () => {

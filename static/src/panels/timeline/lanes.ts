@@ -35,6 +35,11 @@ export function stateColour(index: number, dark: boolean): string {
   return dark ? `oklch(0.46 0.075 ${hue.toFixed(0)})` : `oklch(0.83 0.07 ${hue.toFixed(0)})`;
 }
 
+/** `runs` with the newest drawn out to `head`: while one looks back, a change of state would have been heard of. */
+export function upTo(runs: readonly Run[], head: number): Run[] {
+  return runs.map((run, i) => (i === runs.length - 1 ? { ...run, end: Math.max(run.end, head) } : run));
+}
+
 export interface LaneInk {
   dark: boolean;
   text: string;

@@ -5,7 +5,7 @@ import type { Player } from "../../player";
 import type { Session } from "../../session";
 import { el, onTheme, token } from "../dom";
 import { laneRows } from "./lanerows";
-import { type LaneInk, type Sheet, type Span, drawActions, drawBlends, drawHead, drawMarks, drawRuns, place, spanOf, tickAt } from "./lanes";
+import { type LaneInk, type Sheet, type Span, drawActions, drawBlends, drawHead, drawMarks, drawRuns, place, spanOf, tickAt, upTo } from "./lanes";
 
 const WINDOW_S = 120;
 const SNAP_PIXELS = 7;
@@ -115,7 +115,8 @@ export class Timeline {
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, width, rows.height);
     rows.layers.forEach((lane, layer) => {
-      drawRuns(sheet, session.history.between(lineOf(actor, layer), span.from, span.to), lane, (state) => session.stateIndex(actor, state, layer));
+      const runs = session.history.between(lineOf(actor, layer), span.from, span.to);
+      drawRuns(sheet, session.looking.value === null ? runs : upTo(runs, session.head), lane, (state) => session.stateIndex(actor, state, layer));
       drawBlends(sheet, session.happenings.blendsBetween(actor, layer, span.from, span.to), lane);
       drawMarks(sheet, session.happenings.marksBetween(actor, span.from, span.to, layer), lane);
     });
