@@ -185,3 +185,11 @@ def test_a_blend_that_is_shorter_now_runs_faster():
     actor.around = actor.around._replace(rate=actor.around.rate * 3)
     assert actor.run(4) == "MOVE"
     assert actor.time_in_ticks == 12
+
+
+def test_a_window_never_opens_where_there_is_no_motion():
+    """Not even one from the beginning: nothing has a phase there."""
+    layer = "layers: {arms: {initial: REST, states: {REST: {motion: none}}, cells: {'*/X': {to: REST!, when: window 0..0.5}}}}\n"
+    actor = Ticking("state | GO | X\nwalk | |", {"walk": 20}, layer)
+    actor.step("X")
+    assert [actor.step() and actor.said for _ in range(40)] == [[]] * 40

@@ -157,10 +157,11 @@ class Machine:
 
     @cached_property
     def windows(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """(S, E) each: the seconds at which the window of a cell opens and closes."""
-        opens, closes = np.zeros(self.when.shape), np.zeros(self.when.shape)
+        """(S, E) each: the seconds at which the window of a cell opens and closes; infinite where there is no motion, or no window."""
+        opens, closes = np.full(self.when.shape, np.inf), np.full(self.when.shape, np.inf)
         for place, moment in self.moments.items():
-            opens[place], closes[place] = moment.first * self.duration[place[0]], moment.last * self.duration[place[0]]
+            if np.isfinite(self.duration[place[0]]):
+                opens[place], closes[place] = moment.first * self.duration[place[0]], moment.last * self.duration[place[0]]
         return opens, closes
 
     @cached_property
