@@ -42,6 +42,17 @@ async def test_travel_arrives(client: httpx.AsyncClient) -> None:
     assert "FLY" in seen
 
 
+async def test_who_is_sent_off_in_the_past_goes_in_a_fork(client: httpx.AsyncClient) -> None:
+    path = await walker(client)
+    await client.post(f"{path}/step", json={"ticks": 10})
+    await client.post(f"{path}/seek", json={"tick": 3})
+    plan = (await client.post(f"{path}/actors/1/travel", json={"state": "FLY"})).json()
+    fork = f"/api/stages/{plan['stage']}"
+    assert (fork != path, plan["tick"]) == (True, 3)
+    seen = [(await client.post(f"{fork}/step", json={"ticks": 6})).json()["actors"][0]["state"] for _ in range(30)]
+    assert "FLY" in seen
+
+
 async def test_travel_is_cancelled(client: httpx.AsyncClient) -> None:
     path = await walker(client)
     await client.post(f"{path}/actors/1/travel", json={"state": "FLY"})

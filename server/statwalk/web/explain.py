@@ -9,7 +9,7 @@ from pydantic import BaseModel, ConfigDict
 
 from statwalk.stage.why import Explained, why
 from statwalk.stage.whynot import whynot
-from statwalk.web.actors import find
+from statwalk.web.actors import Stages, find
 from statwalk.web.door import stage_of
 from statwalk.web.hosted import HostedStage
 from statwalk.web.jsonbody import BoundedRoute
@@ -37,7 +37,7 @@ class StepView(BaseModel):
 
 
 class PlanView(BaseModel):
-    """A way to `goal`; the first event counts in the tick after `tick`."""
+    """A way to `goal`; the first event counts in the tick after `tick` of `stage`: a fork, where it is sent in the past."""
 
     model_config = ConfigDict(strict=True, extra="forbid", frozen=True)
 
@@ -45,6 +45,7 @@ class PlanView(BaseModel):
     tick: int
     seconds: float
     steps: list[StepView]
+    stage: str
 
 
 @router.get("/why")
@@ -80,13 +81,14 @@ def find_in_past(hosted: HostedStage, actor: int) -> None:
 
 
 @router.post("/travel", status_code=202)
-def travel(hosted: Held, actor_id: int, asked: NewTravel) -> PlanView:
-    """Sends an actor to a state, by the events that lead there soonest; 409 where no way does."""
-    with hosted.turn() as stage:
+def travel(hosted: Held, actor_id: int, asked: NewTravel, registry: Stages) -> PlanView:
+    """Sends an actor to a state, by the events that lead there soonest; 409 where no way does. In the past it is a fork's actor."""
+    with registry.writing(hosted, None) as target:
+        stage = target.stage
         plan = stage.travel(find(stage, actor_id), asked.state)
-        hosted.logged += 1
+        target.logged += 1
         steps = [StepView(state=step.state, event=step.event, seconds=step.seconds) for step in plan.steps]
-        return PlanView(goal=plan.goal, tick=stage.tick, seconds=plan.seconds, steps=steps)
+        return PlanView(goal=plan.goal, tick=stage.tick, seconds=plan.seconds, steps=steps, stage=target.id)
 
 
 @router.delete("/travel", status_code=204)
