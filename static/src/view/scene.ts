@@ -88,7 +88,8 @@ export class Scene {
     const box = (this.canvas.parentElement ?? this.canvas).getBoundingClientRect();
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
     this.view.resize(box.width, box.height);
-    this.invalidate();
+    this.dirty = true;
+    this.draw(0); // a canvas of another size is blank, and would be shown so until the next frame
   }
 
   /** Draws if there is a reason to; says whether it did. */
