@@ -86,15 +86,15 @@ def test_what_waits_for_the_end_is_asked_then():
 
 
 def test_what_waits_for_a_window_in_which_nothing_was_true_waits_for_the_next_one():
-    """The window opens in the ticks 4 to 8 of 20, and so again in tick 24; the buffer of 18 ticks is over by then."""
+    """The window is open in the ticks 4 to 6 of 16, and so from 20 to 22; the buffer of 18 ticks that began in 4 would be over in 22."""
     cells = f"{STAMINA}cells:\n  stat/JUMP: {{when: window 0.2..0.4, to: [{{if: stamina > 10, to: JUMP}}]}}\n"
-    actor = Ticking(TABLE, TICKS, cells)
+    actor = Ticking(TABLE, TICKS | {"stat": 16}, cells)
     actor.set(stamina=5)
     actor.step("JUMP")
     actor.run(22)
     assert actor.waiting == ["JUMP"]
     actor.set(stamina=15)
-    assert actor.path(10) == [(24, "JUMP")]
+    assert actor.path(20) == [(36, "JUMP")]
 
 
 @pytest.mark.parametrize(
