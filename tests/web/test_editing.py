@@ -132,12 +132,14 @@ async def test_versions_are_listed(client: httpx.AsyncClient) -> None:
 async def test_a_given_folder_keeps_it_in_its_file(tmp_path: Path) -> None:
     folder = tmp_path / "mine"
     copytree(MACHINES / "faq-walker", folder, ignore=lambda *_: ["make"])
+    (folder / "machine.yaml").chmod(0o640)
     app = create_app(Settings(folders=(folder,), hosts=("test",)))
     async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url="http://test") as client:
         body = {"state": "WALK", "event": "LEFT", "text": "TRGT"}
         answer = await client.patch("/api/machines/mine/cells", json=body, headers={"If-Match": "1"})
     assert answer.json()["saved"] == "file"
     assert (folder / "machine.yaml").read_text() == answer.json()["text"]
+    assert (folder / "machine.yaml").stat().st_mode & 0o777 == 0o640
 
 
 async def test_the_schema_is_served(client: httpx.AsyncClient) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import tempfile
 import threading
 import time
@@ -169,7 +170,7 @@ def saved(entry: Entry) -> Saved:
 
 
 def put_in_place(path: Path, text: str) -> None:
-    """Writes the file whole or not at all.
+    """Writes the file whole or not at all; who may read it stays as it was.
 
     :raises ContentError: if it cannot be written.
     """
@@ -178,6 +179,8 @@ def put_in_place(path: Path, text: str) -> None:
             file.write(text)
             file.flush()
             os.fsync(file.fileno())
+        if path.exists():
+            shutil.copymode(path, file.name)
         Path(file.name).replace(path)
     except OSError as error:
         raise ContentError(f"the file cannot be written: {error.strerror}", file=str(path)) from None
