@@ -10,6 +10,7 @@ import numpy as np
 
 from statwalk.maths import quat
 from statwalk.maths.arrays import Bools, Floats, Ints
+from statwalk.maths.kernels.choose import loaded
 from statwalk.maths.pose import Pose
 from statwalk.motion.channel import Channel, Interpolation, Path
 from statwalk.motion.timing import KeyTimes
@@ -56,6 +57,11 @@ class Bundle:
     @cached_property
     def is_constant(self) -> Bools:
         """(C,) whether a channel says the same at every time."""
+        compiled = loaded()
+        if compiled is not None and self.values.ndim == 2 and self.values.dtype == np.float32:
+            found = np.empty(len(self.counts), bool)
+            compiled.constant(np.require(self.values, requirements=["C", "A"]), np.asarray(self.ends, np.int64), found)
+            return found
         width = self.keys.shape[-1]
         same = self.keys == self.keys[self.starts].repeat(self.counts, 0)
         if self.interpolation == "CUBICSPLINE":

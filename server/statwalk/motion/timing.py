@@ -39,6 +39,7 @@ class KeyTimes:
     def __init__(self, times: Sequence[Floats]) -> None:
         self.times = times
         self.timings: dict[int, Timing] = {}
+        self.tables: dict[tuple[int, int], tuple[Ints, Floats, Floats]] = {}
 
     def __getitem__(self, row: int) -> Floats:
         return self.times[row]
@@ -54,3 +55,12 @@ class KeyTimes:
             times = self.times[row].astype(np.float64)
             self.timings[row] = timing_of(times, times)
         return self.timings[row]
+
+    def in_step(self, row: int, count: int) -> tuple[Ints, Floats, Floats]:
+        """For so many channels that all have these times, one after the other: the tables (U + 1, C) of a track, see `Track`."""
+        if (row, count) not in self.tables:
+            timing = self.timing(row)
+            segment = timing.key[:, None] + len(timing.edges) * np.arange(count)
+            start, rate = (part[:, None].repeat(count, 1) for part in (timing.start, timing.rate))
+            self.tables[row, count] = segment, start, rate
+        return self.tables[row, count]

@@ -75,12 +75,10 @@ class Packed:
 
     def track_in_step(self, start: int, end: int) -> Track:
         """The track of the channels start…end, all of which have the same times."""
-        row, count = int(self.moving.timing[start]), end - start
-        timing = self.moving.times.timing(row)
-        segment = timing.key[:, None] + len(timing.edges) * np.arange(count)
-        since, rate = (part[:, None].repeat(count, 1) for part in (timing.start, timing.rate))
+        row, times = int(self.moving.timing[start]), self.moving.times
         rows = self.rows[self.moving.starts[start] : self.moving.ends[end - 1]]
-        return Track(self.bundle.path, self.evaluate, self.moving.target[start:end], timing.edges, segment, since, rate, rows)
+        target, edges = self.moving.target[start:end], times.timing(row).edges
+        return Track(self.bundle.path, self.evaluate, target, edges, *times.in_step(row, end - start), rows)
 
     def batches(self, start: int, end: int) -> Iterator[Ints]:
         """The channels start…end, those with the same times together, in batches whose table is not too large."""

@@ -15,13 +15,14 @@ TOLERANCE, EXACT = 2e-3, 1.2e-7
 def normalised(joints: Ints, weights: Floats) -> tuple[NDArray[np.uint16], NDArray[np.float32], int]:
     """Joints and weights (V,I) with sums of 1 and the largest influence first, unused columns left out; and how many vertices were off.
 
-    A vertex without any weight follows the first of its joints. Sums within quantisation error (8-bit weights) are not counted.
+    What is below 0 counts as 0. A vertex without any weight follows the first of its joints. Sums within quantisation error (8-bit
+    weights) are not counted.
     """
     used = used_where_normalised(weights)
     if used:
         return joints[:, :used].astype(np.uint16, copy=False), weights[:, :used].astype(np.float32, copy=False), 0
-    found, sums = joints.astype(np.uint16), summed(weights)
-    exact = weights.astype(np.float64)
+    found, exact = joints.astype(np.uint16), np.maximum(weights, 0, dtype=np.float64)
+    sums = summed(exact)
     off = int(np.count_nonzero(np.abs(sums - 1) > TOLERANCE))
     empty = sums <= 0
     if empty.any():
@@ -33,13 +34,15 @@ def normalised(joints: Ints, weights: Floats) -> tuple[NDArray[np.uint16], NDArr
 
 
 def used_where_normalised(weights: Floats) -> int:
-    """How many columns have any, where all rows (V,I) sum to 1, as exactly as 32-bit floats can, and fall, as in most files; else 0."""
+    """How many columns have any, where all rows (V,I) sum to 1, as exactly as 32-bit floats can, and fall to no less than 0, as in most
+    files; else 0.
+    """
     compiled = loaded() if weights.shape[1] == 4 and is_plain(weights) else None
     if compiled is not None:
         return int(compiled.normalised(weights, np.float32(EXACT)))
     columns = np.ascontiguousarray(weights.T)
     sums = columns.sum(0)
-    right = np.abs(sums - 1).max(initial=0) <= EXACT and (columns[1:] <= columns[:-1]).all()
+    right = np.abs(sums - 1).max(initial=0) < EXACT and (columns[1:] <= columns[:-1]).all() and columns[-1].min(initial=0) >= 0
     return used_columns(weights) if right else 0
 
 
@@ -48,9 +51,9 @@ def is_plain(values: Floats) -> bool:
     return values.dtype == np.float32 and values.flags.aligned and values.flags.c_contiguous
 
 
-def summed(weights: Floats) -> NDArray[np.float64]:
-    """(V,) the sums of the rows, in float64."""
-    sums = weights[:, 0].astype(np.float64)
+def summed(weights: Floats) -> Floats:
+    """(V,) the sums of the rows."""
+    sums = weights[:, 0].copy()
     for column in range(1, weights.shape[1]):
         sums += weights[:, column]
     return sums

@@ -20,7 +20,7 @@ UNIT = (UNIT / np.linalg.norm(UNIT, axis=1, keepdims=True)).astype(np.float32)
 def way(request, monkeypatch):
     """Both ways; the compiled ones as if they had been asked for before."""
     kernels = choose.kernels() if request.param == "compiled" else None
-    for module in ("files.glb.plain", "files.glb.attributes", "motion.segments", "motion.keytable", "skin.weights"):
+    for module in ("files.glb.plain", "files.glb.attributes", "motion.segments", "motion.keytable", "motion.bundle", "skin.weights"):
         monkeypatch.setattr(f"statwalk.{module}.loaded", lambda: kernels)
 
 
@@ -43,10 +43,11 @@ def test_the_largest_number_is_usable(way, value):
     assert plain.is_usable(np.full(20, value, np.float32))
 
 
-@pytest.mark.parametrize("value", [(0, 0, 0), (1, 1e-2, 0), (np.nan, 0, 0)])
-def test_what_is_not_of_unit_length_is_found(way, value):
+@pytest.mark.parametrize("row", [3, 40, 76])
+@pytest.mark.parametrize("value", [(0, 0, 0), (1, 1e-2, 0), (0, 1, 1e-2), (np.nan, 0, 0)])
+def test_what_is_not_of_unit_length_is_found(way, value, row):
     assert attributes.are_unit(UNIT)
-    assert not attributes.are_unit(with_one(UNIT, 40, value))
+    assert not attributes.are_unit(with_one(UNIT, row, value))
 
 
 @pytest.mark.parametrize(
@@ -59,16 +60,28 @@ def test_what_is_not_of_unit_length_is_found(way, value):
         ([0.5, 0, 0.5, 0], 0),
         ([1.5, -0.5, 0, 0], 0),
         ([0.5, 0.4, 0, 0], 0),
+        ([1.25, 0, 0, -0.25], 0),
         ([np.nan, 0, 0, 0], 0),
     ],
 )
-def test_weights_that_are_right_already(way, row, used):
-    assert used_where_normalised(np.float32([[1, 0, 0, 0]] * 5 + [row])) == used
+@pytest.mark.parametrize("after", [0, 30])
+def test_weights_that_are_right_already(way, row, used, after):
+    right = [[1, 0, 0, 0]]
+    assert used_where_normalised(np.float32([*right * 5, row, *right * after])) == used
 
 
 def test_numbers_are_gathered(way):
     numbers = np.arange(50, dtype=np.float32)
-    assert gathered(numbers, np.array([7, 0, 30]), np.array([2, 3, 1])).tolist() == [7, 8, 0, 1, 2, 30]
+    assert gathered(numbers, np.array([7, 0, 30]), np.array([2, 3, 20])).tolist() == [7, 8, 0, 1, 2, *range(30, 50)]
+
+
+@pytest.mark.parametrize("column", [0, 2])
+def test_a_channel_that_changes_at_its_last_key_is_not_constant(way, column):
+    times = np.arange(4, dtype=np.float32)
+    still, moving = np.ones((2, 4, 3), np.float32)
+    moving[3, column] = 2
+    channels = [Channel(joint, "scale", times, values) for joint, values in enumerate((still, moving, still[:4]))]
+    assert bundle(channels).is_constant.tolist() == [True, False, True]
 
 
 def keys(path, width):

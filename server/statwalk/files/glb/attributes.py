@@ -78,7 +78,7 @@ def influences(document: Document, accessors: Accessors, attributes: Json, count
     if not joints:
         return None
     together = weights[0] if len(weights) == 1 else np.concatenate(weights, axis=1)
-    return joints[0] if len(joints) == 1 else np.concatenate(joints, axis=1), together if together.min() >= 0 else np.maximum(together, 0)
+    return joints[0] if len(joints) == 1 else np.concatenate(joints, axis=1), together
 
 
 def targets(

@@ -156,13 +156,20 @@ def bind(
         return part
     key = (part.mesh, part.primitive, skin)
     if key not in known:
-        inside = int(found.joints.max()) < len(skins[skin].joints)
-        used = found.joints if inside else found.joints * (found.weights > 0)
-        if int(used.max()) >= len(skins[skin].joints):
-            where = f"/meshes/{part.mesh}/primitives/{part.primitive}/attributes/JOINTS_0"
-            raise ModelError(f"it points at joint {int(used.max())}; skin {skin} has {len(skins[skin].joints)}", place=where)
+        where = f"/meshes/{part.mesh}/primitives/{part.primitive}/attributes/JOINTS_0"
+        used = joints_in_use(found, len(skins[skin].joints), skin, where)
         joints, weights, off = normalised(used, found.weights)
         if off:
             document.note(f"skin weights did not sum to 1 and were normalised: {off} of {len(weights)} vertices of mesh {part.mesh}")
         known[key] = replace(part, skin=skin, joints=joints, weights=weights)
     return known[key]
+
+
+def joints_in_use(found: Influences, count: int, skin: int, place: str) -> NDArray[np.integer]:
+    """The joints (V,I), each below `count`; those without weight are joint 0 where some are not."""
+    if int(found.joints.max()) < count:
+        return found.joints
+    used = found.joints * (found.weights > 0)
+    if int(used.max()) >= count:
+        raise ModelError(f"it points at joint {int(used.max())}; skin {skin} has {count}", place=place)
+    return used

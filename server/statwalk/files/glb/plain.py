@@ -74,7 +74,7 @@ def plain_floats(document: Document, views: Views) -> PlainFloats:
     plain &= place.right[view] & (start % FLOAT_BYTES == 0) & (offset + size <= place.length[view])
     first, buffer = start // FLOAT_BYTES, place.buffer[view]
     numbers: dict[int, Floats32] = {}
-    for row in np.unique(buffer[plain]).tolist():
+    for row in np.flatnonzero(np.bincount(buffer[plain])).tolist():
         data = views.buffer(row)
         plain &= (buffer != row) | (place.start[view] + place.length[view] <= len(data))
         numbers[row] = np.frombuffer(data, "<f4", len(data) // FLOAT_BYTES)

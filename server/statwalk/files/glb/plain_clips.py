@@ -112,7 +112,7 @@ def are_plain(columns: Columns, plain: PlainFloats, nodes: int) -> Bools:
 def are_single(columns: Columns) -> Bools:
     """(C,) whether no other channel of the animation moves the same property."""
     moved = (columns.animation * MOST_NODES + columns.node.clip(0, MOST_NODES)) * len(PATHS) + columns.path
-    if len(set(moved.tolist())) == len(moved):
+    if (np.diff(np.sort(moved)) > 0).all():
         return np.ones(len(moved), bool)
     _, which, count = np.unique(moved, return_inverse=True, return_counts=True)
     return np.asarray(count[which] == 1)

@@ -26,6 +26,7 @@ class Kernels(NamedTuple):
     unit_length: Callable[..., bool]
     normalised: Callable[..., int]
     gathered: Callable[..., None]
+    constant: Callable[..., None]
     lines: Callable[..., None]
     turns: Callable[..., None]
 
@@ -45,7 +46,8 @@ def kernels() -> Kernels | None:
         return None
     return Kernels(
         *(skinning.palette, skinning.skinned, morphing.morphed, morphing.inbetween, hierarchy.placed),
-        *(reading.within, reading.unit_length, reading.normalised, reading.gathered, reading.lines, reading.turns),
+        *(reading.within, reading.unit_length, reading.normalised, reading.gathered, reading.constant),
+        *(reading.lines, reading.turns),
     )
 
 

@@ -102,3 +102,14 @@ def all_between(_typing: Any, x: Any, low: Any, high: Any) -> Any:
         return builder.icmp_unsigned("==", builder.bitcast(inside, mask), ir.Constant(mask, (1 << WIDTH) - 1))
 
     return types.boolean(LANES, LANES, LANES), code
+
+
+@intrinsic
+def any_above(_typing: Any, x: Any, low: Any) -> Any:
+    """any_above(x, low): whether x > low in any lane."""
+
+    def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
+        mask = ir.IntType(WIDTH)
+        return builder.icmp_unsigned("!=", builder.bitcast(builder.fcmp_ordered(">", *args), mask), ir.Constant(mask, 0))
+
+    return types.boolean(LANES, LANES), code

@@ -103,6 +103,38 @@ def load(_typing: Any, array: Any, index: Any) -> Any:
     return LANES(array, types.int64), code
 
 
+def rows_from(context: Any, builder: Any, sig: Any, args: Any, count: int) -> list[Any]:
+    """So many times sixteen floats, one after the other."""
+    starts = [builder.add(args[1], ir.Constant(args[1].type, WIDTH * row)) for row in range(count)]
+    return [loaded(builder, place(context, builder, sig.args[0], args[0], start)) for start in starts]
+
+
+@intrinsic
+def load_xyz(_typing: Any, array: Any, index: Any) -> Any:
+    """load_xyz(array, index): x, y and z of 16 vectors, 48 floats."""
+
+    def code(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        rows, found = rows_from(context, builder, sig, args, 3), []
+        for axis in range(3):
+            lanes = [3 * vector + axis for vector in range(WIDTH)]
+            pairs = shuffled(builder, rows[0], rows[1], [lane % (2 * WIDTH) for lane in lanes])
+            picks = [vector if lane < 2 * WIDTH else lane - WIDTH for vector, lane in enumerate(lanes)]
+            found.append(shuffled(builder, pairs, rows[2], picks))
+        return cgutils.pack_array(builder, found)
+
+    return types.UniTuple(LANES, 3)(array, types.int64), code
+
+
+@intrinsic
+def load_quads(_typing: Any, array: Any, index: Any) -> Any:
+    """load_quads(array, index): the four columns of 16 rows of four floats; the rows stand in another order, the same in all columns."""
+
+    def code(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        return cgutils.pack_array(builder, exchanged(builder, rows_from(context, builder, sig, args, 4)))
+
+    return types.UniTuple(LANES, 4)(array, types.int64), code
+
+
 @intrinsic
 def store(_typing: Any, array: Any, index: Any, value: Any) -> Any:
     """store(array, index, value)."""

@@ -8,8 +8,8 @@ from typing import Any
 from numba import types
 
 from statwalk.maths.kernels.compiling import FLOAT, LONG, kernel, read, write
-from statwalk.maths.kernels.laneops import all_between
-from statwalk.maths.kernels.lanes import WIDTH, broadcast, load
+from statwalk.maths.kernels.laneops import all_between, any_above, most
+from statwalk.maths.kernels.lanes import WIDTH, broadcast, load, load_quads, load_xyz, store
 
 
 @kernel(read(FLOAT, 1), FLOAT, FLOAT, returns=types.boolean)
@@ -27,22 +27,36 @@ def within(numbers: Any, low: Any, high: Any) -> Any:
 @kernel(read(FLOAT, 2), FLOAT, returns=types.boolean)
 def unit_length(vectors: Any, tolerance: Any) -> Any:
     """Whether the squares of all vectors (V,3) are within a tolerance of 1."""
+    one, low, high, whole = broadcast(FLOAT(1)), broadcast(-tolerance), broadcast(tolerance), vectors.shape[0] // WIDTH * WIDTH
     off = 0
-    for row in range(vectors.shape[0]):
-        x, y, z = vectors[row, 0], vectors[row, 1], vectors[row, 2]
-        off += not abs(x * x + y * y + z * z - FLOAT(1)) < tolerance
+    for row in range(0, whole, WIDTH):
+        x, y, z = load_xyz(vectors, 3 * row)
+        off += not all_between(x * x + y * y + z * z - one, low, high)
+    for row in range(whole, vectors.shape[0]):
+        a, b, c = vectors[row, 0], vectors[row, 1], vectors[row, 2]
+        off += not abs(a * a + b * b + c * c - FLOAT(1)) < tolerance
     return off == 0
 
 
 @kernel(read(FLOAT, 2), FLOAT, returns=LONG)
 def normalised(weights: Any, tolerance: Any) -> Any:
-    """How many columns of weights (V,4) have any; 0 where not all rows sum to 1 within a tolerance, and fall."""
+    """How many columns of weights (V,4) have any; 0 where not all rows sum to 1 within a tolerance, and fall to no less than 0."""
+    one, low, high, whole = broadcast(FLOAT(1)), broadcast(-tolerance), broadcast(tolerance), weights.shape[0] // WIDTH * WIDTH
     off = used = 0
-    for row in range(weights.shape[0]):
-        a, b, c, d = weights[row, 0], weights[row, 1], weights[row, 2], weights[row, 3]
-        off += not abs(a + b + c + d - FLOAT(1)) <= tolerance
-        off += not ((a >= b) & (b >= c) & (c >= d))
-        used = max(used, (b > 0) + (c > 0) + (d > 0))
+    zero = broadcast(FLOAT(0))
+    risen = second = third = fourth = zero
+    for row in range(0, whole, WIDTH):
+        a, b, c, d = load_quads(weights, 4 * row)
+        off += not all_between(a + b + c + d - one, low, high)
+        risen = most(most(most(b - a, c - b), most(d - c, -d)), risen)
+        second, third, fourth = most(b, second), most(c, third), most(d, fourth)
+    off += any_above(risen, zero)
+    used = any_above(second, zero) + any_above(third, zero) + any_above(fourth, zero)
+    for row in range(whole, weights.shape[0]):
+        e, f, g, h = weights[row, 0], weights[row, 1], weights[row, 2], weights[row, 3]
+        off += not abs(e + f + g + h - FLOAT(1)) < tolerance
+        off += not ((e >= f) & (f >= g) & (g >= h) & (h >= 0))
+        used = max(used, (f > 0) + (g > 0) + (h > 0))
     return 0 if off else used + 1
 
 
@@ -51,9 +65,28 @@ def gathered(numbers: Any, starts: Any, counts: Any, out: Any) -> None:
     """out (…,): the counts[i] numbers from starts[i] on, for all i one after the other."""
     at = 0
     for row in range(starts.shape[0]):
-        for k in range(counts[row]):
-            out[at + k] = numbers[starts[row] + k]
-        at += counts[row]
+        first, count = starts[row], counts[row]
+        whole = count // WIDTH * WIDTH
+        for k in range(0, whole, WIDTH):
+            store(out, at + k, load(numbers, first + k))
+        for k in range(whole, count):
+            out[at + k] = numbers[first + k]
+        at += count
+
+
+@kernel(read(FLOAT, 2), read(LONG, 1), write(types.boolean, 1))
+def constant(values: Any, ends: Any, out: Any) -> None:
+    """out (C,): whether all keys of a channel, those of values (S,n) before its one of `ends`, are the same."""
+    first, width = 0, values.shape[1]
+    for channel in range(ends.shape[0]):
+        last = ends[channel]
+        same, row = True, first + 1
+        while same and row < last:
+            for k in range(width):
+                same &= values[row, k] == values[first, k]
+            row += 1
+        out[channel] = same
+        first = last
 
 
 @kernel(read(FLOAT, 2), read(LONG, 1), write(FLOAT, 2))
