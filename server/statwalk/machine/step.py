@@ -1,6 +1,6 @@
 """One tick of N machines: motions advance, events are looked up, actions come out. Pure; the meaning is that of "One tick", rules 0 to 5.
 
-Whoever has nothing to decide is stepped in a few array operations; the others take their `Turn`, one by one.
+Whoever has nothing to decide is stepped in a few array operations; the others take a `Turn`, one for all who are alike.
 """
 
 from __future__ import annotations
