@@ -6,6 +6,8 @@ import { el, flash, say } from "./dom";
 import { Sounds } from "./sounds";
 
 const MOST_NAMES = 8;
+/** What actors tell each other; nothing happens of it that one would hear. */
+const RAISE = "raise";
 
 interface Row {
   item: HTMLElement;
@@ -38,7 +40,7 @@ export class Tally {
   }
 
   private label(): void {
-    say(this.mute, this.sounds.muted ? "sound off" : "sound on");
+    say(this.mute, this.sounds.muted ? "sound: off" : "sound: on");
     this.mute.setAttribute("aria-pressed", String(!this.sounds.muted));
   }
 
@@ -52,6 +54,7 @@ export class Tally {
   }
 
   private count({ name }: Action): void {
+    if (name === RAISE) return;
     const row = this.rows.get(name) ?? this.add(name);
     row.times += 1;
     say(row.count, String(row.times));

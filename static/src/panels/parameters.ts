@@ -1,0 +1,63 @@
+/** A slider for each parameter of the watched actor's machine; what the server refuses is said, and the slider shows what was sent last. */
+
+import { setParameter } from "../net/explain";
+import type { MachineInfo, Parameter } from "../net/machineinfo";
+import type { Session } from "../session";
+import { el, say } from "./dom";
+
+const STEPS = 200;
+
+/** A number in as many figures as one reads at a glance. */
+export function short(value: number): string {
+  return String(Number(value.toPrecision(3)));
+}
+
+export class ParametersPanel {
+  /** What was sent for each actor and parameter. */
+  private readonly sent = new Map<string, number>();
+  private readonly sending = new Set<HTMLInputElement>();
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly session: Session,
+  ) {
+    session.machine.on((machine) => this.draw(machine));
+    session.actor.on(() => this.draw(session.machine.value));
+  }
+
+  private draw(machine: MachineInfo | null): void {
+    const rows = (machine?.parameters ?? []).map((parameter) => this.row(parameter));
+    this.host.hidden = !rows.length;
+    this.host.replaceChildren(...rows);
+  }
+
+  private key(name: string): string {
+    return JSON.stringify([this.session.stage, this.session.actor.value, name]);
+  }
+
+  private row({ name, default: standard, minimum, maximum }: Parameter): HTMLElement {
+    const value = this.sent.get(this.key(name)) ?? standard;
+    const range = { min: minimum, max: maximum, step: (maximum - minimum) / STEPS || 1, value };
+    const slider = el("input", { type: "range", "aria-label": name, ...range });
+    const shown = el("output", {}, short(value));
+    slider.addEventListener("input", () => {
+      say(shown, short(slider.valueAsNumber));
+      void this.send(name, slider);
+    });
+    return el("label", {}, el("span", {}, name), slider, shown);
+  }
+
+  /** Sends where the slider stands; while a request is on its way the newest value waits, whatever lay between is left out. */
+  private async send(name: string, slider: HTMLInputElement): Promise<void> {
+    const actor = this.session.actor.value;
+    if (actor === null || this.sending.has(slider)) return;
+    this.sending.add(slider);
+    let value: number;
+    do {
+      value = slider.valueAsNumber;
+      this.sent.set(this.key(name), value);
+      await this.session.command((stage) => setParameter(stage, actor, name, value));
+    } while (slider.valueAsNumber !== value);
+    this.sending.delete(slider);
+  }
+}
