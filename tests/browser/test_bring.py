@@ -42,7 +42,7 @@ def own(server: Server) -> Iterator[Callable[[], set[str]]]:
 
 
 @needs_assets
-def test_a_dropped_robot_walks(viewer: Page, own: Callable[[], set[str]]) -> None:
+def test_a_dropped_robot_walks(own: Callable[[], set[str]], viewer: Page) -> None:
     drop(viewer, "Robot Expressive.glb", ROBOT.read_bytes())
     viewer.get_by_label("Walking", exact=True).wait_for()
     assert viewer.get_by_label("Walking", exact=True).input_value() == "WALK"
@@ -59,7 +59,7 @@ def test_a_dropped_robot_walks(viewer: Page, own: Callable[[], set[str]]) -> Non
 
 
 @needs_assets
-def test_states_can_be_renamed_and_are_checked_in_place(viewer: Page, own: Callable[[], set[str]], allowed: list[str]) -> None:
+def test_states_can_be_renamed_and_are_checked_in_place(own: Callable[[], set[str]], viewer: Page, allowed: list[str]) -> None:
     allowed.append("422")
     chosen: Path = ROBOT
     with viewer.expect_file_chooser() as choosing:
@@ -75,7 +75,7 @@ def test_states_can_be_renamed_and_are_checked_in_place(viewer: Page, own: Calla
     until(viewer, "document.querySelector('#table')?.textContent.includes('WALTZ')")
 
 
-def test_a_broken_file_says_why_and_changes_nothing(viewer: Page, own: Callable[[], set[str]], allowed: list[str]) -> None:
+def test_a_broken_file_says_why_and_changes_nothing(own: Callable[[], set[str]], viewer: Page, allowed: list[str]) -> None:
     allowed.append("422")
     before, stage = own(), viewer.evaluate("__viewer.stage()")
     drop(viewer, HOSTILE, b"glTF\x02\0\0\0 this is none")

@@ -5,7 +5,10 @@ import type { Session } from "../session";
 import { el, flash, say, svg } from "./dom";
 import { layoutGraph } from "./graphlayout";
 import { statesToDraw } from "./graphnear";
-import { type Layout, type PlacedEdge, type PlacedState, STATE_HEIGHT } from "./graphshape";
+import { type PlacedEdge, type PlacedState, STATE_HEIGHT } from "./graphshape";
+
+/** Room for strokes around the drawing, pixels. */
+const MARGIN = 4;
 
 const edgeKey = (from: string, to: string): string => JSON.stringify([from, to]);
 
@@ -84,20 +87,21 @@ export class GraphPanel {
     say(this.note, this.drawnFor === null ? "" : `${names.length} of ${all.length} states`);
     const shown = new Set(names);
     const layout = layoutGraph(names, machine.edges.filter(({ from, to }) => shown.has(from) && shown.has(to)), this.aspect);
-    this.place(layout);
     this.canvas.classList.toggle("dense", layout.dense);
     this.edges = new Map(layout.edges.map((edge) => [edgeKey(edge.from, edge.to), drawEdge(edge)]));
     this.states = new Map(layout.states.map((state) => [state.name, drawState(state, machine)]));
     this.leaving = new Map(names.map((name) => [name, layout.edges.filter(({ from }) => from === name).map(({ to }) => this.edges.get(edgeKey(name, to))!)]));
     this.canvas.replaceChildren(arrowHead(), ...this.edges.values(), ...this.states.values());
+    this.place();
     this.mark();
   }
 
-  /** The whole picture, but never larger than life. */
-  private place({ width, height }: Layout): void {
+  /** The whole picture with its farthest arrows, but never larger than life. */
+  private place(): void {
+    const drawn = this.canvas.getBBox();
     const box = this.host.getBoundingClientRect();
-    const [w, h] = [Math.max(width, box.width), Math.max(height, box.height)];
-    this.canvas.setAttribute("viewBox", `${(width - w) / 2} ${(height - h) / 2} ${w} ${h}`);
+    const [w, h] = [Math.max(drawn.width + 2 * MARGIN, box.width), Math.max(drawn.height + 2 * MARGIN, box.height)];
+    this.canvas.setAttribute("viewBox", `${drawn.x + (drawn.width - w) / 2} ${drawn.y + (drawn.height - h) / 2} ${w} ${h}`);
   }
 
   private mark(): void {
