@@ -33,6 +33,7 @@ export class WhyPanel {
     host.append(head, el("div", { class: "why-body" }, this.states, this.events, notHost));
     this.remedies = new Remedies(notHost, session, trials);
     host.hidden = true;
+    host.tabIndex = -1;
     host.addEventListener("keydown", (press) => press.key === "Escape" && this.close());
     session.leaving.on(() => this.close());
     session.actor.on(() => this.close());
@@ -43,13 +44,19 @@ export class WhyPanel {
     const [actor, asked] = [this.session.actor.value, ++this.asked];
     if (actor === null) return;
     this.tick = tick;
-    this.host.hidden = false;
+    if (this.host.hidden) this.appear();
     say(this.title, `why, in tick ${tick}`);
     this.remedies.about(Math.max(1, tick));
     const found = await explain.why(this.session.stage, actor, tick).catch((error: Error) => error);
     if (asked !== this.asked) return;
     if (found instanceof Error) this.events.replaceChildren(el("p", {}, found.message));
     else this.show(found);
+  }
+
+  /** With the focus, so that Escape closes it again. */
+  private appear(): void {
+    this.host.hidden = false;
+    this.host.focus({ preventScroll: true });
   }
 
   close(): void {
