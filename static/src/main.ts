@@ -7,6 +7,7 @@ import "./style/tally.css";
 import "./style/parameters.css";
 import "./style/graph.css";
 import "./style/table.css";
+import "./style/cells.css";
 import "./style/editing.css";
 import "./style/why.css";
 import "./style/way.css";
