@@ -16,7 +16,7 @@ From Python:
 
 from statwalk.character import Character
 from statwalk.errors import ContentError, MachineError, ModelError, StageError, StatwalkError, TextError, UnknownNameError
-from statwalk.loading import load, shipped_machines
+from statwalk.loading import load, load_scene, shipped_machines, shipped_scenes
 from statwalk.maths.pose import Pose
 from statwalk.stage.replay import replay
 from statwalk.stage.role import Role
@@ -36,6 +36,8 @@ __all__ = [
     "TextError",
     "UnknownNameError",
     "load",
+    "load_scene",
     "replay",
     "shipped_machines",
+    "shipped_scenes",
 ]
