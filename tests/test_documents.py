@@ -31,6 +31,14 @@ def test_links_lead_somewhere(document: Path) -> None:
         assert (document.parent / target).exists(), f"{document.name} names {target}"
 
 
+def test_every_picture_is_shown_and_small() -> None:
+    """What lies in docs/pictures is named by a document, and is quickly there over a slow line."""
+    named = {(path.parent / target).resolve() for path in DOCUMENTS for target in LINK.findall(path.read_text())}
+    pictures = list((ROOT / "docs" / "pictures").iterdir())
+    assert [path.name for path in pictures if path.resolve() not in named] == []
+    assert {path.name: path.stat().st_size for path in pictures if path.stat().st_size > 400_000} == {}
+
+
 @pytest.mark.parametrize("document", [ROOT / "docs" / "systems.md", ROOT / "CONTRIBUTING.md"], ids=lambda path: path.name)
 def test_files_that_are_named_are_there(document: Path) -> None:
     """`machine/step.py` in the text is server/statwalk/machine/step.py; other paths count from the root."""

@@ -51,7 +51,7 @@ def version_of(if_match: Annotated[str | None, Header(alias="If-Match")] = None)
     :raises Problem: 428 without one, 422 if it is no number.
     """
     if if_match is None:
-        raise Problem(428, 'say which version you have changed: If-Match: "3" (GET the machine tells)', field="If-Match")
+        raise Problem(428, "say which version you have changed: If-Match, with the machine's `version` in quotes", field="If-Match")
     text = if_match.strip().strip('"')
     if not text.isascii() or not text.isdigit() or len(text) > 9:
         raise Problem(422, f"{if_match[:40]!r} is no version; it is a whole number, as in GET the machine", field="If-Match")
