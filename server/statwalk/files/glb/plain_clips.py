@@ -14,7 +14,7 @@ import numpy as np
 from statwalk.files.glb.accessors import Accessors
 from statwalk.files.glb.allowance import Allowance
 from statwalk.files.glb.check import Json
-from statwalk.files.glb.columns import BROKEN, Codes, Column, all_of, codes, whole_numbers
+from statwalk.files.glb.columns import BROKEN, Codes, Column, all_of, codes, field, whole_numbers
 from statwalk.files.glb.keytimes import TimeTable
 from statwalk.files.glb.nodes import MOST_NODES
 from statwalk.files.glb.plain import PlainFloats
@@ -66,7 +66,7 @@ def plain_tables(
 def lists_of(entry: Json) -> Lists | None:
     """An animation's channels, their targets and its samplers; None where there are none, or they are no lists of objects."""
     channels, samplers = objects(entry.get("channels")), objects(entry.get("samplers"))
-    targets = objects([channel.get("target") for channel in channels])
+    targets = objects(field(channels, "target", None))
     return (channels, targets, samplers) if channels and targets and samplers else None
 
 
@@ -83,7 +83,7 @@ def columns_of(listed: dict[int, Lists]) -> Columns:
     sampler = whole_numbers(channels, "sampler")
     is_there = (sampler >= 0) & (sampler < sampler_counts.repeat(counts))
     rows = np.where(is_there, sampler + (sampler_counts.cumsum() - sampler_counts).repeat(counts), 0)
-    fields = (
+    found = (
         codes(samplers, "interpolation", INTERPOLATION_CODES, "LINEAR"),
         whole_numbers(samplers, "input"),
         whole_numbers(samplers, "output"),
@@ -92,7 +92,7 @@ def columns_of(listed: dict[int, Lists]) -> Columns:
         np.repeat(list(listed), counts),
         whole_numbers(targets, "node"),
         codes(targets, "path", PATH_CODES),
-        *(np.where(is_there, field[rows], BROKEN) for field in fields),
+        *(np.where(is_there, column[rows], BROKEN) for column in found),
     )
 
 
@@ -111,8 +111,9 @@ def are_plain(columns: Columns, plain: PlainFloats, nodes: int) -> Bools:
 
 def are_single(columns: Columns) -> Bools:
     """(C,) whether no other channel of the animation moves the same property."""
-    moved = (columns.animation * MOST_NODES + columns.node.clip(0, MOST_NODES)) * len(PATHS) + columns.path
-    if (np.diff(np.sort(moved)) > 0).all():
+    moved = (columns.animation * MOST_NODES + np.minimum(columns.node, MOST_NODES)) * len(PATHS) + columns.path
+    ordered = np.sort(moved)
+    if (ordered[1:] != ordered[:-1]).all():
         return np.ones(len(moved), bool)
     _, which, count = np.unique(moved, return_inverse=True, return_counts=True)
     return np.asarray(count[which] == 1)
@@ -129,7 +130,7 @@ def put_on_shelves(columns: Columns, sizes: Column, plain: PlainFloats, times: T
 
     sizes    (C,) the numbers in each channel's keys
     """
-    starts = np.flatnonzero(np.diff(columns.animation, prepend=-1))
+    starts = np.flatnonzero(columns.animation != np.append(-1, columns.animation[:-1]))
     ends = np.append(starts[1:], len(sizes))
     together = np.add.reduceat(sizes, starts).cumsum() // LARGEST_SHELF
     for first, last in pairwise(np.flatnonzero(np.diff(together, prepend=-1, append=-1))):

@@ -95,10 +95,16 @@ def lines(values: Any, ends: Any, rows: Any) -> None:
     width, first = values.shape[1], 0
     for channel in range(ends.shape[0]):
         last = ends[channel] - 1
-        for row in range(first, last):
-            for k in range(width):
-                rows[row, k] = values[row, k]
-                rows[row, width + k] = values[row + 1, k] - values[row, k]
+        if width == 3:
+            for row in range(first, last):
+                x, y, z = values[row, 0], values[row, 1], values[row, 2]
+                rows[row, 0], rows[row, 1], rows[row, 2] = x, y, z
+                rows[row, 3], rows[row, 4], rows[row, 5] = values[row + 1, 0] - x, values[row + 1, 1] - y, values[row + 1, 2] - z
+        else:
+            for row in range(first, last):
+                for k in range(width):
+                    rows[row, k] = values[row, k]
+                    rows[row, width + k] = values[row + 1, k] - values[row, k]
         for k in range(width):
             rows[last, k] = values[last, k]
             rows[last, width + k] = FLOAT(0)
