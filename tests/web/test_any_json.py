@@ -19,7 +19,7 @@ ROUTES = ("events", "parameters", "step", "seek", "pause", "speed", "actors", "f
 
 
 @pytest.mark.parametrize("route", ROUTES)
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(body=BODIES)
 def test_any_json_is_answered(app: Any, route: str, body: Any) -> None:
     async def ask() -> int:
