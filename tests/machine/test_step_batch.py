@@ -40,7 +40,7 @@ def same(a: MachineState, b: MachineState) -> bool:
     return all(np.array_equal(one, other) for one, other in zip(a.arrays(), b.arrays(), strict=True))
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=40)
 @given(tables, durations, inputs)
 def test_alone_and_in_a_batch(table, ticks, entries):
     made = machine(table, ticks)
@@ -52,7 +52,7 @@ def test_alone_and_in_a_batch(table, ticks, entries):
             assert [v._replace(actor=actor) for v in one.verdicts] == [v for v in all_.verdicts if v.actor == actor]
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=40)
 @given(tables, durations, inputs)
 def test_bounds(table, ticks, entries):
     made = machine(table, ticks)

@@ -9,7 +9,7 @@ from statwalk.machine.state import MOST_WAITING, MachineState, fresh
 from statwalk.machine.step import Inputs, Surroundings, step
 from ticking import DT, built
 
-ACTORS, TICKS = 4, 40
+ACTORS, TICKS = 4, 30
 ROWS = list(range(20))
 """five of each actor: so many that those who are alike are found"""
 FILE = """
