@@ -35,7 +35,7 @@ def make() -> Model:
     recoil = {("Barrel", "translation"): lambda t: _along(-0.25 * np.sin(np.pi * np.clip(t / FLIGHT_S, 0, 1)) * np.exp(-4 * t))}
     model.motion("throw", FLIGHT_S, {**whole, **recoil, ("Ball", "translation"): lambda t: _path(t / FLIGHT_S)})
     model.motion(
-        "miss", 0.8, {**whole, **still, ("Ball", "translation"): _bounces, ("Shape", "scale"): lambda t: scaled(np.clip(4 - 5 * t, 0, 1))}
+        "miss", 0.8, {**whole, **still, ("Ball", "translation"): _bounces, ("Shape", "scale"): lambda t: scaled(np.clip(3.5 - 5 * t, 0, 1))}
     )
     model.motion("burst", 0.6, {("Shape", "scale"): lambda t: scaled(0 * t)} | _splash(drops))
     return model

@@ -115,6 +115,19 @@ def test_the_ball_hits_between_two_ticks_and_the_walker_goes_down():
     assert cannon.states == ("LOAD", "WHOLE")
 
 
+@pytest.mark.parametrize("z", [7.8, 8.0, 8.35])
+def test_a_ball_that_has_burst_hits_nobody_on_its_way_back(z):
+    """It is in the cannon again from one tick to the next; who stands between is not in its way."""
+    played = Played()
+    victim = played.stage.add(played.stage.role(load_scene("playground").lines[0][0].name), (0, 0, z), 0.0, "victim")
+    played.stage.send(played.actor["walker"], "CALL")
+    played.until("ouch")
+    for _ in range(150):
+        played.stage.step()
+        assert not [action for action in played.stage.frame.actions if action.name == "ouch"]
+    assert victim.state == "STAT"
+
+
 def test_a_ball_that_meets_nobody_flies_on():
     played = Played()
     played.until("fire")
