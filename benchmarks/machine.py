@@ -14,9 +14,9 @@ from pathlib import Path
 import numpy as np
 from rounds import XState, least, show
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.build import MotionFacts, build
-from statwalk.machine.state import fresh
-from statwalk.machine.step import Inputs, step
+from statwalk.machine.built.build import MotionFacts, build
+from statwalk.machine.ticking.state import fresh
+from statwalk.machine.ticking.step import Inputs, step
 
 sys.path.insert(0, str(Path(__file__).parent / "peers"))
 import machines

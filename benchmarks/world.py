@@ -13,10 +13,10 @@ import numpy as np
 from rounds import Job, least, show
 from scipy.spatial import cKDTree
 from statwalk.loading import load
-from statwalk.machine.definition import ColliderDefinition, EventDefinition, TouchDefinition
+from statwalk.machine.authored.definition import ColliderDefinition, EventDefinition, TouchDefinition
+from statwalk.stage.meeting.touch import touched
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Stage
-from statwalk.stage.touch import touched
 from statwalk.world.flock import Members, Rules, flown
 from statwalk.world.obstacles import NO_OBSTACLES
 

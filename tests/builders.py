@@ -3,9 +3,9 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 from statwalk.character import Character
-from statwalk.machine.celldefinition import CellDefinition, Defaults
-from statwalk.machine.definition import EventDefinition, MachineDefinition, ParameterDefinition, StateDefinition
-from statwalk.machine.table import read_table
+from statwalk.machine.authored.celldefinition import CellDefinition, Defaults
+from statwalk.machine.authored.definition import EventDefinition, MachineDefinition, ParameterDefinition, StateDefinition
+from statwalk.machine.authored.table import read_table
 from statwalk.maths.pose import rest
 from statwalk.motion.clip import Channel, Clip
 from statwalk.rig.skeleton import Skeleton

@@ -41,6 +41,6 @@ def test_every_picture_is_shown_and_small() -> None:
 
 @pytest.mark.parametrize("document", [ROOT / "docs" / "systems.md", ROOT / "CONTRIBUTING.md"], ids=lambda path: path.name)
 def test_files_that_are_named_are_there(document: Path) -> None:
-    """`machine/step.py` in the text is server/statwalk/machine/step.py; other paths count from the root."""
+    """`machine/ticking/step.py` in the text is server/statwalk/machine/ticking/step.py; other paths count from the root."""
     for name in re.findall(r"`([\w.-]+(?:/[\w.-]+)+)/?`", document.read_text()):
         assert any((base / name).exists() for base in (ROOT, ROOT / "server" / "statwalk")), f"{document.name} names {name}"

@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 import numpy as np
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.build import Machine, MotionFacts, build
-from statwalk.machine.state import fresh
-from statwalk.machine.step import HOLD, PRESS, RELEASE, Inputs, StepResult, Surroundings, step
+from statwalk.machine.built.build import Machine, MotionFacts, build
+from statwalk.machine.ticking.state import fresh
+from statwalk.machine.ticking.step import HOLD, PRESS, RELEASE, Inputs, StepResult, Surroundings, step
 
 RATE = 60
 DT = 1 / RATE

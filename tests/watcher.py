@@ -4,7 +4,7 @@ import json
 from types import TracebackType
 from typing import Any, Self
 
-from statwalk.web.wire import PoseMessage, decode
+from statwalk.web.streaming.wire import PoseMessage, decode
 from websockets.sync.client import connect
 
 PATIENCE = 20.0

@@ -18,7 +18,7 @@ from statwalk.character import Character
 from statwalk.errors import ContentError, MachineError, ModelError, StageError, StatwalkError, TextError, UnknownNameError
 from statwalk.loading import load, load_scene, shipped_machines, shipped_scenes
 from statwalk.maths.pose import Pose
-from statwalk.stage.replay import replay
+from statwalk.stage.past.replay import replay
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Actor, Stage
 

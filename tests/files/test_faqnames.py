@@ -10,8 +10,8 @@ from statwalk.files.glb import read_model
 from statwalk.files.machinefile import load_machine, read_machine
 from statwalk.files.newmachine import machine_text, named_motions, write_folder
 from statwalk.loading import load_character_file
-from statwalk.machine.build import MotionFacts
-from statwalk.machine.verify import verify
+from statwalk.machine.built.build import MotionFacts
+from statwalk.machine.checking.verify import verify
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Stage
 from where import GLTF, needs_assets

@@ -4,7 +4,7 @@ import pytest
 from statwalk.errors import MachineError
 from statwalk.files.flockpart import MOST_OBSTACLES, flock
 from statwalk.files.yamltext import parse
-from statwalk.machine.flockdefinition import FlockDefinition, GoalDefinition, ObstacleDefinition
+from statwalk.machine.authored.flockdefinition import FlockDefinition, GoalDefinition, ObstacleDefinition
 
 PARAMETERS = ("pace", "climb")
 

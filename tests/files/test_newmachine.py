@@ -5,8 +5,8 @@ from statwalk.errors import ContentError, MachineError
 from statwalk.files.machinefile import load_machine
 from statwalk.files.newmachine import motions_of, write_machine
 from statwalk.loading import load_character_file
-from statwalk.machine.build import MotionFacts
-from statwalk.machine.verify import verify
+from statwalk.machine.built.build import MotionFacts
+from statwalk.machine.checking.verify import verify
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Stage
 from where import GLTF, needs_assets

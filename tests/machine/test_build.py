@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from statwalk.errors import MachineError
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.build import AT_END, AT_MARKER, BLANK, NOW, OFF, UNDEFINED, MotionFacts, build
+from statwalk.machine.built.build import AT_END, AT_MARKER, BLANK, NOW, OFF, UNDEFINED, MotionFacts, build
 from ticking import built, machine_of, text_of
 
 TABLE = "state | GO | STOP | END\nA | B! at end | - | Z\nb | | A |"

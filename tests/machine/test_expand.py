@@ -1,7 +1,7 @@
 """Defaults of rows and columns: the first that exists of exact cell, STATE/*, */EVENT, */*; `*` is never END."""
 
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.expand import expand
+from statwalk.machine.authored.expand import expand
 from ticking import text_of
 
 TABLE = """state | GO | HIT | RUN | END

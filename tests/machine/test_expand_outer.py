@@ -2,7 +2,7 @@
 
 import pytest
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.expand import expand, landings
+from statwalk.machine.authored.expand import expand, landings
 
 TEXT = """character: c.glb
 initial: WALK

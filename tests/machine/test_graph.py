@@ -1,7 +1,7 @@
 """What a picture of the machine needs."""
 
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.graph import edges, full_table
+from statwalk.machine.authored.graph import edges, full_table
 from ticking import text_of
 
 TABLE = "state | GO | RUN | END\nA | B | B | NONE\nB | B | B! | A"

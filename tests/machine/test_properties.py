@@ -2,8 +2,8 @@
 
 import pytest
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.properties import FORMS
-from statwalk.machine.verify import verify
+from statwalk.machine.checking.verify import verify
+from statwalk.machine.proof.properties import FORMS
 from ticking import Ticking, text_of
 
 TABLE = "state | GO | LEFT | END\nSTAT | WALK | TURN |\nWALK | JUMP | TURN | STAT\nTURN | | | STAT\nJUMP | | | FLY\nFLY | | | STAT"

@@ -4,10 +4,10 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from statwalk.machine.build import MIXED, OFF
-from statwalk.machine.chance import chance
-from statwalk.machine.state import fresh
-from statwalk.machine.step import Inputs, Surroundings, step
+from statwalk.machine.built.build import MIXED, OFF
+from statwalk.machine.ticking.chance import chance
+from statwalk.machine.ticking.state import fresh
+from statwalk.machine.ticking.step import Inputs, Surroundings, step
 from ticking import DT, Ticking, machine_of
 
 TICKS = {"stat": 20, "JUMP": 10, "STUP": 10}

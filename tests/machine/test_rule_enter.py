@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from statwalk.machine.build import MATCH
+from statwalk.machine.built.build import MATCH
 from ticking import Ticking, machine_of
 
 TICKS = {"walk": 20, "run": 10, "JUMP": 40}

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from statwalk.machine.build import BLANK
+from statwalk.machine.built.build import BLANK
 from ticking import Ticking, built
 
 FILE = """

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from statwalk.machine.step import RAISED, TOUCH, TRAVEL, Inputs
+from statwalk.machine.ticking.step import RAISED, TOUCH, TRAVEL, Inputs
 from ticking import Ticking
 
 TICKS = {"walk": 20, "run": 20}

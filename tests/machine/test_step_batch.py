@@ -3,8 +3,8 @@
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from statwalk.machine.state import MOST_WAITING, MachineState, fresh
-from statwalk.machine.step import Inputs, step
+from statwalk.machine.ticking.state import MOST_WAITING, MachineState, fresh
+from statwalk.machine.ticking.step import Inputs, step
 from ticking import DT, machine_of
 
 ACTORS, TICKS = 4, 25

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given as whatever
 from hypothesis import settings
 from hypothesis import strategies as st
-from statwalk.machine.state import MOST_WAITING, MachineState, fresh
-from statwalk.machine.step import Inputs, Surroundings, step
+from statwalk.machine.ticking.state import MOST_WAITING, MachineState, fresh
+from statwalk.machine.ticking.step import Inputs, Surroundings, step
 from ticking import DT, built
 
 ACTORS, TICKS = 4, 30

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from statwalk.machine.state import fresh
-from statwalk.machine.step import step
+from statwalk.machine.ticking.state import fresh
+from statwalk.machine.ticking.step import step
 from ticking import DT, Ticking, machine_of
 
 CHAIN = "state | GO | END\nA | | B\nB | | C\nC | |"

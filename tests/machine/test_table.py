@@ -2,7 +2,7 @@
 
 import pytest
 from statwalk.errors import MachineError
-from statwalk.machine.table import check_rows, read_cell, read_csv, read_table
+from statwalk.machine.authored.table import check_rows, read_cell, read_csv, read_table
 
 TEXT = """state | GO | STOP
 A | B! at end | -

@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.build import MotionFacts
-from statwalk.machine.verify import verify
+from statwalk.machine.built.build import MotionFacts
+from statwalk.machine.checking.verify import verify
 from ticking import text_of
 
 

@@ -9,8 +9,8 @@ import pytest
 from statwalk.errors import MachineError, UnknownNameError
 from statwalk.files.glb import read_model
 from statwalk.loading import load, load_scene, shipped_machines, shipped_scenes
-from statwalk.machine.verify import verify
-from statwalk.stage.replay import replay
+from statwalk.machine.checking.verify import verify
+from statwalk.stage.past.replay import replay
 from where import MACHINES
 
 MADE = (

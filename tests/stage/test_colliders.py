@@ -7,9 +7,9 @@ import pytest
 from builders import character, definition
 from scipy.spatial.transform import Rotation
 from statwalk.errors import MachineError
-from statwalk.machine.definition import ColliderDefinition
+from statwalk.machine.authored.definition import ColliderDefinition
 from statwalk.rig.evaluate import world_from_local
-from statwalk.stage.colliders import MOST
+from statwalk.stage.meeting.colliders import MOST
 from statwalk.stage.role import Role
 
 TIP = ColliderDefinition("sphere", 3, "arm", (0.2, 0.1, 0), 0.5)

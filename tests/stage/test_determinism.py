@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from builders import role
-from statwalk.stage.replay import replay
+from statwalk.stage.past.replay import replay
 from statwalk.stage.stage import Stage
 
 ROLE = role()
@@ -15,7 +15,7 @@ ROLES = {"tiny": ROLE}
 REPLAY = """
 import sys
 from builders import role
-from statwalk.stage.replay import replay
+from statwalk.stage.past.replay import replay
 print(replay(sys.stdin, {"tiny": role()}.__getitem__).hash)
 """
 

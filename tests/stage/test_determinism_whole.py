@@ -2,7 +2,7 @@
 
 import pytest
 from playing import role_of, text_of
-from statwalk.stage.replay import replay
+from statwalk.stage.past.replay import replay
 from statwalk.stage.stage import Stage
 
 TABLE = """

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from builders import TABLE, role
 from statwalk.errors import StageError, UnknownNameError
-from statwalk.machine.celldefinition import AT_END, CellDefinition
-from statwalk.stage.replay import replay
+from statwalk.machine.authored.celldefinition import AT_END, CellDefinition
+from statwalk.stage.past.replay import replay
 from statwalk.stage.stage import Stage
 
 ROLE = role()

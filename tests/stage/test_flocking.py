@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from builders import character, definition
-from statwalk.machine.definition import ColliderDefinition, ParameterDefinition
-from statwalk.machine.flockdefinition import FlockDefinition, GoalDefinition, ObstacleDefinition
+from statwalk.machine.authored.definition import ColliderDefinition, ParameterDefinition
+from statwalk.machine.authored.flockdefinition import FlockDefinition, GoalDefinition, ObstacleDefinition
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Stage
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from statwalk.errors import MachineError
-from statwalk.stage.replay import replay
+from statwalk.stage.past.replay import replay
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Stage
 

@@ -3,7 +3,7 @@
 import sys
 import threading
 
-from statwalk.stage.log import LogEntry, MemoryLog
+from statwalk.stage.past.log import LogEntry, MemoryLog
 
 
 def press(tick, name="GO"):

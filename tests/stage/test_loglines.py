@@ -2,8 +2,8 @@
 
 import pytest
 from statwalk.errors import StageError
-from statwalk.stage.log import LogEntry
-from statwalk.stage.loglines import dump, load
+from statwalk.stage.past.log import LogEntry
+from statwalk.stage.past.loglines import dump, load
 
 HEADER = '{"statwalk": "log", "semantics": 1}'
 

@@ -5,10 +5,10 @@ from dataclasses import replace
 import gaits
 import pytest
 from statwalk.files.glb import read_model
-from statwalk.machine.definition import BlendDefinition, LayerDefinition, MachineDefinition, StateDefinition
+from statwalk.machine.authored.definition import BlendDefinition, LayerDefinition, MachineDefinition, StateDefinition
 from statwalk.motion.blendspace import BlendSpace
 from statwalk.motion.clip import Marker
-from statwalk.stage.motions import marks_of, masks_of
+from statwalk.stage.moving.motions import marks_of, masks_of
 from tinymodel import model
 
 TINY = read_model(model(), "tiny")

@@ -2,7 +2,7 @@
 
 import pytest
 from playing import TABLE, role_of, text_of
-from statwalk.stage.raised import MOST_RAISED
+from statwalk.stage.meeting.raised import MOST_RAISED
 from statwalk.stage.stage import Stage
 
 CALLER = """

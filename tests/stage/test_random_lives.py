@@ -5,10 +5,10 @@ import random
 import pytest
 from playing import role_of
 from randommachines import machine_text
-from statwalk.stage.replay import replay
+from statwalk.stage.explaining.trying import tried
+from statwalk.stage.explaining.whynot import whynot
+from statwalk.stage.past.replay import replay
 from statwalk.stage.stage import Stage
-from statwalk.stage.trying import tried
-from statwalk.stage.whynot import whynot
 
 KINDS = (Stage.send, Stage.send, Stage.hold, Stage.release)
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 import wildmachines
 from playing import role_of
-from statwalk.machine.step import Inputs, step
+from statwalk.machine.ticking.step import Inputs, step
 from statwalk.motion import inertialize
 from statwalk.stage.given import given
-from statwalk.stage.log import LogEntry
-from statwalk.stage.replay import replay
+from statwalk.stage.moving.surroundings import surroundings
+from statwalk.stage.past.log import LogEntry
+from statwalk.stage.past.replay import replay
 from statwalk.stage.stage import Stage
-from statwalk.stage.surroundings import surroundings
 
 SEEDS = (0, 2, 3, 6)
 TICKS, EDITED = 50, 20

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from playing import STATES, role_of, text_of
-from statwalk.machine.state import FOREVER, MOMENT
-from statwalk.stage.remap import is_same, remap
+from statwalk.machine.ticking.state import FOREVER, MOMENT
+from statwalk.stage.editing.remap import is_same, remap
 from statwalk.stage.stage import Stage
 
 ARMS = """

@@ -4,7 +4,7 @@ import pytest
 from builders import role
 from statwalk.errors import StageError
 from statwalk.loading import load, shipped_machines_folder
-from statwalk.stage.replay import replay
+from statwalk.stage.past.replay import replay
 from statwalk.stage.stage import Stage
 
 ROLES = {"tiny": role()}

@@ -3,7 +3,7 @@
 import pytest
 from builders import role
 from statwalk.stage.fold import StageState
-from statwalk.stage.snapshot import EVERY, Snapshots, size
+from statwalk.stage.past.snapshot import EVERY, Snapshots, size
 from statwalk.stage.stage import Stage
 
 NIGHT = 8 * 60 * 60 * 60  # ticks of eight hours

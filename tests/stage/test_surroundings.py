@@ -4,8 +4,8 @@ import gaits
 import numpy as np
 import pytest
 from builders import role
+from statwalk.stage.moving.surroundings import surroundings
 from statwalk.stage.stage import Stage
-from statwalk.stage.surroundings import surroundings
 
 DT = 1 / 60
 

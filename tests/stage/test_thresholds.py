@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from statwalk.stage.thresholds import nearest_true
+from statwalk.stage.explaining.thresholds import nearest_true
 
 
 @pytest.mark.parametrize(

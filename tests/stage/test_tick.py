@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from builders import CLIPS, role
-from statwalk.machine.celldefinition import CellDefinition
+from statwalk.machine.authored.celldefinition import CellDefinition
 from statwalk.stage.stage import Stage
 
 DT = 1 / 60

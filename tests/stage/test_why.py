@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from builders import CLIPS, role
 from statwalk.errors import StageError, UnknownNameError
-from statwalk.machine.celldefinition import CellDefinition
-from statwalk.stage.replay import replay
+from statwalk.machine.authored.celldefinition import CellDefinition
+from statwalk.stage.explaining.why import why
+from statwalk.stage.past.replay import replay
 from statwalk.stage.stage import Stage
-from statwalk.stage.why import why
 
 ROLE = role(cells={("STAND", "GO"): CellDefinition("WALK", 7, blend=0.3, curve="quintic"), ("*", "STOP"): CellDefinition("", 9, off=True)})
 

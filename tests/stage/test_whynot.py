@@ -3,9 +3,9 @@
 import pytest
 from playing import role_of, text_of
 from statwalk.errors import StageError, UnknownNameError
+from statwalk.stage.explaining.trying import tried
+from statwalk.stage.explaining.whynot import whynot
 from statwalk.stage.stage import Stage
-from statwalk.stage.trying import tried
-from statwalk.stage.whynot import whynot
 
 PLAIN = text_of()
 TIRED = text_of(more='cells:\n  STAND/HOP: [{if: "stamina > 10 and pace < 1.5", to: HOP}]')

@@ -3,8 +3,8 @@
 import pytest
 from statwalk.files.machinefile import load_machine, read_machine
 from statwalk.loading import load
-from statwalk.machine.build import MotionFacts
-from statwalk.machine.verify import verify
+from statwalk.machine.built.build import MotionFacts
+from statwalk.machine.checking.verify import verify
 from where import MACHINES
 
 # FAQ Q19, column by column as printed.

@@ -7,7 +7,7 @@ a jump does not. The law over the shipped walker is tests/machines/test_no_jump.
 import numpy as np
 import pytest
 from builders import role
-from statwalk.machine.celldefinition import CellDefinition
+from statwalk.machine.authored.celldefinition import CellDefinition
 from statwalk.stage.stage import Stage
 
 ROLE = role()

@@ -5,7 +5,7 @@ import time
 from pathlib import Path
 
 import pytest
-from statwalk.web.depot import LEFTOVER_SECONDS, Depot, Kept
+from statwalk.web.keeping.depot import LEFTOVER_SECONDS, Depot, Kept
 
 SHA = {b"one": "7692c3ad3540bb803c020b3aee66cd8887123234ea0c6e7143c0add73ff431ed"}
 

@@ -7,7 +7,7 @@ import pytest
 from statwalk.loading import load
 from statwalk.stage.frame import Verdict
 from statwalk.stage.stage import LONGEST_HISTORY, Stage
-from statwalk.web import history
+from statwalk.web.api import history
 
 pytestmark = pytest.mark.anyio
 

@@ -117,7 +117,7 @@ async def test_the_log_replayed_in_a_new_process_gives_the_same_hash(client: htt
         stage = await walk.post("step", ticks=40)
     log = (await client.get(f"{walk.path}/log")).text
     program = (
-        "import sys; from statwalk.loading import load; from statwalk.stage.replay import replay;"
+        "import sys; from statwalk.loading import load; from statwalk.stage.past.replay import replay;"
         "print(replay(sys.stdin.read().splitlines(), load).hash)"
     )
     again = await anyio.run_process([sys.executable, "-c", program], input=log.encode())

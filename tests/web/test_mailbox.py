@@ -3,7 +3,7 @@
 import asyncio
 
 import pytest
-from statwalk.web.mailbox import MOST_FACTS, Layout, Mailbox, Shown
+from statwalk.web.streaming.mailbox import MOST_FACTS, Layout, Mailbox, Shown
 
 LAYOUT = Layout(1, ())
 

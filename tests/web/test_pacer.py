@@ -4,7 +4,7 @@ import threading
 import time
 
 import pytest
-from statwalk.web.pacer import SHORTEST_SLEEP, Pacer
+from statwalk.web.streaming.pacer import SHORTEST_SLEEP, Pacer
 
 
 class Counting:

@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 import tinymodel
 from statwalk.errors import ContentError
-from statwalk.web import parsing
+from statwalk.web.keeping import parsing
 
 
 def child(tmp_path: Path, change: str) -> "subprocess.CompletedProcess[str]":
     """A child with a change to its module."""
     (tmp_path / "upload").write_bytes(tinymodel.model())
-    code = f"import sys\nfrom statwalk.web import parsing\n{change}\nparsing.main(*sys.argv[1:])"
+    code = f"import sys\nfrom statwalk.web.keeping import parsing\n{change}\nparsing.main(*sys.argv[1:])"
     return subprocess.run(
         [sys.executable, "-c", code, str(tmp_path / "upload"), str(tmp_path / "out"), "tiny"], capture_output=True, text=True, timeout=60
     )

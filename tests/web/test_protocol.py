@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from serving import open_and_never_read, serving, wait_for
-from statwalk.web import protocol
+from statwalk.web.streaming import protocol
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 

@@ -6,13 +6,13 @@ import httpx
 import pytest
 from statwalk.stage.stage import Stage
 from statwalk.web.app import create_app
-from statwalk.web.hosted import HostedStage
-from statwalk.web.library import Library
-from statwalk.web.mailbox import Mailbox
+from statwalk.web.keeping.hosted import HostedStage
+from statwalk.web.keeping.library import Library
+from statwalk.web.keeping.registry import Registry
 from statwalk.web.problem import Problem
-from statwalk.web.registry import Registry
 from statwalk.web.schemas import NewActor, NewEvent, NewStage
 from statwalk.web.settings import Settings
+from statwalk.web.streaming.mailbox import Mailbox
 
 
 @pytest.fixture(scope="module")

@@ -2,8 +2,8 @@
 
 from statwalk.loading import load
 from statwalk.stage.stage import Stage
-from statwalk.web.library import Library
-from statwalk.web.screen import MOST_LAYOUTS, Screen
+from statwalk.web.keeping.library import Library
+from statwalk.web.streaming.screen import MOST_LAYOUTS, Screen
 
 
 def test_the_layout_that_is_shown_is_not_forgotten_for_those_looked_at() -> None:

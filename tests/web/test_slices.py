@@ -4,10 +4,10 @@ import threading
 
 import pytest
 from statwalk.loading import load
+from statwalk.stage.past.timeline import SLICE
 from statwalk.stage.stage import Stage
-from statwalk.stage.timeline import SLICE
-from statwalk.web.hosted import HostedStage
-from statwalk.web.library import Library
+from statwalk.web.keeping.hosted import HostedStage
+from statwalk.web.keeping.library import Library
 
 TICKS = 20 * SLICE
 

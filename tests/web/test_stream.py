@@ -7,7 +7,7 @@ import khronos
 import numpy as np
 import pytest
 from serving import open_and_never_read, wait_for
-from statwalk.web import mailbox
+from statwalk.web.streaming import mailbox
 from watcher import Watcher
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect

@@ -7,7 +7,7 @@ from khronos import errors
 from statwalk import Character, Stage, load
 from statwalk.files.glb import read_model
 from statwalk.stage.role import Role
-from statwalk.web.wire import CastPoses, decode, encode
+from statwalk.web.streaming.wire import CastPoses, decode, encode
 
 TICKS = 90
 PATHS = {"translation": "VEC3", "rotation": "VEC4", "scale": "VEC3"}

@@ -8,8 +8,8 @@ from typing import Any
 import httpx
 import pytest
 import tinymodel
-from statwalk.web import parsing
 from statwalk.web.app import create_app
+from statwalk.web.keeping import parsing
 from statwalk.web.settings import LARGEST_UPLOAD_BYTES, Settings
 from where import ASSETS, needs_assets
 from zipped import MODEL, packed

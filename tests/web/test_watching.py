@@ -6,12 +6,12 @@ from pathlib import Path
 from shutil import copytree
 
 import pytest
-from statwalk.web.editions import Editions
-from statwalk.web.library import Library
-from statwalk.web.registry import Registry
+from statwalk.web.keeping.editions import Editions
+from statwalk.web.keeping.library import Library
+from statwalk.web.keeping.registry import Registry
+from statwalk.web.keeping.watching import Watch
 from statwalk.web.schemas import NewActor, NewStage
 from statwalk.web.settings import Settings
-from statwalk.web.watching import Watch
 from where import MACHINES
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from statwalk.maths.pose import Pose
 from statwalk.stage.frame import CastFrame, Frame
-from statwalk.web import wire
+from statwalk.web.streaming import wire
 
 N, J, W, L = 2, 3, 1, 1
 RANDOM = np.random.default_rng(1)

@@ -15,9 +15,9 @@ from rich.table import Table
 from statwalk.errors import UnknownNameError
 from statwalk.files.machinefile import load_machine
 from statwalk.loading import character_path, load_character_file, machine_folders
-from statwalk.machine.build import MotionFacts
-from statwalk.machine.findings import Finding
-from statwalk.machine.verify import verify as find
+from statwalk.machine.built.build import MotionFacts
+from statwalk.machine.checking.findings import Finding
+from statwalk.machine.checking.verify import verify as find
 
 EXAMPLES = """Examples:
 

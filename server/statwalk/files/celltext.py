@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from statwalk.errors import MachineError
 from statwalk.files.yamltext import Node, parse
-from statwalk.machine.definition import ANY, BASE
-from statwalk.machine.table import bars, is_rule, read_cell
+from statwalk.machine.authored.definition import ANY, BASE
+from statwalk.machine.authored.table import bars, is_rule, read_cell
 
 LONGEST_CELL = 200
 

@@ -19,7 +19,7 @@ from collections.abc import Iterable, Mapping
 from statwalk.files.machine import fields
 from statwalk.files.machine.senses import direction
 from statwalk.files.yamltext import Node
-from statwalk.machine.flockdefinition import FlockDefinition, GoalDefinition, ObstacleDefinition
+from statwalk.machine.authored.flockdefinition import FlockDefinition, GoalDefinition, ObstacleDefinition
 
 NUMBERS: Mapping[str, tuple[float, float]] = {
     "distance": (0.001, 1e4),

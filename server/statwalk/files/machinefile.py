@@ -11,7 +11,7 @@ from statwalk.errors import MachineError
 from statwalk.files import flockpart
 from statwalk.files.machine import fields, inputs, layers, levels, senses, wholetable
 from statwalk.files.yamltext import Node, parse, read_text
-from statwalk.machine.definition import (
+from statwalk.machine.authored.definition import (
     END,
     EventDefinition,
     LayerDefinition,
@@ -20,8 +20,8 @@ from statwalk.machine.definition import (
     TouchDefinition,
     nearest,
 )
-from statwalk.machine.runparts import MEASURED
-from statwalk.machine.table import MOST_CELLS
+from statwalk.machine.authored.table import MOST_CELLS
+from statwalk.machine.built.runparts import MEASURED
 
 FILE_NAME = "machine.yaml"
 MOST_RESUMED = 2_000_000

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.machine.runform import Machine
-from statwalk.machine.runparts import AT_END, AT_MARKER, IN_WINDOW, Outcome
+from statwalk.machine.built.runform import Machine
+from statwalk.machine.built.runparts import AT_END, AT_MARKER, IN_WINDOW, Outcome
 
 AT_ONCE_S = 1 / 60
 """what an event costs that is taken now"""

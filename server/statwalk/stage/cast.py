@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.machine.state import MachineState, fresh
+from statwalk.machine.ticking.state import MachineState, fresh
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.pose import Pose
 from statwalk.motion import inertialize
-from statwalk.stage.fading import Fading
 from statwalk.stage.hash import Words, mix
-from statwalk.stage.posing import composite
+from statwalk.stage.moving.fading import Fading
+from statwalk.stage.moving.posing import composite
 from statwalk.stage.role import Role
 
 

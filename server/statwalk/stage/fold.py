@@ -8,20 +8,20 @@ from itertools import groupby
 
 import numpy as np
 
-from statwalk.machine.step import StepResult
+from statwalk.machine.ticking.step import StepResult
 from statwalk.stage.cast import Cast, enter
-from statwalk.stage.cells import cells_of
-from statwalk.stage.contacts import Contacts
-from statwalk.stage.edit import edited
-from statwalk.stage.flocking import Flights, flocks
+from statwalk.stage.editing.edit import edited
+from statwalk.stage.explaining.cells import cells_of
 from statwalk.stage.frame import Action, CastFrame, Frame, Verdict
 from statwalk.stage.given import Given, given
 from statwalk.stage.hash import combine, text
-from statwalk.stage.log import LogEntry
-from statwalk.stage.raised import Notice, Raised, raised_by
+from statwalk.stage.meeting.contacts import Contacts
+from statwalk.stage.meeting.flocking import Flights, flocks
+from statwalk.stage.meeting.raised import Notice, Raised, raised_by
+from statwalk.stage.meeting.touch import touched
+from statwalk.stage.past.log import LogEntry
 from statwalk.stage.role import Role
 from statwalk.stage.tick import tick
-from statwalk.stage.touch import touched
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from statwalk.machine.step import HOLD, NOTHING, PRESS, RELEASE, TRAVEL, Inputs
+from statwalk.machine.ticking.step import HOLD, NOTHING, PRESS, RELEASE, TRAVEL, Inputs
 from statwalk.stage.cast import Cast
 from statwalk.stage.journey import presses
-from statwalk.stage.log import LogEntry
-from statwalk.stage.raised import Notice, Raised
+from statwalk.stage.meeting.raised import Notice, Raised
+from statwalk.stage.past.log import LogEntry
 
 KINDS: Mapping[str, int] = {"press": PRESS, "hold": HOLD, "release": RELEASE, "travel": TRAVEL}
 

@@ -8,8 +8,8 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from statwalk.machine import travel
-from statwalk.machine.runform import Machine
-from statwalk.machine.step import PRESS, TRAVEL
+from statwalk.machine.built.runform import Machine
+from statwalk.machine.ticking.step import PRESS, TRAVEL
 from statwalk.stage.cast import Cast
 
 AGAIN_S = 0.25

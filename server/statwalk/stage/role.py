@@ -9,13 +9,13 @@ import numpy as np
 
 from statwalk.character import Character
 from statwalk.errors import UnknownNameError
-from statwalk.machine.build import Machine, MotionFacts, build
-from statwalk.machine.definition import MachineDefinition
+from statwalk.machine.authored.definition import MachineDefinition
+from statwalk.machine.built.build import Machine, MotionFacts, build
 from statwalk.maths.arrays import Bools, Floats
 from statwalk.motion.blendspace import BlendSpace, Motion
 from statwalk.motion.layering import Mask
-from statwalk.stage.colliders import Colliders
-from statwalk.stage.motions import frame_of, masks_of, motions_of, root_of
+from statwalk.stage.meeting.colliders import Colliders
+from statwalk.stage.moving.motions import frame_of, masks_of, motions_of, root_of
 
 
 @dataclass(frozen=True, eq=False)

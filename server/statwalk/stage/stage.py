@@ -10,10 +10,10 @@ from statwalk.errors import StageError, UnknownNameError
 from statwalk.machine.travel import Plan, plan, reachable
 from statwalk.stage.actor import Actor
 from statwalk.stage.cast import Cast
-from statwalk.stage.edit import check_joints
-from statwalk.stage.log import LogEntry
+from statwalk.stage.editing.edit import check_joints
+from statwalk.stage.past.log import LogEntry
+from statwalk.stage.past.timeline import LONGEST_HISTORY, Timeline
 from statwalk.stage.role import Role
-from statwalk.stage.timeline import LONGEST_HISTORY, Timeline
 
 __all__ = ["LONGEST_HISTORY", "Actor", "Stage"]
 

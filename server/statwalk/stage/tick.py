@@ -9,13 +9,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from statwalk.machine.step import Inputs, StepResult, step
+from statwalk.machine.ticking.step import Inputs, StepResult, step
 from statwalk.motion.root import compose
 from statwalk.stage.cast import Cast
-from statwalk.stage.posing import composite
-from statwalk.stage.rootway import way_gone
-from statwalk.stage.surroundings import surroundings
-from statwalk.stage.turning import faded, turned
+from statwalk.stage.moving.posing import composite
+from statwalk.stage.moving.rootway import way_gone
+from statwalk.stage.moving.surroundings import surroundings
+from statwalk.stage.moving.turning import faded, turned
 
 
 def tick(cast: Cast, inputs: Inputs, dt: float, now: int, seed: int) -> tuple[Cast, StepResult]:

@@ -14,30 +14,17 @@ from fastapi import FastAPI
 from starlette.types import ASGIApp
 
 from statwalk.maths.kernels.choose import kernels
-from statwalk.web import (
-    actors,
-    characters,
-    editing,
-    explain,
-    history,
-    machines,
-    making,
-    messages,
-    page,
-    problem,
-    scenes,
-    stages,
-    stream,
-    uploads,
-)
-from statwalk.web.depot import Depot
+from statwalk.web import page, problem
+from statwalk.web.api import actors, characters, editing, explain, history, machines, making, scenes, stages, uploads
 from statwalk.web.guard import Guard
-from statwalk.web.library import Library
-from statwalk.web.pacer import Pacer
-from statwalk.web.registry import Registry
+from statwalk.web.keeping.depot import Depot
+from statwalk.web.keeping.library import Library
+from statwalk.web.keeping.registry import Registry
+from statwalk.web.keeping.watching import Watch
 from statwalk.web.schemas import ProblemView
 from statwalk.web.settings import Settings
-from statwalk.web.watching import Watch
+from statwalk.web.streaming import messages, stream
+from statwalk.web.streaming.pacer import Pacer
 
 DESCRIPTION = "Animates characters from state tables. Errors are application/problem+json (RFC 9457)."
 ROOMS = tuple(room.router for room in (characters, uploads, machines, making, editing, stages, scenes, history, actors, explain, stream))

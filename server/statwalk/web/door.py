@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from fastapi import Request
 
-from statwalk.web.hosted import HostedStage
-from statwalk.web.library import Library
-from statwalk.web.registry import Registry
+from statwalk.web.keeping.hosted import HostedStage
+from statwalk.web.keeping.library import Library
+from statwalk.web.keeping.registry import Registry
 
 
 def registry_of(request: Request) -> Registry:

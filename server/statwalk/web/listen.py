@@ -10,8 +10,8 @@ from types import FrameType
 import uvicorn
 from starlette.types import ASGIApp
 
-from statwalk.web.protocol import ViewerProtocol
 from statwalk.web.settings import LARGEST_MESSAGE_BYTES
+from statwalk.web.streaming.protocol import ViewerProtocol
 
 SEND_BUFFER_BYTES = 128 << 10  # a viewer that wakes up sees at most this much of the past
 DEAD_PEER_MILLISECONDS = 10_000

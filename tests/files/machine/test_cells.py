@@ -3,7 +3,7 @@
 import pytest
 from statwalk.errors import MachineError
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.celldefinition import ActionDefinition, Alternative, Moment
+from statwalk.machine.authored.celldefinition import ActionDefinition, Alternative, Moment
 
 TABLE = """character: c.glb
 initial: A

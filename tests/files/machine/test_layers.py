@@ -3,7 +3,7 @@
 import pytest
 from statwalk.errors import MachineError
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.definition import NO_MOTION, BlendDefinition
+from statwalk.machine.authored.definition import NO_MOTION, BlendDefinition
 
 TEXT = """character: c.glb
 initial: MOVE

@@ -3,7 +3,7 @@
 import pytest
 from statwalk.errors import MachineError
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.definition import OuterDefinition
+from statwalk.machine.authored.definition import OuterDefinition
 
 TEXT = """character: c.glb
 initial: FIGHT

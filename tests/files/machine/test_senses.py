@@ -3,7 +3,7 @@
 import pytest
 from statwalk.errors import MachineError
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.definition import ColliderDefinition, SenseDefinition, TouchDefinition
+from statwalk.machine.authored.definition import ColliderDefinition, SenseDefinition, TouchDefinition
 
 TEXT = """character: c.glb
 initial: A

@@ -7,7 +7,7 @@ import pytest
 from statwalk.machine.proof.lengths import Lengths
 from statwalk.machine.proof.moments import EARLIER, FOR_END, FOR_MOMENT, NOBODY, Node
 from statwalk.machine.proof.tick import Ticks
-from statwalk.machine.state import BEGINNING, FOREVER, MOMENT
+from statwalk.machine.ticking.state import BEGINNING, FOREVER, MOMENT
 from ticking import RATE, Ticking
 
 INPUTS = ("GO", "RUN", "HOP")

@@ -5,8 +5,8 @@ from itertools import chain
 
 import pytest
 from statwalk.files.machinefile import read_machine
-from statwalk.machine.build import MotionFacts
-from statwalk.machine.verify import verify
+from statwalk.machine.built.build import MotionFacts
+from statwalk.machine.checking.verify import verify
 from ticking import RATE, Ticking, text_of
 
 TABLE = "state | GO | STOP | DUCK | END\nIDLE | JUMP | | |\nJUMP | | | | FLY\nFLY | | IDLE at end | | DOWN\nDOWN | | | DOWN at end | IDLE"

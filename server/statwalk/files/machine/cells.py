@@ -8,9 +8,9 @@ from itertools import pairwise
 
 from statwalk.files.machine import conditions, fields, outcomes
 from statwalk.files.yamltext import Node
-from statwalk.machine.celldefinition import Alternative, CellDefinition
-from statwalk.machine.definition import ANY, END
-from statwalk.machine.table import NAME, read_cell
+from statwalk.machine.authored.celldefinition import Alternative, CellDefinition
+from statwalk.machine.authored.definition import ANY, END
+from statwalk.machine.authored.table import NAME, read_cell
 
 CELL_KEYS = ("to", "when", "blend", "enter", "action", "off")
 CHOICE_KEYS = ("if", "to", "blend", "enter", "action")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from statwalk.files.yamltext import Node
-from statwalk.machine.table import NAME
+from statwalk.machine.authored.table import NAME
 
 LONGEST_SECONDS = 60.0
 FARTHEST = 1e6

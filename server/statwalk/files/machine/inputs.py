@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterator
 
 from statwalk.files.machine import fields, outcomes
 from statwalk.files.yamltext import Node
-from statwalk.machine.celldefinition import Defaults
-from statwalk.machine.definition import END, EventDefinition, KeyDefinition, ParameterDefinition, PropertyDefinition
+from statwalk.machine.authored.celldefinition import Defaults
+from statwalk.machine.authored.definition import END, EventDefinition, KeyDefinition, ParameterDefinition, PropertyDefinition
 
 MOST_EVENTS = 4_096
 LARGEST = 1e9

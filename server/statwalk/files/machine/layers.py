@@ -9,7 +9,7 @@ from typing import Literal
 
 from statwalk.files.machine import fields, levels
 from statwalk.files.yamltext import Node
-from statwalk.machine.definition import BASE, NO_MOTION, ParameterDefinition
+from statwalk.machine.authored.definition import BASE, NO_MOTION, ParameterDefinition
 
 LAYER_KEYS = (*levels.LEVEL_KEYS, "mask", "mode", "weight")
 MOST_LAYERS = 16

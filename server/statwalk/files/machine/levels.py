@@ -8,7 +8,7 @@ from pathlib import Path
 
 from statwalk.files.machine import fields, states, tables
 from statwalk.files.yamltext import Node
-from statwalk.machine.definition import ANY, OuterDefinition, ParameterDefinition, StateDefinition
+from statwalk.machine.authored.definition import ANY, OuterDefinition, ParameterDefinition, StateDefinition
 
 LEVEL_KEYS = ("initial", "states", "table", "cells")
 OUTER_KEYS = ("machine", "resume", "final")

@@ -7,8 +7,8 @@ import re
 
 from statwalk.files.machine import fields
 from statwalk.files.yamltext import Node
-from statwalk.machine.celldefinition import AT_END, NOW, ActionDefinition, Curve, Enter, Moment
-from statwalk.machine.table import NAME
+from statwalk.machine.authored.celldefinition import AT_END, NOW, ActionDefinition, Curve, Enter, Moment
+from statwalk.machine.authored.table import NAME
 
 MOMENTS = ("now", "end", "marker NAME", "window A..B")
 WINDOW = re.compile(r"([0-9.]+)\.\.([0-9.]+)")

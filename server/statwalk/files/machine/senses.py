@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from statwalk.files.machine import conditions, fields
 from statwalk.files.yamltext import Node
-from statwalk.machine.definition import END, ColliderDefinition, SenseDefinition, TouchDefinition
+from statwalk.machine.authored.definition import END, ColliderDefinition, SenseDefinition, TouchDefinition
 
 LARGEST_RADIUS = 1e4
 """metres"""

@@ -6,8 +6,8 @@ from collections.abc import Collection, Mapping
 
 from statwalk.files.machine import fields
 from statwalk.files.yamltext import Node
-from statwalk.machine.build import LARGEST_SPEED
-from statwalk.machine.definition import NO_MOTION, BlendDefinition, ParameterDefinition, StateDefinition
+from statwalk.machine.authored.definition import NO_MOTION, BlendDefinition, ParameterDefinition, StateDefinition
+from statwalk.machine.built.build import LARGEST_SPEED
 
 STATE_KEYS = ("motion", "loop", "speed", "markers", "final")
 NONE = "none"

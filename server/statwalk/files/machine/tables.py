@@ -7,7 +7,7 @@ from pathlib import Path
 
 from statwalk.errors import MachineError
 from statwalk.files.yamltext import Node, read_text
-from statwalk.machine.table import Table, read_csv, read_table
+from statwalk.machine.authored.table import Table, read_csv, read_table
 
 
 @dataclass(frozen=True)

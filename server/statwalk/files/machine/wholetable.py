@@ -10,7 +10,7 @@ from statwalk.files.machine import cells
 from statwalk.files.machine.levels import Flat, Scope
 from statwalk.files.machine.tables import TableText
 from statwalk.files.yamltext import Node
-from statwalk.machine.celldefinition import CellDefinition
+from statwalk.machine.authored.celldefinition import CellDefinition
 
 MOST_UNKNOWN = 100
 """names in a table that are no states; the verifier says what is wrong with each of them"""

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from statwalk.machine.authored.definition import MachineDefinition
+from statwalk.machine.built.runparts import MEASURED
 from statwalk.machine.conditions.parser import parse
 from statwalk.machine.conditions.words import ConditionError
-from statwalk.machine.definition import MachineDefinition
-from statwalk.machine.runparts import MEASURED
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from statwalk.machine.celldefinition import Alternative
+from statwalk.machine.authored.celldefinition import Alternative
+from statwalk.machine.authored.definition import END
+from statwalk.machine.checking.findings import Finding, Severity
+from statwalk.machine.checking.firing import why_never
 from statwalk.machine.checking.sheet import Sheet
-from statwalk.machine.definition import END
-from statwalk.machine.findings import Finding, Severity
-from statwalk.machine.firing import why_never
 
 
 def shadowed(sheet: Sheet) -> Iterator[Finding]:

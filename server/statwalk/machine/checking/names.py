@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from statwalk.machine.authored.definition import BlendDefinition, MachineDefinition, StateDefinition, TouchDefinition, nearest
 from statwalk.machine.checking.asked import asked_of
+from statwalk.machine.checking.findings import Finding
+from statwalk.machine.checking.firing import Motions
 from statwalk.machine.checking.sheet import Sheet
-from statwalk.machine.definition import BlendDefinition, MachineDefinition, StateDefinition, TouchDefinition, nearest
-from statwalk.machine.findings import Finding
-from statwalk.machine.firing import Motions
 
 Sheets = tuple[Sheet, ...]
 

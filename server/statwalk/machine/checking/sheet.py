@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
-from statwalk.machine.definition import BASE, MachineDefinition
-from statwalk.machine.expand import expand
-from statwalk.machine.findings import Finding
-from statwalk.machine.firing import Marks, Motions, marks_of
-from statwalk.machine.reach import Cells, Graph, graph_of
+from statwalk.machine.authored.definition import BASE, MachineDefinition
+from statwalk.machine.authored.expand import expand
+from statwalk.machine.checking.findings import Finding
+from statwalk.machine.checking.firing import Marks, Motions, marks_of
+from statwalk.machine.checking.reach import Cells, Graph, graph_of
 
 
 @dataclass(frozen=True)

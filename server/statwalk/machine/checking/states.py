@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from statwalk.machine.authored.definition import END, nearest
+from statwalk.machine.checking.findings import Finding
+from statwalk.machine.checking.firing import certain
+from statwalk.machine.checking.reach import by_end, cycle, reached, way
 from statwalk.machine.checking.sheet import Sheet
-from statwalk.machine.definition import END, nearest
-from statwalk.machine.findings import Finding
-from statwalk.machine.firing import certain
-from statwalk.machine.reach import by_end, cycle, reached, way
 
 
 def undefined_states(sheet: Sheet) -> Iterator[Finding]:

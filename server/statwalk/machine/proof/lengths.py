@@ -6,9 +6,9 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from statwalk.machine.advance import NEARLY
-from statwalk.machine.buildstates import MotionFacts
-from statwalk.machine.runform import Machine
+from statwalk.machine.built.buildstates import MotionFacts
+from statwalk.machine.built.runform import Machine
+from statwalk.machine.ticking.advance import NEARLY
 
 TICKS_PER_SECOND = 60
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from statwalk.machine.runform import Machine
-from statwalk.machine.runparts import MIXED, Outcome
-from statwalk.machine.state import RUNNING
+from statwalk.machine.built.runform import Machine
+from statwalk.machine.built.runparts import MIXED, Outcome
+from statwalk.machine.ticking.state import RUNNING
 
 NOBODY = -1
 EARLIER = -1

@@ -7,9 +7,9 @@ from collections import deque
 from collections.abc import Collection, Iterator, Mapping
 from typing import NamedTuple
 
+from statwalk.machine.built.runparts import BLANK, OFF, UNDEFINED
 from statwalk.machine.proof.moments import NOBODY, Node
 from statwalk.machine.proof.tick import Ticks
-from statwalk.machine.runparts import BLANK, OFF, UNDEFINED
 
 MOST_WORK = 1_000_000
 """steps that all properties of a machine may take together: one or two seconds"""

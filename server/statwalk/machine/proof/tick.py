@@ -8,12 +8,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 
-from statwalk.machine.moments import crossed, in_window
+from statwalk.machine.built.runform import Machine
+from statwalk.machine.built.runparts import AT_END, AT_MARKER, BLANK, MATCH, MIXED, NOW, OFF, UNDEFINED, Outcome
 from statwalk.machine.proof.lengths import TICKS_PER_SECOND, Lengths
 from statwalk.machine.proof.moments import EARLIER, FOR_END, FOR_MOMENT, NOBODY, Node, Now, choices, landings
-from statwalk.machine.runform import Machine
-from statwalk.machine.runparts import AT_END, AT_MARKER, BLANK, MATCH, MIXED, NOW, OFF, UNDEFINED, Outcome
-from statwalk.machine.state import BEGINNING, ENDED, OWED, RUNNING
+from statwalk.machine.ticking.moments import crossed, in_window
+from statwalk.machine.ticking.state import BEGINNING, ENDED, OWED, RUNNING
 from statwalk.maths.phases import match
 
 

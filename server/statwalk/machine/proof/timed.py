@@ -13,15 +13,15 @@ from functools import cached_property
 from typing import NamedTuple
 
 from statwalk.errors import MachineError
-from statwalk.machine.build import build
-from statwalk.machine.buildstates import MotionFacts
-from statwalk.machine.definition import MachineDefinition
+from statwalk.machine.authored.definition import MachineDefinition
+from statwalk.machine.built.build import build
+from statwalk.machine.built.buildstates import MotionFacts
+from statwalk.machine.built.runform import Machine
 from statwalk.machine.proof.lengths import TICKS_PER_SECOND, Lengths, depends, lengths
 from statwalk.machine.proof.moments import NOBODY, Node
 from statwalk.machine.proof.search import TICK_WORK, Search, Step, TooManyError, Work, way
 from statwalk.machine.proof.tick import Ticks
 from statwalk.machine.proof.worded import Refuted, refuted, seconds
-from statwalk.machine.runform import Machine
 
 MOST_SECONDS = 600.0
 

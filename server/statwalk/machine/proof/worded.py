@@ -7,11 +7,11 @@ from collections.abc import Collection, Sequence
 from itertools import groupby, pairwise
 from typing import NamedTuple
 
+from statwalk.machine.built.runform import Machine
+from statwalk.machine.built.runparts import MIXED
 from statwalk.machine.proof.lengths import TICKS_PER_SECOND
 from statwalk.machine.proof.moments import NOBODY
 from statwalk.machine.proof.search import Step
-from statwalk.machine.runform import Machine
-from statwalk.machine.runparts import MIXED
 
 MOST_CHANGES_SAID = 12
 

@@ -1,0 +1,1 @@
+"""Another version of a machine while it is played."""

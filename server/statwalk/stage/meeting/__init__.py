@@ -1,0 +1,1 @@
+"""What happens between actors: touches, events that one raises on another, flocks."""

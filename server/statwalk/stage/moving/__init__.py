@@ -1,0 +1,1 @@
+"""How actors move: what states play, how it is blended, and what dies out of the motions before."""

@@ -1,0 +1,1 @@
+"""What the server holds: machines and their versions, characters, stages."""

@@ -1,0 +1,1 @@
+"""The socket: what viewers are shown, and what they say."""
