@@ -93,3 +93,8 @@ async def test_the_same_scene_gives_the_same_flight(client: httpx.AsyncClient) -
         path = await stage_of(client, scene="geese")
         hashes.append((await client.post(f"{path}/step", json={"ticks": 30})).json()["hash"])
     assert hashes[0] == hashes[1]
+
+
+async def test_what_a_flock_sets_is_said(client: httpx.AsyncClient) -> None:
+    goose = (await client.get("/api/machines/geese.goose")).json()
+    assert {one["name"]: one["driven"] for one in goose["parameters"]} == {"pace": True}

@@ -72,6 +72,8 @@ export interface Parameter {
   minimum: number;
   maximum: number;
   smooth: number;
+  /** A flock sets it, whatever comes from outside. */
+  driven: boolean;
 }
 
 /** The members beside `layers` are those of the base. */

@@ -26,7 +26,7 @@ export class ParametersPanel {
   }
 
   private draw(machine: MachineInfo | null): void {
-    const rows = (machine?.parameters ?? []).map((parameter) => this.row(parameter));
+    const rows = (machine?.parameters ?? []).filter(({ driven }) => !driven).map((parameter) => this.row(parameter));
     this.host.hidden = !rows.length;
     this.host.replaceChildren(...rows);
   }

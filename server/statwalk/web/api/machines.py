@@ -88,6 +88,13 @@ def senses(definition: MachineDefinition) -> dict[str, Any]:
     }
 
 
+def parameters(role: Role) -> list[dict[str, Any]]:
+    """The parameters with their bounds; `driven`: a flock sets it, whatever comes from outside."""
+    flock = role.definition.flock
+    driven = flock.sets.values() if flock else ()
+    return [asdict(parameter) | {"driven": parameter.name in driven} for parameter in role.machine.parameters]
+
+
 def view_machine(entry: Entry, role: Role, edition: Edition) -> dict[str, Any]:
     """The full tables and where each cell comes from, keys, parameters, senses, the edges of the graphs, and the file."""
     definition, every = role.definition, layers(role)
@@ -101,7 +108,7 @@ def view_machine(entry: Entry, role: Role, edition: Edition) -> dict[str, Any]:
             "initial": definition.initial,
             "idle": definition.idle,
             "keys": {key: {"press": sent.press, "release": sent.release, "hold": sent.hold} for key, sent in definition.keys.items()},
-            "parameters": [asdict(parameter) for parameter in role.machine.parameters],
+            "parameters": parameters(role),
             "variables": list(role.machine.variables),
             "senses": senses(definition),
             "colliders": {name: asdict(one) for name, one in definition.colliders.items()},

@@ -151,7 +151,7 @@ export class TablePanel {
     if (verdict.verdict === "taken") {
       this.table.querySelector(".last")?.classList.remove("last");
       cell.classList.add("last");
-      if (verdict.to && verdict.to !== verdict.from && !this.host.contains(document.activeElement)) this.revealSideways(cell);
+      if (!this.host.contains(document.activeElement)) this.revealSideways(cell);
     }
     flash(cell, verdict.verdict);
   }
