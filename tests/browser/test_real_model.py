@@ -13,7 +13,7 @@ def test_a_machine_made_from_a_real_model_walks(robot_server: Server, opened: Ca
     page = opened(robot_server.url)
     assert page.evaluate("__viewer.pixels().covered") > 0.02
     first = page.evaluate("[__viewer.state(), __viewer.joints()]")
-    page.locator("[data-event=WALKING]").hover()
+    page.locator("[data-event=FORWARD]").hover()
     page.mouse.down()
     until(page, "__viewer.state().toLowerCase().startsWith('walk')")
     until(

@@ -15,10 +15,10 @@ def statwalk(*arguments, cwd):
 def test_new_verify_and_play(tmp_path):
     made = statwalk("new", GLTF / "RobotExpressive.glb", cwd=tmp_path)
     assert made.returncode == 0, made.stderr
-    assert "14 states, standing about in Idle" in made.stdout
+    assert "14 states, standing about in STAT" in made.stdout
     assert statwalk("verify", "RobotExpressive", cwd=tmp_path).returncode == 0
-    played = statwalk("play", "RobotExpressive", "--events", "0:+WALKING", "--seconds", "1", cwd=tmp_path)
-    assert "after 60 ticks: Walking" in played.stdout
+    played = statwalk("play", "RobotExpressive", "--events", "0:+FORWARD", "--seconds", "1", cwd=tmp_path)
+    assert "after 60 ticks: WALK" in played.stdout
 
 
 @needs_assets

@@ -30,11 +30,17 @@ def test_nothing_is_to_be_found_in_it(name, tmp_path):
     assert verify(file.definition, motions) == []
 
 
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", ["RobotExpressive", "Khronos_Fox", "CesiumMan"])
 def test_its_table_is_complete(name, tmp_path):
     _, file = made(name, tmp_path)
     definition = file.definition
     assert set(definition.cells) == {(state, event) for state in definition.states for event in definition.columns}
+
+
+def test_a_jump_of_several_clips_is_the_faqs(tmp_path):
+    _, file = made("Quaternius_PlatformerCharacter", tmp_path)
+    cells = {place: cell.to for place, cell in file.definition.cells.items() if place[0] in ("JUMP", "FLY") and cell.to}
+    assert cells == {("JUMP", "END"): "FLY", ("FLY", "END"): "LAND"}
 
 
 def test_a_robot_that_walks_jumps_and_stops(tmp_path):
@@ -44,16 +50,16 @@ def test_a_robot_that_walks_jumps_and_stops(tmp_path):
     keys = file.definition.keys
     stage.hold(actor, keys["ArrowUp"].press)
     stage.step(60)
-    assert actor.state == "Walking"
+    assert actor.state == "WALK"
     stage.send(actor, keys["Space"].press)
     stage.step(1)
-    assert actor.state == "Jump"
+    assert actor.state == "JUMP"
     stage.step(60)
-    assert actor.state == "Walking"  # the key is still down
+    assert actor.state == "WALK"  # the key is still down
     stage.release(actor, keys["ArrowUp"].press)
     stage.send(actor, keys["ArrowUp"].release)
     stage.step(1)
-    assert actor.state == "Idle"
+    assert actor.state == "STAT"
 
 
 def test_the_model_is_copied_or_named(tmp_path):
@@ -81,7 +87,7 @@ def test_a_model_without_animations_makes_no_machine(tmp_path):
 
 def test_large_tables_are_for_a_spreadsheet(tmp_path):
     made("KayKit_Knight", tmp_path)
-    assert (tmp_path / "KayKit_Knight" / "table.csv").read_text().startswith("state,1_H_MELEE")
+    assert (tmp_path / "KayKit_Knight" / "table.csv").read_text().startswith("state,1H_MELEE_ATTACK_CHOP,")
 
 
 def test_the_idle_motion_comes_first():

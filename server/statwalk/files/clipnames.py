@@ -60,11 +60,6 @@ def state_name(clip: str, taken: Iterable[str]) -> str:
     return distinct(re.sub(r"[^\w.-]+", "_", bare(clip)).strip("_.-") or "Motion", taken)
 
 
-def event_name(clip: str, taken: Iterable[str]) -> str:
-    """A valid name for the event that asks for it: `WalkJump` -> WALK_JUMP."""
-    return distinct("_".join(words(clip)).upper() or "MOTION", taken)
-
-
 def distinct(name: str, taken: Iterable[str]) -> str:
     """The name, with a number after it where it is taken."""
     known, number, found = set(taken), 2, name

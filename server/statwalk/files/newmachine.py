@@ -102,16 +102,8 @@ def named_motions(character: Character, states: Mapping[str, str]) -> list[Motio
 
 
 def motions_of(character: Character) -> list[Motion]:
-    """The motions, the idle one first; raises ContentError where there are none."""
-    kinds = kinds_of(character)
-    idle = idle_of(kinds)
-    found = [Motion(idle, clipnames.state_name(idle, ()), "", "loop")]
-    for name in character.clips:
-        if name != idle:
-            state = clipnames.state_name(name, [one.state for one in found])
-            event = clipnames.event_name(name, ["STOP", "END", "STATE", *(one.event for one in found)])
-            found.append(Motion(name, state, event, kinds[name]))
-    return found
+    """The motions under the names that are proposed for their clips, the idle one first; raises ContentError where there are none."""
+    return named_motions(character, faqnames.proposed(character.clips))
 
 
 def comes_round(clip: Clip) -> bool:
