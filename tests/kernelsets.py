@@ -7,8 +7,6 @@ from statwalk.maths.kernels import choose
 @pytest.fixture(params=["numba", "numpy"])
 def kernel_set(request, monkeypatch):
     """Runs the test once with each."""
-    if request.param == "numba":
-        pytest.importorskip("numba")
     monkeypatch.setenv(choose.VARIABLE, request.param)
     choose.kernels.cache_clear()
     yield request.param

@@ -6,8 +6,6 @@ from ground_truth.truth import ALL, character
 from statwalk.rig.evaluate import world_from_local
 from where import needs_assets
 
-pytest.importorskip("numba")
-
 
 @needs_assets
 @pytest.mark.parametrize("model", ALL)

@@ -14,7 +14,6 @@ def anew():
 
 
 def test_compiled_kernels_are_the_rule(monkeypatch):
-    pytest.importorskip("numba")
     monkeypatch.delenv(choose.VARIABLE, raising=False)
     assert choose.kernels() is not None
 

@@ -1,9 +1,8 @@
 """Kernels that cannot be kept on the disk are compiled all the same."""
 
 import numpy as np
-import pytest
+from statwalk.maths.kernels import compiling
 
-compiling = pytest.importorskip("statwalk.maths.kernels.compiling", reason="numba is not here")
 SOURCE = "def double(numbers):\n    for row in range(numbers.shape[0]):\n        numbers[row] *= 2\n"
 
 

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 from statwalk.maths import quat, transform
+from statwalk.maths.kernels import hierarchy
 from statwalk.maths.pose import Pose
 from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.skeleton import Skeleton
 
-hierarchy = pytest.importorskip("statwalk.maths.kernels.hierarchy", reason="numba is not here")
 ACTORS, PARENTS = 3, np.array([-1, 0, 1, 0, -1, 4, 5], np.int32)
 
 

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
+from statwalk.maths.kernels import morphing
 
-morphing = pytest.importorskip("statwalk.maths.kernels.morphing", reason="numba is not here")
 CHANCE = np.random.default_rng(5)
 
 

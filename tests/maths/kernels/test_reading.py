@@ -10,7 +10,6 @@ from statwalk.motion.channel import Channel
 from statwalk.motion.keytable import gathered
 from statwalk.skin.weights import used_where_normalised
 
-pytest.importorskip("numba")
 CHANCE = np.random.default_rng(3)
 UNIT = CHANCE.normal(size=(77, 3))
 UNIT = (UNIT / np.linalg.norm(UNIT, axis=1, keepdims=True)).astype(np.float32)
