@@ -45,6 +45,7 @@ class Edited:
     """What an edit is, or would be."""
 
     edition: Edition
+    file: MachineFile
     role: Role
     findings: list[Finding]
 
@@ -102,24 +103,24 @@ class Editions:
             raise Problem(422, "an edit keeps the character; make another machine for another one", field="character")
         file.check_root(role.character.skeleton.names)
         new = Role.build(role.name, role.character, file.definition, file.root_joint)
-        known = {one.about for one in findings_of(entry.file, role) if one.severity == "error"}
         findings = findings_of(file, new)
-        errors = [one for one in findings if one.severity == "error" and one.about not in known]
+        if errors := errors_in(findings):
+            known = {one.about for one in errors_in(findings_of(entry.file, role))}
+            errors = [one for one in errors if one.about not in known]
         if errors:
             raise RefusedEdit(errors)
         newest = self.of(name)[-1].version
         edition = Edition(newest + 1, time.time(), what, text, newest if before is None else before)
-        return Edited(edition, new, findings)
+        return Edited(edition, file, new, findings)
 
     def change(self, name: str, text: str, what: str, *, write: bool = True, before: int | None = None) -> Edited:
         """Makes the text the newest version, in its file (`write`) and on all stages that play it and are not in their past."""
         with self.lock:
             edited = self.checked(name, text, what, before)
             entry = self.library.entry(name)
-            file = machine_of(text, entry.folder, FILE_NAME)
             if write and saved(entry) == "file":
                 put_in_place(entry.folder / FILE_NAME, text)
-            self.library.renew(replace(entry, file=file), edited.role)
+            self.library.renew(replace(entry, file=edited.file), edited.role)
             self.kept[name] = [*self.of(name), edited.edition][-MOST_EDITIONS:]
             self.play(edited.role, text)
             return edited
@@ -162,6 +163,11 @@ def findings_of(file: MachineFile, role: Role) -> list[Finding]:
     """What the verifier finds."""
     motions = {clip.name: MotionFacts(clip.duration, clip.loop, clip.markers) for clip in role.character.clips.values()}
     return verify(file.definition, motions)
+
+
+def errors_in(findings: list[Finding]) -> list[Finding]:
+    """Those that make a machine something else than its author meant."""
+    return [one for one in findings if one.severity == "error"]
 
 
 def saved(entry: Entry) -> Saved:
