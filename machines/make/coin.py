@@ -8,6 +8,9 @@ GOLD = material("gold", "#ffcf3f", 0.3, 0.15)
 RIM = material("rim", "#d99a1c", 0.35, 0.15)
 HEIGHT, TURN_S, VANISH_S, AWAY_S = 0.95, 2.0, 0.5, 10.0
 
+EDGE = [(0.18, -0.02), (0.19, -0.028), (0.215, -0.028), (0.225, -0.018), (0.225, 0.018), (0.215, 0.028), (0.19, 0.028), (0.18, 0.02)]
+"""the rim's profile: radius and height, metres"""
+
 
 def spun(degrees: Array) -> Array:
     """Turns about the upright axis."""
@@ -30,23 +33,19 @@ def make() -> Model:
     model = Model("coin")
     model.joint("Ground")
     model.joint("Coin", "Ground", (0.0, HEIGHT, 0.0))
-    rim = [
-        (0.18, -0.02),
-        (0.19, -0.028),
-        (0.215, -0.028),
-        (0.225, -0.018),
-        (0.225, 0.018),
-        (0.215, 0.028),
-        (0.19, 0.028),
-        (0.18, 0.02),
-    ]
-    model.part("Coin", lathe(rim, 40).turned(about_x(90)), RIM)
+    model.part("Coin", lathe(EDGE, 40).turned(about_x(90)), RIM)
     face = lathe([(0.0, -0.02), (0.182, -0.02), (0.182, -0.02), (0.182, 0.02), (0.182, 0.02), (0.0, 0.02)], 40).turned(about_x(90))
     mark = joined(
         *(box((0.05, 0.2, 0.06), 0.012), box((0.11, 0.035, 0.06), 0.012).moved(0, 0.09), box((0.11, 0.035, 0.06), 0.012).moved(0, -0.09))
     )
     model.part("Coin", face, GOLD)
     model.part("Coin", mark, RIM)
+    _motions(model)
+    return model
+
+
+def _motions(model: Model) -> None:
+    """It turns, vanishes upwards, is away, and comes again."""
     model.motion(
         "spin",
         TURN_S,
@@ -73,4 +72,3 @@ def make() -> Model:
             ("Coin", "rotation"): lambda t: spun(180 * (t / 0.5 - 1)),
         },
     )
-    return model
