@@ -6,8 +6,8 @@ import httpx
 import pytest
 from statwalk.stage.stage import Stage
 from statwalk.web.app import create_app
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.keeping.hosted import HostedStage
-from statwalk.web.keeping.library import Library
 from statwalk.web.keeping.registry import Registry
 from statwalk.web.problem import Problem
 from statwalk.web.schemas import NewActor, NewEvent, NewStage
@@ -16,17 +16,17 @@ from statwalk.web.streaming.mailbox import Mailbox
 
 
 @pytest.fixture(scope="module")
-def library() -> Library:
-    return Library()
+def catalogue() -> Catalogue:
+    return Catalogue()
 
 
-def registry(library: Library, **limits: int | float) -> Registry:
-    return Registry(library, Settings(**limits))
+def registry(catalogue: Catalogue, **limits: int | float) -> Registry:
+    return Registry(catalogue, Settings(**limits))
 
 
-def test_idle_stages_are_let_go_and_no_others(library: Library) -> None:
+def test_idle_stages_are_let_go_and_no_others(catalogue: Catalogue) -> None:
     """A client with a clock of its own may think for an hour; then its stage makes room for others."""
-    held = registry(library, idle_seconds=600.0)
+    held = registry(catalogue, idle_seconds=600.0)
     main, idle = held.open_main(), held.open(NewStage())
     thinking, forgotten, watched = held.open(NewStage(clock="manual")), held.open(NewStage(clock="manual")), held.open(NewStage())
     watched.broadcast.mailboxes = frozenset({Mailbox("pose")})
@@ -36,9 +36,9 @@ def test_idle_stages_are_let_go_and_no_others(library: Library) -> None:
     assert held.all() == [main, thinking, watched]
 
 
-def test_a_stage_that_was_watched_until_now_is_not_idle(library: Library) -> None:
+def test_a_stage_that_was_watched_until_now_is_not_idle(catalogue: Catalogue) -> None:
     """Its viewer may only load the page again."""
-    held = registry(library)
+    held = registry(catalogue)
     hosted, mailbox = held.open(NewStage()), Mailbox("pose")
     hosted.broadcast.mailboxes = frozenset({mailbox})
     hosted.touched = time.monotonic() - 2 * held.settings.idle_seconds
@@ -47,8 +47,8 @@ def test_a_stage_that_was_watched_until_now_is_not_idle(library: Library) -> Non
     assert held.all() == [hosted]
 
 
-def test_an_input_that_is_seen_at_the_head_goes_to_a_fork_while_the_playhead_is_in_the_past(library: Library) -> None:
-    held = registry(library)
+def test_an_input_that_is_seen_at_the_head_goes_to_a_fork_while_the_playhead_is_in_the_past(catalogue: Catalogue) -> None:
+    held = registry(catalogue)
     hosted = held.open(NewStage(clock="manual", actors=[NewActor(machine="faq-walker")]))
     hosted.step(10)
     hosted.seek(4)
@@ -57,23 +57,23 @@ def test_an_input_that_is_seen_at_the_head_goes_to_a_fork_while_the_playhead_is_
     assert (accepted.tick, hosted.stage.tick) == (10, 4)
 
 
-def test_a_stage_more_than_there_may_be_is_refused(library: Library) -> None:
-    held = registry(library, most_stages=1)
+def test_a_stage_more_than_there_may_be_is_refused(catalogue: Catalogue) -> None:
+    held = registry(catalogue, most_stages=1)
     held.open(NewStage())
     with pytest.raises(Problem, match="the most it may"):
         held.open(NewStage())
 
 
-def test_an_actor_more_than_there_may_be_is_refused(library: Library) -> None:
-    held = registry(library, most_actors=1)
+def test_an_actor_more_than_there_may_be_is_refused(catalogue: Catalogue) -> None:
+    held = registry(catalogue, most_actors=1)
     hosted = held.open(NewStage(actors=[NewActor(machine="faq-walker")]))
     with pytest.raises(Problem, match="the most it may"):
         held.place(hosted, NewActor(machine="faq-walker"))
 
 
-def test_a_pause_is_not_caught_up(library: Library) -> None:
+def test_a_pause_is_not_caught_up(catalogue: Catalogue) -> None:
     """However long the clock stood still, it goes on from where it was."""
-    hosted = HostedStage("x", Stage(), "real", library)
+    hosted = HostedStage("x", Stage(), "real", catalogue)
     hosted.advance_to(time.perf_counter())
     hosted.pause(True)
     hosted.clock.due(time.perf_counter() - 100.0)

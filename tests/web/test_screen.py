@@ -2,7 +2,7 @@
 
 from statwalk.loading import load
 from statwalk.stage.stage import Stage
-from statwalk.web.keeping.library import Library
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.streaming.screen import MOST_LAYOUTS, Screen
 
 
@@ -10,7 +10,7 @@ def test_the_layout_that_is_shown_is_not_forgotten_for_those_looked_at() -> None
     walker = load("faq-walker")
     live, past = Stage(), Stage()
     live.add(walker)
-    screen = Screen(Library())
+    screen = Screen(Catalogue())
     epoch = screen.layout(live.frame, live).epoch
     past.add(walker)
     for _ in range(MOST_LAYOUTS + 1):

@@ -6,8 +6,8 @@ import pytest
 from statwalk.loading import load
 from statwalk.stage.past.timeline import SLICE
 from statwalk.stage.stage import Stage
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.keeping.hosted import HostedStage
-from statwalk.web.keeping.library import Library
 
 TICKS = 20 * SLICE
 
@@ -16,7 +16,7 @@ TICKS = 20 * SLICE
 def hosted():
     stage = Stage()
     stage.add(load("faq-walker"))
-    return HostedStage("one", stage, "manual", Library())
+    return HostedStage("one", stage, "manual", Catalogue())
 
 
 def turns_of_another(hosted, work):

@@ -6,8 +6,8 @@ from pathlib import Path
 from shutil import copytree
 
 import pytest
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.keeping.editions import Editions
-from statwalk.web.keeping.library import Library
 from statwalk.web.keeping.registry import Registry
 from statwalk.web.keeping.watching import Watch
 from statwalk.web.schemas import NewActor, NewStage
@@ -23,7 +23,7 @@ def folder(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def registry(folder: Path) -> Registry:
-    return Registry(Library([folder]), Settings())
+    return Registry(Catalogue([folder]), Settings())
 
 
 def save(folder: Path, old: str, new: str) -> None:
@@ -62,5 +62,5 @@ def test_an_edit_of_the_page_is_not_followed_again(folder: Path, registry: Regis
 
 
 def test_editions_of_a_library_without_stages(folder: Path) -> None:
-    editions = Editions(Library([folder]), list)
+    editions = Editions(Catalogue([folder]), list)
     assert [one.version for one in editions.of("mine")] == [1]

@@ -17,8 +17,8 @@ from statwalk.maths.kernels.choose import kernels
 from statwalk.web import page, problem
 from statwalk.web.api import actors, characters, editing, explain, history, machines, making, scenes, stages, uploads
 from statwalk.web.guard import Guard
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.keeping.depot import Depot
-from statwalk.web.keeping.library import Library
 from statwalk.web.keeping.registry import Registry
 from statwalk.web.keeping.watching import Watch
 from statwalk.web.schemas import ProblemView
@@ -40,7 +40,7 @@ def create_app(settings: Settings | None = None) -> ASGIApp:
 
 def rooms(settings: Settings) -> FastAPI:
     """The application inside the door."""
-    registry = Registry(Library(settings.folders, Depot(settings.data) if settings.data else None), settings)
+    registry = Registry(Catalogue(settings.folders, Depot(settings.data) if settings.data else None), settings)
     errors: dict[int | str, dict[str, Any]] = {
         status: {"model": ProblemView, "content": {problem.MEDIA_TYPE: {}}} for status in (400, 404, 409, 413, 415, 422)
     }

@@ -1,11 +1,11 @@
-"""What the routes are given: the library and the registry of the app that they belong to."""
+"""What the routes are given: the catalogue and the registry of the app that they belong to."""
 
 from __future__ import annotations
 
 from fastapi import Request
 
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.keeping.hosted import HostedStage
-from statwalk.web.keeping.library import Library
 from statwalk.web.keeping.registry import Registry
 
 
@@ -15,9 +15,9 @@ def registry_of(request: Request) -> Registry:
     return registry
 
 
-def library_of(request: Request) -> Library:
+def catalogue_of(request: Request) -> Catalogue:
     """The app's machines and characters."""
-    return registry_of(request).library
+    return registry_of(request).catalogue
 
 
 def stage_of(stage_id: str, request: Request) -> HostedStage:

@@ -6,34 +6,34 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Response
 
-from statwalk.web.door import library_of
+from statwalk.web.door import catalogue_of
 from statwalk.web.jsonbody import BoundedRoute
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.keeping.depot import Kept
-from statwalk.web.keeping.library import Library
 
 router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
-Shelf = Annotated[Library, Depends(library_of)]
+Shelf = Annotated[Catalogue, Depends(catalogue_of)]
 
 
 @router.get("")
-def list_characters(library: Shelf) -> list[dict[str, Any]]:
+def list_characters(catalogue: Shelf) -> list[dict[str, Any]]:
     """The characters, and the machine that each was found with (or, for one that was uploaded, the first that was made of it)."""
-    found = [{"name": name, "machine": machine, "uploaded": False} for name, machine in library.owners.items()]
-    return [*found, *(view_upload(kept, library) for kept in library.uploads().values())]
+    found = [{"name": name, "machine": machine, "uploaded": False} for name, machine in catalogue.owners.items()]
+    return [*found, *(view_upload(kept, catalogue) for kept in catalogue.uploads().values())]
 
 
-def view_upload(kept: Kept, library: Library) -> dict[str, Any]:
+def view_upload(kept: Kept, catalogue: Catalogue) -> dict[str, Any]:
     """An uploaded character in the list; `machines` are those made of this very content."""
-    made = [entry for entry in library.entries.values() if entry.made]
+    made = [entry for entry in catalogue.entries.values() if entry.made]
     machines = [entry.name for entry in made if entry.file.character_path.stem == kept.sha256]
     facts = {"name": kept.name, "machine": machines[0] if machines else None, "uploaded": True}
     return facts | {"sha256": kept.sha256, "bytes": kept.bytes, "machines": machines}
 
 
 @router.get("/{name}")
-def get_character(name: str, library: Shelf) -> dict[str, Any]:
+def get_character(name: str, catalogue: Shelf) -> dict[str, Any]:
     """Joints (parents first), clips, skins and what was repaired when the file was read."""
-    character = library.character(name)
+    character = catalogue.character(name)
     skeleton = character.skeleton
     return {
         "name": name,
@@ -52,6 +52,6 @@ def get_character(name: str, library: Shelf) -> dict[str, Any]:
 
 
 @router.get("/{name}/model.glb", response_class=Response, responses={200: {"content": {"model/gltf-binary": {}}}})
-def get_model(name: str, library: Shelf) -> Response:
+def get_model(name: str, catalogue: Shelf) -> Response:
     """The model, as any glTF viewer opens it."""
-    return Response(library.character(name).model_glb, media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})
+    return Response(catalogue.character(name).model_glb, media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})

@@ -65,7 +65,7 @@ Seen = Annotated[int, Depends(version_of)]
 def answered(editions: Editions, name: str, edited: Edited, response: Response) -> dict[str, Any]:
     """The machine as it is, or would be, and what the verifier says of it."""
     response.headers["ETag"] = f'"{edited.edition.version}"'
-    view = view_machine(editions.library.entry(name), edited.role, edited.edition)
+    view = view_machine(editions.catalogue.entry(name), edited.role, edited.edition)
     return view | {"findings": [asdict(finding) for finding in edited.findings]}
 
 

@@ -10,14 +10,14 @@ from fastapi import APIRouter, Depends
 from statwalk.machine.authored.definition import BlendDefinition, MachineDefinition, TouchDefinition
 from statwalk.machine.authored.graph import edges, full_table
 from statwalk.stage.role import Role
-from statwalk.web.door import library_of, registry_of
+from statwalk.web.door import catalogue_of, registry_of
 from statwalk.web.jsonbody import BoundedRoute
+from statwalk.web.keeping.catalogue import Catalogue, Entry
 from statwalk.web.keeping.editions import Edition, findings_of, saved
-from statwalk.web.keeping.library import Entry, Library
 from statwalk.web.keeping.registry import Registry
 
 router = APIRouter(prefix="/api/machines", tags=["machines"], route_class=BoundedRoute)
-Shelf = Annotated[Library, Depends(library_of)]
+Shelf = Annotated[Catalogue, Depends(catalogue_of)]
 
 
 def summary(entry: Entry) -> dict[str, Any]:
@@ -120,22 +120,22 @@ def view_machine(entry: Entry, role: Role, edition: Edition) -> dict[str, Any]:
 
 
 @router.get("")
-def list_machines(library: Shelf) -> list[dict[str, Any]]:
+def list_machines(catalogue: Shelf) -> list[dict[str, Any]]:
     """The machines, the default one first."""
-    names = sorted(library.entries, key=lambda name: name != library.default)
-    return [summary(library.entries[name]) for name in names]
+    names = sorted(catalogue.entries, key=lambda name: name != catalogue.default)
+    return [summary(catalogue.entries[name]) for name in names]
 
 
 @router.get("/{name}")
 def get_machine(name: str, registry: Annotated[Registry, Depends(registry_of)]) -> dict[str, Any]:
     """The machine as it is now."""
-    library, editions = registry.library, registry.editions
+    catalogue, editions = registry.catalogue, registry.editions
     with editions.lock:
-        return view_machine(library.entry(name), library.role(name), editions.of(name)[-1])
+        return view_machine(catalogue.entry(name), catalogue.role(name), editions.of(name)[-1])
 
 
 @router.get("/{name}/verify")
-def verify_machine(name: str, library: Shelf) -> dict[str, Any]:
+def verify_machine(name: str, catalogue: Shelf) -> dict[str, Any]:
     """What is proved about the table: undefined names, states that cannot be reached or left, cells that never fire."""
-    entry, role = library.entry(name), library.role(name)
+    entry, role = catalogue.entry(name), catalogue.role(name)
     return {"findings": [asdict(finding) for finding in findings_of(entry.file, role)]}

@@ -20,8 +20,8 @@ from statwalk.web.api.machines import get_machine
 from statwalk.web.api.uploads import check_name, depot_of, room_on_disk
 from statwalk.web.door import registry_of
 from statwalk.web.jsonbody import BoundedRoute
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.keeping.depot import Depot
-from statwalk.web.keeping.library import Library
 from statwalk.web.keeping.registry import Registry
 from statwalk.web.problem import Problem
 from statwalk.web.schemas import Asked, Name
@@ -60,9 +60,9 @@ def states_of(new: NewMachine, character: Character) -> dict[str, str]:
     return states
 
 
-def check_free(name: str, library: Library, depot: Depot) -> None:
+def check_free(name: str, catalogue: Catalogue, depot: Depot) -> None:
     """409 where there is a machine of that name, or there are too many."""
-    if name in library.entries:
+    if name in catalogue.entries:
         raise Problem(409, f"there is a machine {name!r} already; delete it first, or choose another name", field="name")
     if len(depot.machine_folders()) >= MOST_UPLOADS:
         raise Problem(409, f"the data folder holds {MOST_UPLOADS} machines, which is the most it may; delete one")
@@ -87,14 +87,14 @@ def write(name: str, states: Mapping[str, str], character: Character, depot: Dep
 @router.post("", status_code=201)
 def make_machine(new: NewMachine, registry: Stages, response: Response) -> dict[str, Any]:
     """Makes a machine: a state for each clip, a complete table, an event on a key for each state. It is there at once."""
-    library = registry.library
-    depot = depot_of(library)
-    character = library.character(new.character, status=422)
+    catalogue = registry.catalogue
+    depot = depot_of(catalogue)
+    character = catalogue.character(new.character, status=422)
     with depot.lock, room_on_disk():
-        check_free(check_name(new.name), library, depot)
+        check_free(check_name(new.name), catalogue, depot)
         states = states_of(new, character)
         try:
-            library.adopt(*write(new.name, states, character, depot))
+            catalogue.adopt(*write(new.name, states, character, depot))
         except ContentError as error:
             raise Problem(422, error.message, field=error.place) from None
     response.headers["Location"] = f"/api/machines/{new.name}"
@@ -104,13 +104,13 @@ def make_machine(new: NewMachine, registry: Stages, response: Response) -> dict[
 @router.delete("/{name}", status_code=204)
 def delete_machine(name: str, registry: Stages) -> None:
     """Deletes a machine that was made here. 409 for others, and while a stage has it in its present or past."""
-    library = registry.library
-    if not library.entry(name).made:
+    catalogue = registry.catalogue
+    if not catalogue.entry(name).made:
         raise Problem(409, f"the machine {name!r} belongs to a machine folder of the server", field="name")
     stages = [hosted.id for hosted in registry.all() if name in hosted.stage.roles]
     if stages:
         raise Problem(409, f"delete the stages that it is played on first: {', '.join(stages[:20])}", field="name")
-    depot = depot_of(library)
+    depot = depot_of(catalogue)
     with depot.lock:
-        library.drop(name)
+        catalogue.drop(name)
         depot.forget_machine(name)

@@ -15,17 +15,17 @@ from fastapi import APIRouter, Depends, Request, Response
 from starlette.requests import ClientDisconnect
 
 from statwalk.files.faqnames import MEANINGS, proposed
-from statwalk.web.door import library_of
+from statwalk.web.door import catalogue_of
 from statwalk.web.guard import MODEL
 from statwalk.web.jsonbody import BoundedRoute
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.keeping.depot import NAME, Depot, Kept
-from statwalk.web.keeping.library import Library
 from statwalk.web.keeping.parsing import read_in_child
 from statwalk.web.problem import Problem
 from statwalk.web.settings import MOST_UPLOADS
 
 router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
-Shelf = Annotated[Library, Depends(library_of)]
+Shelf = Annotated[Catalogue, Depends(catalogue_of)]
 MOST_AT_ONCE = 8
 MOST_CHILDREN = 2
 CHUNK_BYTES = 1 << 20
@@ -64,14 +64,14 @@ def desk_of(request: Request) -> Desk:
     return desk
 
 
-def depot_of(library: Library) -> Depot:
+def depot_of(catalogue: Catalogue) -> Depot:
     """The data folder.
 
     :raises Problem: 409, if the server has none.
     """
-    if library.depot is None:
+    if catalogue.depot is None:
         raise Problem(409, "this server keeps no uploads: it was started without a data folder")
-    return library.depot
+    return catalogue.depot
 
 
 @contextmanager
@@ -95,19 +95,19 @@ def check_name(name: str) -> str:
     return name
 
 
-def check_free(name: str, library: Library, depot: Depot) -> None:
+def check_free(name: str, catalogue: Catalogue, depot: Depot) -> None:
     """409 where the name belongs to a character that came with a machine folder, or there are too many uploads."""
-    if name in library.owners:
+    if name in catalogue.owners:
         raise Problem(409, f"the character {name!r} belongs to a machine folder of the server; choose another name", field="name")
     if depot.find(name) is None and len(depot.characters()) >= MOST_UPLOADS:
         raise Problem(409, f"the data folder holds {MOST_UPLOADS} characters, which is the most it may; delete one")
 
 
 @router.put("/{name}", openapi_extra=BODY, status_code=200, responses={201: {"description": "it is new"}})
-async def put_character(name: str, request: Request, library: Shelf, response: Response) -> dict[str, Any]:
+async def put_character(name: str, request: Request, catalogue: Shelf, response: Response) -> dict[str, Any]:
     """Takes a .glb, a self-contained .gltf, or a zip of a .gltf with its files, as the raw body. Replaces one of that name."""
-    depot = depot_of(library)
-    await to_thread.run_sync(check_free, check_name(name), library, depot)
+    depot = depot_of(catalogue)
+    await to_thread.run_sync(check_free, check_name(name), catalogue, depot)
     desk = desk_of(request)
     with desk.place(), room_on_disk():
         return await take(name, request, response, depot, desk.children)
@@ -169,14 +169,14 @@ def view(kept: Kept) -> dict[str, Any]:
 
 
 @router.delete("/{name}", status_code=204)
-def delete_character(name: str, library: Shelf) -> None:
+def delete_character(name: str, catalogue: Shelf) -> None:
     """Deletes an uploaded character. 409 for one that came with a machine folder, and while a machine is made of it."""
-    if name in library.owners:
+    if name in catalogue.owners:
         raise Problem(409, f"the character {name!r} belongs to a machine folder of the server", field="name")
-    kept = library.uploads().get(name)
+    kept = catalogue.uploads().get(name)
     if kept is None:
-        raise Problem(404, f"there is no character {name[:80]!r}", field="name", known=library.uploads())
-    depot = depot_of(library)
+        raise Problem(404, f"there is no character {name[:80]!r}", field="name", known=catalogue.uploads())
+    depot = depot_of(catalogue)
     with depot.lock:
         machines = depot.machines_of(kept.sha256)
         if machines:
@@ -185,7 +185,7 @@ def delete_character(name: str, library: Shelf) -> None:
 
 
 @router.get("/{name}/mapping")
-def get_mapping(name: str, library: Shelf) -> dict[str, Any]:
+def get_mapping(name: str, catalogue: Shelf) -> dict[str, Any]:
     """The states that the clips propose to be; change them and post them to /api/machines."""
-    clips = library.character(name).clips
+    clips = catalogue.character(name).clips
     return {"character": name, "mapping": proposed(clips), "meanings": MEANINGS}

@@ -20,8 +20,8 @@ from statwalk.machine.built.build import MotionFacts
 from statwalk.machine.checking.findings import Finding
 from statwalk.machine.checking.verify import verify
 from statwalk.stage.role import Role
+from statwalk.web.keeping.catalogue import Catalogue, Entry
 from statwalk.web.keeping.hosted import HostedStage
-from statwalk.web.keeping.library import Entry, Library
 from statwalk.web.problem import Problem
 
 MOST_EDITIONS = 200
@@ -65,8 +65,8 @@ class RefusedEdit(Problem):
 class Editions:
     """The versions of all machines. Safe to use from several threads."""
 
-    def __init__(self, library: Library, stages: Callable[[], list[HostedStage]]) -> None:
-        self.library, self.stages = library, stages
+    def __init__(self, catalogue: Catalogue, stages: Callable[[], list[HostedStage]]) -> None:
+        self.catalogue, self.stages = catalogue, stages
         self.lock = threading.RLock()
         self.kept: dict[str, list[Edition]] = {}
 
@@ -75,7 +75,7 @@ class Editions:
 
         :raises Problem: 404, if there is no such machine.
         """
-        entry = self.library.entry(name)
+        entry = self.catalogue.entry(name)
         with self.lock:
             return list(self.kept.setdefault(name, [Edition(1, time.time(), "as it was read", entry.file.text)]))
 
@@ -97,7 +97,7 @@ class Editions:
         :raises ContentError: if it cannot be read.
         :raises RefusedEdit: if the verifier finds errors that were not there before.
         """
-        entry, role = self.library.entry(name), self.library.role(name)
+        entry, role = self.catalogue.entry(name), self.catalogue.role(name)
         file = machine_of(text, entry.folder, FILE_NAME)
         if file.character_path != entry.file.character_path:
             raise Problem(422, "an edit keeps the character; make another machine for another one", field="character")
@@ -117,10 +117,10 @@ class Editions:
         """Makes the text the newest version, in its file (`write`) and on all stages that play it and are not in their past."""
         with self.lock:
             edited = self.checked(name, text, what, before)
-            entry = self.library.entry(name)
+            entry = self.catalogue.entry(name)
             if write and saved(entry) == "file":
                 put_in_place(entry.folder / FILE_NAME, text)
-            self.library.renew(replace(entry, file=edited.file), edited.role)
+            self.catalogue.renew(replace(entry, file=edited.file), edited.role)
             self.kept[name] = [*self.of(name), edited.edition][-MOST_EDITIONS:]
             self.play(edited.role, text)
             return edited
@@ -152,7 +152,7 @@ class Editions:
 
         :raises ContentError: if it is refused; the machine stays as it is.
         """
-        entry = self.library.entry(name)
+        entry = self.catalogue.entry(name)
         text = (entry.folder / FILE_NAME).read_text(encoding="utf-8", errors="replace")
         if text == entry.file.text:
             return None

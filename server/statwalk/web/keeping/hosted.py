@@ -13,7 +13,7 @@ from statwalk.stage.clock import Clock
 from statwalk.stage.past.timeline import SLICE
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Actor, Stage
-from statwalk.web.keeping.library import Library
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.problem import Problem
 from statwalk.web.schemas import Clock as ClockKind
 from statwalk.web.schemas import NewEvent, NewParameter
@@ -28,11 +28,11 @@ WAIT_FOR_CHANGE = 0.25
 class HostedStage:
     """`id` names it in the API; `clock_kind` says whether time moves it or only `step`."""
 
-    def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, library: Library) -> None:
+    def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, catalogue: Catalogue) -> None:
         self.id, self.stage, self.clock_kind = stage_id, stage, clock_kind
         self.clock = Clock(stage.rate)
         self.lock = threading.RLock()
-        self.screen = Screen(library)
+        self.screen = Screen(catalogue)
         self.broadcast = self.screen.broadcast
         self.logged = len(stage.log)
         self.touched = time.monotonic()

@@ -11,9 +11,9 @@ from contextlib import contextmanager
 
 from statwalk.errors import StatwalkError
 from statwalk.stage.stage import Actor, Stage
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.keeping.editions import Editions
 from statwalk.web.keeping.hosted import HostedStage
-from statwalk.web.keeping.library import Library
 from statwalk.web.problem import Problem
 from statwalk.web.schemas import Accepted, NewActor, NewEvent, NewParameter, NewStage
 from statwalk.web.settings import Settings
@@ -26,11 +26,11 @@ MANUAL_PATIENCE = 6
 class Registry:
     """Opens, finds, forks and closes stages. Safe to use from several threads."""
 
-    def __init__(self, library: Library, settings: Settings, wake: Callable[[], None] = lambda: None) -> None:
-        self.library, self.settings, self.wake = library, settings, wake
+    def __init__(self, catalogue: Catalogue, settings: Settings, wake: Callable[[], None] = lambda: None) -> None:
+        self.catalogue, self.settings, self.wake = catalogue, settings, wake
         self.lock = threading.Lock()
         self.stages: dict[str, HostedStage] = {}
-        self.editions = Editions(library, self.all)
+        self.editions = Editions(catalogue, self.all)
 
     def all(self) -> list[HostedStage]:
         """Those that there are now."""
@@ -63,21 +63,21 @@ class Registry:
         if self.settings.scene:
             return self.hold(self.furnished(MAIN, NewStage(scene=self.settings.scene)))
         stage = Stage()
-        if self.library.default is not None:
-            stage.add(self.library.role(self.library.default))
-        return self.hold(HostedStage(MAIN, stage, "real", self.library))
+        if self.catalogue.default is not None:
+            stage.add(self.catalogue.role(self.catalogue.default))
+        return self.hold(HostedStage(MAIN, stage, "real", self.catalogue))
 
     def furnished(self, stage_id: str, new: NewStage) -> HostedStage:
         """A stage, with the actors of its scene.
 
         :raises Problem: 422 for an unknown scene, 409 if it has too many actors.
         """
-        scene = self.library.scene(new.scene) if new.scene else None
+        scene = self.catalogue.scene(new.scene) if new.scene else None
         stage = Stage(seed=(scene.seed if scene else 0) if new.seed is None else new.seed, rate=new.rate)
         if scene:
             self.check_room(sum(line.count for _, line in scene.lines))
             scene.enter(stage)
-        return HostedStage(stage_id, stage, new.clock, self.library)
+        return HostedStage(stage_id, stage, new.clock, self.catalogue)
 
     def check_room(self, actors: int) -> None:
         """
@@ -101,7 +101,7 @@ class Registry:
 
         :raises Problem: 422 for an unknown machine, 409 if the stage is full.
         """
-        role = self.library.role(new.machine, status=422)
+        role = self.catalogue.role(new.machine, status=422)
         with hosted.turn() as stage:
             self.check_room(sum(len(cast.ids) for cast in stage.state.casts) + 1)
             if new.machine in stage.roles:
@@ -122,7 +122,7 @@ class Registry:
         if tick is not None and tick != branch.tick:
             branch.seek(tick)
             branch = branch.fork()
-        return self.hold(HostedStage(secrets.token_hex(4), branch, hosted.clock_kind, self.library))
+        return self.hold(HostedStage(secrets.token_hex(4), branch, hosted.clock_kind, self.catalogue))
 
     @contextmanager
     def writing(self, hosted: HostedStage, looked_at: int | None) -> Iterator[HostedStage]:

@@ -23,7 +23,7 @@ class Watch:
 
     def files(self) -> Iterator[tuple[str, Stamp]]:
         """Name and stamp of each file that is there."""
-        for name, entry in self.editions.library.entries.items():
+        for name, entry in self.editions.catalogue.entries.items():
             try:
                 stat = (entry.folder / FILE_NAME).stat()
             except OSError:

@@ -10,7 +10,7 @@ from statwalk.errors import StageError
 from statwalk.stage.frame import Frame
 from statwalk.stage.role import Role
 from statwalk.stage.stage import Stage
-from statwalk.web.keeping.library import Library
+from statwalk.web.keeping.catalogue import Catalogue
 from statwalk.web.streaming import messages, wire
 from statwalk.web.streaming.broadcast import Broadcast
 from statwalk.web.streaming.glbframes import GlbFrames
@@ -23,8 +23,8 @@ REFUSED = 4013
 class Screen:
     """The viewers of one stage and what is made for them. Safe to use from several threads."""
 
-    def __init__(self, library: Library) -> None:
-        self.library = library
+    def __init__(self, catalogue: Catalogue) -> None:
+        self.catalogue = catalogue
         self.broadcast = Broadcast()
         self.glb = GlbFrames()
         self.layouts: OrderedDict[tuple[tuple[Role, bytes], ...], Layout] = OrderedDict()
@@ -75,5 +75,5 @@ class Screen:
         def name(actor: int) -> str:
             return stage.actor(actor).name
 
-        versions = {role: number for number, role in enumerate(stage.roles.values(), 1)}  # rising, whatever else was edited
-        return tuple(messages.describe_cast(cast, self.library.character_of(cast.role), versions[cast.role], name) for cast in frame.casts)
+        numbers = {role: number for number, role in enumerate(stage.roles.values(), 1)}  # rising, whatever else was edited
+        return tuple(messages.describe_cast(cast, self.catalogue.character_of(cast.role), numbers[cast.role], name) for cast in frame.casts)

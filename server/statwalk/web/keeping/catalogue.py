@@ -39,7 +39,7 @@ log = logging.getLogger(__name__)
 
 @dataclass(frozen=True)
 class Entry:
-    """A machine folder; `character` is the name its character has in the library; `made`: in the data folder, by this API."""
+    """A machine folder; `character` is the name its character has in the catalogue; `made`: in the data folder, by this API."""
 
     name: str
     folder: Path
@@ -50,7 +50,7 @@ class Entry:
     """the shipped scene that it belongs to"""
 
 
-class Library:
+class Catalogue:
     """Machine folders by name: the given ones first, then the shipped ones, then those of the depot. Safe to use from several threads."""
 
     def __init__(self, folders: Iterable[Path] = (), depot: Depot | None = None) -> None:
@@ -197,6 +197,6 @@ class Library:
             return self.loaded[sha256]
 
     def character_of(self, role: Role) -> str:
-        """The library's name for a role's character; a machine that was deleted meanwhile answers for it."""
+        """The catalogue's name for a role's character; a machine that was deleted meanwhile answers for it."""
         entry = self.entries.get(role.name)
         return entry.character if entry else role.name
