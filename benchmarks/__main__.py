@@ -1,14 +1,17 @@
-"""All tables, one after the other: `python benchmarks`."""
+"""Prints all tables: `python benchmarks`."""
 
+import crowd
 import frame
+import lanes
 import load
 import machine
 import morph
 import pose
 import skin
 import tick
+import whynot
 import world
 
-for table in (tick, pose, skin, morph, load, frame, world, machine):
+for table in (tick, crowd, pose, lanes, skin, morph, load, frame, world, machine, whynot):
     table.main()
     print()

@@ -1,8 +1,8 @@
-"""A posed frame as a complete GLB: 5,000 vertices skinned and written into a prepared file; `python benchmarks/frame.py`.
+"""Measures a posed frame as a complete GLB with 5,000 skinned vertices: `python benchmarks/frame.py`.
 
-From joint matrices to the bytes of the file: ours, pygltflib after a skin in NumPy, three.js's own skin and exporter. Beside it the
-peers with vertices that are posed already, so that only their writing counts while ours still skins; and ours with the skeleton, from
-the pose's rotations on.
+From joint matrices to the bytes of the file: statwalk, pygltflib after a skin in NumPy, three.js's skin and
+exporter. Also the peers with posed vertices, which then only write the file while statwalk still skins; and
+statwalk from the pose on, with the skeleton.
 """
 
 from __future__ import annotations
@@ -14,17 +14,22 @@ import numpy as np
 from models import figure
 from pygltflib import GLTF2, Accessor, Attributes, Buffer, BufferView, Mesh, Node, Primitive, Scene
 from rounds import Three, least, show
-from statwalk.character import Character
-from statwalk.files.glb import read_model
-from statwalk.files.glb.template import FrameTemplate, PosedCast, stage_worlds
+from statwalk.character.character import Character
+from statwalk.files.gltf import read_model
+from statwalk.files.gltf.template import FrameTemplate, PosedCast, stage_worlds
 from statwalk.skin.primitive import Part
 
 ROUNDS = 25
-GOALS = {"NumPy skin, pygltflib": 25.0, "pygltflib alone": 25.0, "three.js skin, GLTFExporter": 35.0, "GLTFExporter alone": 35.0}
+GOALS = {
+    "NumPy skin, pygltflib": 25.0,
+    "pygltflib alone": 25.0,
+    "three.js skin, GLTFExporter": 35.0,
+    "GLTFExporter alone": 35.0,
+}
 
 
 def pygltflib(part: Part, indices: np.ndarray) -> bytes:
-    """The vertices as a GLB, the document made anew as its users do."""
+    """Returns the vertices as a GLB from a new document, as users of pygltflib write it."""
     arrays = (indices, part.positions, part.normals)
     blobs = [np.ascontiguousarray(array).tobytes() for array in arrays]
     starts = np.cumsum([0, *map(len, blobs)]).tolist()
@@ -56,7 +61,7 @@ def pygltflib(part: Part, indices: np.ndarray) -> bytes:
 
 
 def einsum(character: Character, world: np.ndarray) -> Part:
-    """The figure's only part under joint matrices (J,3,4), as most do it in NumPy."""
+    """Returns the figure's only part under joint matrices (J,3,4), skinned in plain NumPy."""
     part = character.parts[0]
     blended = np.einsum("vi,virc->vrc", part.weights, world[part.joints])
     positions = np.einsum("vrc,vc->vr", blended[..., :3], part.positions) + blended[..., 3]
@@ -65,7 +70,7 @@ def einsum(character: Character, world: np.ndarray) -> Part:
 
 
 def main() -> None:
-    """Print the table."""
+    """Prints the table."""
     data = figure(5_000)
     character = read_model(data, "figure")
     poses = character.clip("clip 0").sample(np.array([0.3]))
@@ -86,7 +91,11 @@ def main() -> None:
             },
             ROUNDS,
         )
-    show(f"frame of {len(posed.positions)} vertices, {len(template.frame(1, '', [cast])) // 1000} KB", seconds, GOALS)
+    show(
+        f"frame of {len(posed.positions)} vertices, {len(template.frame(1, '', [cast])) // 1000} KB",
+        seconds,
+        GOALS,
+    )
 
 
 if __name__ == "__main__":

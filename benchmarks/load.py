@@ -1,8 +1,8 @@
-"""Loading a skinned GLB of 4 MB, to typed views and packed clips; `python benchmarks/load.py`.
+"""Measures loading a skinned GLB of 4 MB: `python benchmarks/load.py`.
 
-Ours checks everything, and its clips are packed for sampling. three.js builds its scene. trimesh takes the mesh, without skin and clips.
-pygltflib only parses; the arrays of all accessors are then views made with NumPy. orjson alone is the JSON chunk's parsing: nothing that
-reads the file in Python can be faster.
+statwalk checks the whole file, and packs its clips for sampling. three.js builds its scene. trimesh loads the
+mesh, without skin and clips. pygltflib only parses; NumPy then makes a view of every accessor. orjson alone
+parses the JSON chunk: no reader in Python can be faster.
 """
 
 from __future__ import annotations
@@ -16,8 +16,7 @@ import trimesh
 from models import figure
 from pygltflib import GLTF2
 from rounds import Three, least, show
-from statwalk.files.glb import read_model
-from statwalk.maths.kernels.choose import kernels
+from statwalk.files.gltf import read_model
 
 ROUNDS = 15
 GOALS = {"three.js GLTFLoader": 2.0, "trimesh": 5.0, "pygltflib": 150.0}
@@ -25,14 +24,14 @@ DTYPES = {5121: "<u1", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 
 
-def ours(data: bytes) -> None:
-    """Read, with all clips packed."""
+def statwalk_job(data: bytes) -> None:
+    """Reads the file, and packs all clips."""
     for clip in read_model(data, "figure").clips.values():
         clip.tracks, clip.base  # noqa: B018 - packed on first use
 
 
 def pygltflib(path: Path) -> None:
-    """Parsed, and a view of every accessor."""
+    """Parses the file, and makes a view of every accessor."""
     gltf = GLTF2().load(str(path))
     blob = gltf.binary_blob()
     for accessor in gltf.accessors:
@@ -41,15 +40,14 @@ def pygltflib(path: Path) -> None:
 
 
 def main() -> None:
-    """Print the table."""
-    kernels()  # as in a server that has shown a frame: reading alone would not wait for them
+    """Prints the table."""
     data = figure(64_000)
     text = data[20 : 20 + int.from_bytes(data[12:16], "little")]
     with tempfile.TemporaryDirectory() as folder, Three() as three:
         path = Path(folder) / "figure.glb"
         path.write_bytes(data)
         jobs = {
-            "statwalk": lambda: ours(data),
+            "statwalk": lambda: statwalk_job(data),
             "orjson.loads of its JSON": lambda: orjson.loads(text) and None,
             "three.js GLTFLoader": three.job("load", path=str(path)),
             "trimesh": lambda: trimesh.load(path) and None,

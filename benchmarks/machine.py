@@ -1,8 +1,10 @@
-"""Ticks of 1 and 10,000 machines with conditions, buffers, clocks and blends, beside other state machines; `python benchmarks/machine.py`.
+"""Measures ticks of 1 and 10,000 machines with conditions, buffers, clocks and blends, and of other state
+machines: `python benchmarks/machine.py`.
 
-`transitions` and `python-statemachine` run in this process, XState in Node; all get the same events. Theirs is the same small machine
-with one guard, and around it what an animated character needs (`peers/machines.py`, `peers/xstate.mjs`). Ours gives, beside the
-states, a verdict with its reason for every event. All kinds run in turn, and the least time of all rounds counts.
+`transitions` and `python-statemachine` run in this process, XState in Node; all get the same events. The
+peers run the same small machine with one guard, with the clocks, buffers and blends of an animated character
+around it (`peers/machines.py`, `peers/xstate.mjs`). statwalk also returns a verdict with its reason for every
+event. All run in turn, and the least time of all rounds counts.
 """
 
 from __future__ import annotations
@@ -13,10 +15,14 @@ from pathlib import Path
 
 import numpy as np
 from rounds import XState, least, show
-from statwalk.files.machinefile import read_machine
-from statwalk.machine.built.build import MotionFacts, build
-from statwalk.machine.ticking.state import fresh
-from statwalk.machine.ticking.step import Inputs, step
+from statwalk.files.machine_yaml.machine_file import read_machine
+from statwalk.machine.compile.compile_machine import MotionFacts, build
+from statwalk.machine.compile.program import PROGRAM
+from statwalk.machine.runtime.effects import EFFECTS, effects_for
+from statwalk.machine.runtime.state import STATE, fresh
+from statwalk.machine.runtime.surroundings import SURROUNDINGS, Inputs, Measurements
+from statwalk.maths.packed import packed
+from statwalk.stage.steps.step_machines import step_machines
 
 sys.path.insert(0, str(Path(__file__).parent / "peers"))
 import machines
@@ -24,7 +30,7 @@ import machines
 TICKS, ROUNDS = 20, 5
 EVENTS = ("", "FORWARD", "STOP", "JUMP")
 FEW = 100
-"""machines of python-statemachine in place of 10,000, its seconds multiplied"""
+"""python-statemachine runs 100 machines instead of 10,000, and its time is multiplied"""
 GOALS = {"transitions": 1000.0, "XState": 500.0}
 GOALS_OF_ONE = {"transitions": 10.0, "XState": 4.0, "python-statemachine": 100.0}
 MACHINE = """
@@ -51,43 +57,50 @@ cells:
 
 
 def events_of(count: int, share: float) -> np.ndarray:
-    """(TICKS, count) rows of EVENTS; `share` of them are events."""
+    """Returns indices into EVENTS, (TICKS, count); `share` of them are not 0, which is no event."""
     chance = np.random.default_rng(count)
     return np.where(chance.random((TICKS, count)) < share, chance.integers(1, len(EVENTS), (TICKS, count)), 0)
 
 
-def ours(rows: np.ndarray) -> Callable[[], None]:
-    """All ticks of the rows, on from where the round before has ended."""
-    machine = build(read_machine(MACHINE), {name: MotionFacts(seconds) for name, seconds in machines.DURATIONS.items()})
-    state, now = fresh(machine, rows.shape[1]), 0
-    given = [Inputs(actor := np.flatnonzero(row), row[actor] - 1, np.zeros(len(actor), np.int64)) for row in rows]
+def statwalk_job(rows: np.ndarray) -> Callable[[], None]:
+    """Returns a job that runs all ticks of the rows; each round continues from the previous round."""
+    machine = build(
+        read_machine(MACHINE), {name: MotionFacts(seconds) for name, seconds in machines.DURATIONS.items()}
+    )
+    count, now = rows.shape[1], 0
+    program, state = packed(machine.program, PROGRAM), packed(fresh(machine.program, count), STATE)
+    effects, around = (
+        packed(effects_for(machine.program, count), EFFECTS),
+        packed(Measurements.none(count, 1), SURROUNDINGS),
+    )
+    inputs_by_tick = [Inputs.of(actor := np.flatnonzero(row), row[actor] - 1) for row in rows]
 
     def job() -> None:
-        nonlocal state, now
-        for inputs in given:
+        nonlocal now, effects
+        for inputs in inputs_by_tick:
             now += 1
-            state = step(machine, state, machines.DT, now, inputs).state
+            effects = step_machines(program, state, machines.DT, now, inputs, around, effects)
 
     return job
 
 
 def names(rows: np.ndarray) -> Sequence[Sequence[str]]:
-    """The events by name."""
+    """Returns the names of the events."""
     return [[EVENTS[event] for event in row] for row in rows]
 
 
 def digits(rows: np.ndarray) -> list[str]:
-    """The events as XState's script wants them."""
+    """Returns the events as the XState script reads them: one digit for each machine."""
     return ["".join(map(str, row)) for row in rows]
 
 
 def compare(title: str, count: int, share: float, goals: dict[str, float]) -> None:
-    """One table: milliseconds a tick."""
+    """Prints one table in milliseconds a tick."""
     rows = events_of(count, share)
     some = rows[:, : min(count, FEW)]
     with XState() as node:
         jobs = {
-            "statwalk": ours(rows),
+            "statwalk": statwalk_job(rows),
             "transitions": machines.ticks(machines.transitions(count), names(rows)),
             "XState": node.job("machines", crowd=title, events=digits(rows)),
             "python-statemachine": machines.ticks(machines.statemachines(some.shape[1]), names(some)),
@@ -98,7 +111,7 @@ def compare(title: str, count: int, share: float, goals: dict[str, float]) -> No
 
 
 def main() -> None:
-    """Print the tables."""
+    """Prints the tables."""
     compare("1 machine, an event in every tick", 1, 1.0, GOALS_OF_ONE)
     compare("10,000 machines, an event for each", 10_000, 1.0, GOALS)
     compare("10,000 machines, an event for one in 50", 10_000, 0.02, GOALS)

@@ -1,10 +1,12 @@
-"""A skinned figure of any size, made of numbers: 67 joints, three clips of a second in which all of them move, four influences a vertex."""
+"""Generates a skinned figure of any size: 67 joints, three clips of one second that move all joints, four
+influences a vertex.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from statwalk.character import Character
-from statwalk.files.glb.write import model_glb
+from statwalk.character.character import Character
+from statwalk.files.gltf.write import model_glb
 from statwalk.maths.pose import Pose, rest
 from statwalk.motion.clip import Channel, Clip
 from statwalk.rig.skeleton import Skeleton
@@ -14,7 +16,7 @@ JOINTS, KEYS, CLIPS = 67, 31, 3
 
 
 def figure(vertices: int, targets: int = 0) -> bytes:
-    """The GLB of a figure with so many vertices and morph targets."""
+    """Returns the GLB of a figure with `vertices` vertices and `targets` morph targets."""
     chance = np.random.default_rng(7)
     parents = np.array([-1, *((row - 1) // 2 if row > 8 else row - 1 for row in range(1, JOINTS))], np.int32)
     skeleton = Skeleton(tuple(f"joint {row}" for row in range(JOINTS)), parents)
@@ -33,27 +35,38 @@ def figure(vertices: int, targets: int = 0) -> bytes:
         skin=0,
         joints=chance.integers(0, JOINTS, (vertices, 4)).astype(np.uint16),
         weights=np.full((vertices, 4), 0.25, np.float32),
-        target_positions=chance.normal(0, 0.1, (targets, vertices, 3)).astype(np.float32) if targets else None,
+        target_positions=chance.normal(0, 0.1, (targets, vertices, 3)).astype(np.float32)
+        if targets
+        else None,
     )
     skin = Skin("skin", np.arange(JOINTS, dtype=np.int32), inverse)
     clips = {f"clip {row}": clip(f"clip {row}", pose, chance) for row in range(CLIPS)}
-    return model_glb(Character("figure", skeleton, np.arange(JOINTS, dtype=np.int32), pose, clips, (skin,), (part,)))
+    return model_glb(
+        Character("figure", skeleton, np.arange(JOINTS, dtype=np.int32), pose, clips, (skin,), (part,))
+    )
 
 
 def unit(vectors: np.ndarray) -> np.ndarray:
-    """The vectors at unit length, float32."""
+    """Returns the vectors at unit length, float32."""
     return (vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)).astype(np.float32)
 
 
 def clip(name: str, pose: Pose, chance: np.random.Generator) -> Clip:
-    """Translation, rotation and scale of all joints, with the same times, as exporters write sampled actions."""
+    """Returns a clip with translation, rotation and scale of all joints at the same times, as exporters write
+    sampled actions.
+    """
     times = np.linspace(0, 1, KEYS).astype(np.float32)
     channels = []
     for joint in range(JOINTS):
-        turns = chance.normal(np.array([0, 0, 0, 1]), 0.1, (KEYS, 4))
+        rotations = chance.normal(np.array([0, 0, 0, 1]), 0.1, (KEYS, 4))
         channels += [
-            Channel(joint, "translation", times, (pose.translation[joint] + chance.normal(0, 0.01, (KEYS, 3))).astype(np.float32)),
-            Channel(joint, "rotation", times, unit(turns)),
+            Channel(
+                joint,
+                "translation",
+                times,
+                (pose.translation[joint] + chance.normal(0, 0.01, (KEYS, 3))).astype(np.float32),
+            ),
+            Channel(joint, "rotation", times, unit(rotations)),
             Channel(joint, "scale", times, chance.normal(1, 0.01, (KEYS, 3)).astype(np.float32)),
         ]
     return Clip(name, tuple(channels), 1.0, pose)

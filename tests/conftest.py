@@ -1,7 +1,21 @@
-"""One order for all tests: those of a real browser come last, since Playwright keeps an event loop running."""
+"""One order for all tests: those of a real browser come last, since Playwright keeps an event loop running.
+
+What did not run is said.
+"""
+
+from collections import Counter
 
 import pytest
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: "browser" in item.path.parts)
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """A line for each reason why tests were left out, so that nobody takes them for passed."""
+    reports = terminalreporter.getreports("skipped")
+    for reason, count in Counter(report.longrepr[2].removeprefix("Skipped: ") for report in reports).items():
+        terminalreporter.write_line(
+            f"{count} {'test' if count == 1 else 'tests'} did not run: {reason}", yellow=True
+        )

@@ -1,28 +1,100 @@
-"""What the documents say is true: every Python example runs, every file and link they name is there."""
+"""What the documents say is true: every example runs on what is here, every file and link they name is
+there.
+"""
 
+import argparse
 import re
-import shutil
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
+import httpx
 import pytest
-from where import GLTF, ROOT, needs_assets
+import tiny_model
+from paths import ROOT
+from serving import serving, wait_for
+from statwalk.web.app import create_app
 
 DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
 PYTHON = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```(python|sh)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+SEEN_ELSEWHERE = ("python3 server", ". .venv/bin/activate", "statwalk serve")
+"""what sets up, and what runs until it is stopped: tests/web/test_serve.py starts it"""
 LINK = re.compile(r"\]\((?!https?://|#)([^)#]+)")
-WITH_EXAMPLES = [path for path in DOCUMENTS if PYTHON.search(path.read_text())]
+WITH_EXAMPLES = [
+    path for path in DOCUMENTS[1:] if PYTHON.search(path.read_text())
+]  # the README has a test of its own
 
 
-@needs_assets
 @pytest.mark.parametrize("document", WITH_EXAMPLES, ids=lambda path: path.name)
 def test_examples_run(document: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The blocks of one document run in order, in one namespace, beside the models they name."""
-    shutil.copy(GLTF / "Khronos_Fox.glb", tmp_path / "fox.glb")
-    shutil.copy(GLTF / "RobotExpressive.glb", tmp_path / "robot.glb")
+    """The Python blocks of one document run in order, in one namespace, beside a robot of one's own."""
+    (tmp_path / "robot.glb").write_bytes(tiny_model.robot())
     monkeypatch.chdir(tmp_path)
     namespace: dict[str, object] = {"__name__": "example"}
     for block in PYTHON.findall(document.read_text()):
         exec(compile(block, str(document), "exec"), namespace)  # our own documents
+
+
+@pytest.fixture
+def address() -> Iterator[str]:
+    """A server that has run for a moment, as a reader's will have."""
+    with serving(create_app()) as address, httpx.Client(base_url=f"http://{address}") as rest:
+        wait_for(lambda: rest.get("/api/stages/main").json()["tick"] > 10)
+        yield address
+
+
+def curl(arguments: list[str], address: str, folder: Path) -> None:
+    """What curl would do, with the server's own address; an answer that is no success is an error."""
+    known = argparse.ArgumentParser()
+    known.add_argument("url")
+    known.add_argument("-s", action="store_true")
+    known.add_argument("-H", action="append", default=[])
+    known.add_argument("-d")
+    known.add_argument("-o")
+    asked = known.parse_args(arguments)
+    headers = dict(line.split(": ") for line in asked.H)
+    url = "http://" + asked.url.replace("localhost:8000", address)
+    answer = httpx.request(
+        "POST" if asked.d else "GET", url, content=asked.d, headers=headers, timeout=30
+    ).raise_for_status()
+    if asked.o:
+        (folder / asked.o).write_bytes(answer.content)
+
+
+def shell(line: str, address: str, folder: Path) -> None:
+    """A line of a shell, its comment left out."""
+    program, *arguments = shlex.split(line, comments=True)
+    if program == "curl":
+        curl(arguments, address, folder)
+    else:
+        command = [sys.executable, "-m", "statwalk.cli"] if program == "statwalk" else [program]
+        subprocess.run([*command, *arguments], cwd=folder, check=True, capture_output=True, timeout=60)
+
+
+def test_the_whole_readme_runs_as_printed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, address: str
+) -> None:
+    """All blocks in order, in a folder with nothing but the machines that ship."""
+    (tmp_path / "machines").symlink_to(ROOT / "machines")
+    monkeypatch.chdir(tmp_path)
+    namespace: dict[str, object] = {"__name__": "example"}
+    for kind, block in BLOCK.findall((ROOT / "README.md").read_text()):
+        if kind == "python":
+            exec(compile(block, "README.md", "exec"), namespace)  # our own document
+            continue
+        for line in block.splitlines():
+            if not line.startswith(SEEN_ELSEWHERE):
+                shell(line, address, tmp_path)
+    assert {path.name for path in tmp_path.iterdir()} == {
+        "machines",
+        "posed.glb",
+        "robot.glb",
+        "my-robot",
+        "pose.npz",
+    }
 
 
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
@@ -33,14 +105,22 @@ def test_links_lead_somewhere(document: Path) -> None:
 
 def test_every_picture_is_shown_and_small() -> None:
     """What lies in docs/pictures is named by a document, and is quickly there over a slow line."""
-    named = {(path.parent / target).resolve() for path in DOCUMENTS for target in LINK.findall(path.read_text())}
+    named = {
+        (path.parent / target).resolve() for path in DOCUMENTS for target in LINK.findall(path.read_text())
+    }
     pictures = list((ROOT / "docs" / "pictures").iterdir())
     assert [path.name for path in pictures if path.resolve() not in named] == []
     assert {path.name: path.stat().st_size for path in pictures if path.stat().st_size > 400_000} == {}
 
 
-@pytest.mark.parametrize("document", [ROOT / "docs" / "systems.md", ROOT / "CONTRIBUTING.md"], ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "document", [ROOT / "docs" / "systems.md", ROOT / "CONTRIBUTING.md"], ids=lambda path: path.name
+)
 def test_files_that_are_named_are_there(document: Path) -> None:
-    """`machine/ticking/step.py` in the text is server/statwalk/machine/ticking/step.py; other paths count from the root."""
+    """`machine/ticking/step.py` in the text is server/statwalk/machine/ticking/step.py; other paths count
+    from the root.
+    """
     for name in re.findall(r"`([\w.-]+(?:/[\w.-]+)+)/?`", document.read_text()):
-        assert any((base / name).exists() for base in (ROOT, ROOT / "server" / "statwalk")), f"{document.name} names {name}"
+        assert any((base / name).exists() for base in (ROOT, ROOT / "server" / "statwalk")), (
+            f"{document.name} names {name}"
+        )

@@ -4,7 +4,7 @@ import subprocess
 import sys
 
 import pytest
-from where import ROOT
+from paths import ROOT
 
 CHECKS = {
     "ruff check": ["ruff", "check", "."],

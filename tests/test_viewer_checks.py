@@ -1,13 +1,19 @@
-"""The viewer's own checks: strict types, and the tests beside its sources."""
+"""The viewer's own checks: strict types, those of the server as the server has them, and the tests beside its
+sources.
+"""
 
+import json
 import os
+import shlex
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import playwright
 import pytest
-from where import ROOT
+from paths import ROOT
+from statwalk.web.app import openapi_document
 
 VIEWER = ROOT / "static"
 
@@ -24,25 +30,54 @@ def node() -> Path:
 
 @pytest.fixture(scope="session")
 def modules() -> Path:
-    """The viewer's node_modules, installed if they are missing."""
+    """The viewer's node_modules, installed if one is missing."""
     folder = VIEWER / "node_modules"
-    if not (folder / ".bin").is_dir():
+    package = json.loads((VIEWER / "package.json").read_text())
+    if not all((folder / name).is_dir() for name in package["dependencies"] | package["devDependencies"]):
         npm = shutil.which("npm")
         assert npm, "static/node_modules is missing and there is no npm to install it"
         subprocess.run([npm, "ci", "--no-audit", "--no-fund"], cwd=VIEWER, check=True, capture_output=True)
     return folder
 
 
-def run(*command: str | Path) -> str:
-    """What a script of the viewer's printed; fails with it where it failed."""
+def run(*command: str | Path, hint: str = "", **options: Any) -> str:
+    """What a script of the viewer's printed; fails with it, and what to do then, where it failed."""
     environment = {**os.environ, "NO_COLOR": "1"}
-    done = subprocess.run([node(), *command], cwd=VIEWER, capture_output=True, text=True, env=environment, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
+    done = subprocess.run(
+        [node(), *command],
+        cwd=VIEWER,
+        capture_output=True,
+        text=True,
+        env=environment,
+        check=False,
+        **options,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr + hint
     return done.stdout
 
 
 def test_types_are_right(modules: Path) -> None:
     run(modules / "typescript" / "bin" / "tsc", "--noEmit")
+
+
+def test_sources_are_formatted(modules: Path) -> None:
+    _, *arguments = json.loads((VIEWER / "package.json").read_text())["scripts"]["format"].split()
+    run(
+        modules / "prettier" / "bin" / "prettier.cjs", *arguments, "--check", hint="npm run format -- --write"
+    )
+
+
+def test_the_types_of_the_server_are_not_stale(modules: Path) -> None:
+    script = json.loads((VIEWER / "package.json").read_text())["scripts"]["types"]
+    _, *arguments = shlex.split(script.partition("|")[2])
+    tool = modules / "openapi-typescript" / "bin" / "cli.js"
+    run(
+        tool,
+        *arguments,
+        "--check",
+        input=json.dumps(openapi_document()),
+        hint="`npm run types` in static/ writes them again",
+    )
 
 
 def test_units_pass(modules: Path) -> None:

@@ -1,6 +1,7 @@
-"""The machine of benchmarks/machine.py in `transitions` and `python-statemachine`, with what else an animated character needs around it.
+"""The machine of benchmarks/machine.py in `transitions` and `python-statemachine`.
 
-Both know states, events and guards. Clocks of motions, END, buffers and blends are what their user writes: here as short as can be.
+Both libraries have states, events and guards. Their users write clocks of motions, END, buffers and blends:
+this file has them as short as possible.
 """
 
 from __future__ import annotations
@@ -28,73 +29,79 @@ TABLE = (
 
 
 class Body:
-    """A character's clocks; `fire` sends an event to its machine and says whether it was answered."""
+    """A character's clocks; `fire` sends an event to its machine, and returns whether the machine took it."""
 
     def __init__(self) -> None:
         self.stamina, self.time, self.blend = 20.0, 0.0, 0.0
-        self.waiting, self.left = "", 0.0
+        self.pending, self.left = "", 0.0
 
     def rested(self) -> bool:
-        """The guard of JUMP."""
+        """Returns the guard of JUMP."""
         return self.stamina > 10
 
     def send_or_keep(self, event: str) -> None:
-        """An event that is not answered waits for its buffer."""
+        """Sends an event; an event that the machine does not take is pending for its buffer."""
         if self.fire(event):
             self.time, self.blend = 0.0, BLEND
         else:
-            self.waiting, self.left = event, BUFFER
+            self.pending, self.left = event, BUFFER
 
     def tick(self, event: str) -> None:
-        """A tick: the motion and the blend go on, the buffer runs out, END comes."""
+        """Advances the motion, the blend and the buffer by a tick, and sends the event and END."""
         state = self.name()
         self.time += DT
         if self.blend > 0:
             self.blend -= DT
-        if self.waiting:
+        if self.pending:
             self.left -= DT
             if self.left <= 0:
-                self.waiting = ""
+                self.pending = ""
         if event:
             self.send_or_keep(event)
         if self.time >= DURATIONS[state]:
             self.end(state)
 
     def end(self, state: str) -> None:
-        """END, and what waits in the state that it leads to."""
+        """Sends END, then the pending event."""
         if state in LOOPS:
             self.time -= DURATIONS[state]
         elif self.fire("END"):
             self.time, self.blend = 0.0, BLEND
-            if self.waiting and self.fire(self.waiting):
-                self.waiting, self.time = "", 0.0
+            if self.pending and self.fire(self.pending):
+                self.pending, self.time = "", 0.0
 
 
 class WithTransitions(Body):
-    """`transitions`: triggers on a model."""
+    """A character with `transitions`: triggers on a model."""
 
     state: str
 
     def fire(self, event: str) -> bool:
-        """Whether the event was answered."""
+        """Sends an event; returns whether the machine took it."""
         return bool(self.trigger(event))  # type: ignore[attr-defined]
 
     def name(self) -> str:
-        """The state."""
+        """Returns the name of the state."""
         return self.state
 
 
 def transitions(count: int) -> list[Any]:
-    """So many characters, of one Machine."""
+    """Returns `count` characters of one Machine."""
     bodies = [WithTransitions() for _ in range(count)]
-    machine = Machine(model=bodies, states=list(DURATIONS), initial="STAT", auto_transitions=False, ignore_invalid_triggers=True)
+    machine = Machine(
+        model=bodies,
+        states=list(DURATIONS),
+        initial="STAT",
+        auto_transitions=False,
+        ignore_invalid_triggers=True,
+    )
     for event, source, target in TABLE:
         machine.add_transition(event, source, target, conditions="rested" if event == "JUMP" else None)
     return bodies
 
 
 class Chart(StateChart):
-    """`python-statemachine`: a class."""
+    """The machine in `python-statemachine`: a class."""
 
     allow_event_without_transition = True
     STAT = State(initial=True)
@@ -106,30 +113,32 @@ class Chart(StateChart):
 
 
 class WithStatemachine(Body):
-    """A body with such a chart."""
+    """A character with a `Chart`."""
 
     def __init__(self) -> None:
         super().__init__()
         self.chart = Chart(self)
 
     def fire(self, event: str) -> bool:
-        """Whether the event was answered."""
+        """Sends an event; returns whether the machine took it."""
         before = self.chart.configuration_values
         self.chart.send(event)
         return bool(self.chart.configuration_values != before)
 
     def name(self) -> str:
-        """The state."""
+        """Returns the name of the state."""
         return str(next(iter(self.chart.configuration_values))).replace("JUMPS", "JUMP")
 
 
 def statemachines(count: int) -> list[Any]:
-    """So many characters, each with a chart of its own."""
+    """Returns `count` characters, each with its own chart."""
     return [WithStatemachine() for _ in range(count)]
 
 
 def ticks(bodies: Sequence[Body], events: Sequence[Sequence[str]]) -> Callable[[], None]:
-    """All ticks of `events`: for each tick one event (or none, empty) for each body."""
+    """Returns a job that runs the ticks of `events`: in each tick one event (empty: none) for
+    each character.
+    """
 
     def job() -> None:
         for row in events:

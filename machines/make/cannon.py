@@ -1,4 +1,6 @@
-"""A cannon that throws balls of paint: the ball flies twelve metres in four tenths of a second, and bursts where it hits."""
+"""A cannon that throws balls of paint: the ball flies twelve metres in four tenths of a second, and bursts
+where it hits.
+"""
 
 from collections.abc import Callable
 
@@ -16,7 +18,9 @@ DROPS = 10
 
 
 def make() -> Model:
-    """The cannon; `Ball` is what flies, `Shape` under it the ball that is seen, `Drop 1` … what it bursts into."""
+    """The cannon; `Ball` is what flies, `Shape` under it the ball that is seen, `Drop 1` … what it bursts
+    into.
+    """
     model = Model("cannon")
     model.joint("Ground")
     model.joint("Barrel", "Ground", (0.0, HIGH, 0.0))
@@ -27,15 +31,32 @@ def make() -> Model:
     drops = [model.joint(f"Drop {number + 1}", "Ball") for number in range(DROPS)]
     for number, drop in enumerate(drops):
         model.part(drop, ball(0.035 + 0.012 * (number % 3), 10), PAINT)
-    whole = {("Shape", "scale"): lambda t: scaled(0 * t + 1)} | {(drop, "scale"): lambda t: scaled(0 * t) for drop in drops}
+    whole = {("Shape", "scale"): lambda t: scaled(0 * t + 1)} | {
+        (drop, "scale"): lambda t: scaled(0 * t) for drop in drops
+    }
     held = {("Ball", "translation"): lambda t: _path(0 * t)}
     still = {("Barrel", "translation"): lambda t: _along(0 * t)}
     model.motion("ready", 4.0, whole | held | still)
-    model.motion("load", 0.8, {**whole, **held, **still, ("Shape", "scale"): lambda t: scaled(np.clip(t / 0.6, 0, 1))})
-    recoil = {("Barrel", "translation"): lambda t: _along(-0.25 * np.sin(np.pi * np.clip(t / FLIGHT_S, 0, 1)) * np.exp(-4 * t))}
-    model.motion("throw", FLIGHT_S, {**whole, **recoil, ("Ball", "translation"): lambda t: _path(t / FLIGHT_S)})
     model.motion(
-        "miss", 0.8, {**whole, **still, ("Ball", "translation"): _bounces, ("Shape", "scale"): lambda t: scaled(np.clip(3.5 - 5 * t, 0, 1))}
+        "load", 0.8, {**whole, **held, **still, ("Shape", "scale"): lambda t: scaled(np.clip(t / 0.6, 0, 1))}
+    )
+    recoil = {
+        ("Barrel", "translation"): lambda t: _along(
+            -0.25 * np.sin(np.pi * np.clip(t / FLIGHT_S, 0, 1)) * np.exp(-4 * t)
+        )
+    }
+    model.motion(
+        "throw", FLIGHT_S, {**whole, **recoil, ("Ball", "translation"): lambda t: _path(t / FLIGHT_S)}
+    )
+    model.motion(
+        "miss",
+        0.8,
+        {
+            **whole,
+            **still,
+            ("Ball", "translation"): _bounces,
+            ("Shape", "scale"): lambda t: scaled(np.clip(3.5 - 5 * t, 0, 1)),
+        },
     )
     model.motion("burst", 0.6, {("Shape", "scale"): lambda t: scaled(0 * t)} | _splash(drops))
     return model
@@ -69,8 +90,9 @@ def _splash(drops: list[str]) -> Motion:
 
 def _body(model: Model) -> None:
     barrel = [
-        (0.0, -0.5), (0.06, -0.5), (0.08, -0.45), (0.05, -0.4), (0.2, -0.36), (0.24, -0.3), (0.24, -0.2), (0.22, -0.18), (0.2, 0.55),
-        (0.23, 0.58), (0.23, 0.68), (0.2, 0.7), (0.16, 0.7), (0.15, 0.2), (0.0, 0.2),
+        (0.0, -0.5), (0.06, -0.5), (0.08, -0.45), (0.05, -0.4), (0.2, -0.36), (0.24, -0.3), (0.24, -0.2),
+        (0.22, -0.18), (0.2, 0.55), (0.23, 0.58), (0.23, 0.68), (0.2, 0.7), (0.16, 0.7), (0.15, 0.2),
+        (0.0, 0.2),
     ]  # fmt: skip
     model.part("Barrel", lathe(barrel, 28).turned(about_x(90)), IRON)
     band = lathe([(0.215, -0.03), (0.235, -0.02), (0.235, 0.02), (0.215, 0.03)], 28).turned(about_x(90))
@@ -78,7 +100,9 @@ def _body(model: Model) -> None:
     cheeks = [box((0.1, 0.5, 1.1), 0.03).moved(side * 0.3, HIGH - 0.3, -0.1) for side in (-1, 1)]
     model.part("Ground", joined(*cheeks, box((0.7, 0.12, 0.5), 0.03).moved(0, HIGH - 0.5, -0.2)), WOOD)
     hub = lathe([(0, -0.06), (0.08, -0.06), (0.08, 0.06), (0, 0.06)], 16).turned(about_z(90))
-    rim = lathe([(0.38, -0.05), (0.45, -0.05), (0.45, 0.05), (0.38, 0.05), (0.38, -0.05)], 32).turned(about_z(90))
+    rim = lathe([(0.38, -0.05), (0.45, -0.05), (0.45, 0.05), (0.38, 0.05), (0.38, -0.05)], 32).turned(
+        about_z(90)
+    )
     spokes = [box((0.05, 0.8, 0.05), 0.015).turned(about_x(angle)) for angle in (0, 45, 90, 135)]
     for side in (-1, 1):
         model.part("Ground", joined(rim, *spokes).moved(side * 0.46, 0.45, 0.05), WOOD)

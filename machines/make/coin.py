@@ -8,7 +8,16 @@ GOLD = material("gold", "#ffcf3f", 0.3, 0.15)
 RIM = material("rim", "#d99a1c", 0.35, 0.15)
 HEIGHT, TURN_S, VANISH_S, AWAY_S = 0.95, 2.0, 0.5, 10.0
 
-EDGE = [(0.18, -0.02), (0.19, -0.028), (0.215, -0.028), (0.225, -0.018), (0.225, 0.018), (0.215, 0.028), (0.19, 0.028), (0.18, 0.02)]
+EDGE = [
+    (0.18, -0.02),
+    (0.19, -0.028),
+    (0.215, -0.028),
+    (0.225, -0.018),
+    (0.225, 0.018),
+    (0.215, 0.028),
+    (0.19, 0.028),
+    (0.18, 0.02),
+]
 """the rim's profile: radius and height, metres"""
 
 
@@ -34,9 +43,15 @@ def make() -> Model:
     model.joint("Ground")
     model.joint("Coin", "Ground", (0.0, HEIGHT, 0.0))
     model.part("Coin", lathe(EDGE, 40).turned(about_x(90)), RIM)
-    face = lathe([(0.0, -0.02), (0.182, -0.02), (0.182, -0.02), (0.182, 0.02), (0.182, 0.02), (0.0, 0.02)], 40).turned(about_x(90))
+    face = lathe(
+        [(0.0, -0.02), (0.182, -0.02), (0.182, -0.02), (0.182, 0.02), (0.182, 0.02), (0.0, 0.02)], 40
+    ).turned(about_x(90))
     mark = joined(
-        *(box((0.05, 0.2, 0.06), 0.012), box((0.11, 0.035, 0.06), 0.012).moved(0, 0.09), box((0.11, 0.035, 0.06), 0.012).moved(0, -0.09))
+        *(
+            box((0.05, 0.2, 0.06), 0.012),
+            box((0.11, 0.035, 0.06), 0.012).moved(0, 0.09),
+            box((0.11, 0.035, 0.06), 0.012).moved(0, -0.09),
+        )
     )
     model.part("Coin", face, GOLD)
     model.part("Coin", mark, RIM)
@@ -60,10 +75,16 @@ def _motions(model: Model) -> None:
         {
             ("Coin", "rotation"): lambda t: spun(900 * t / VANISH_S),
             ("Coin", "translation"): lambda t: at(HEIGHT + 0.7 * np.sqrt(t / VANISH_S)),
-            ("Coin", "scale"): lambda t: scaled(np.clip(1.25 - 1.25 * (t / VANISH_S) ** 3, 0, 1) * (t < VANISH_S)),
+            ("Coin", "scale"): lambda t: scaled(
+                np.clip(1.25 - 1.25 * (t / VANISH_S) ** 3, 0, 1) * (t < VANISH_S)
+            ),
         },
     )
-    model.motion("away", AWAY_S, {("Coin", "scale"): lambda t: scaled(0 * t), ("Coin", "translation"): lambda t: at(0 * t + HEIGHT)})
+    model.motion(
+        "away",
+        AWAY_S,
+        {("Coin", "scale"): lambda t: scaled(0 * t), ("Coin", "translation"): lambda t: at(0 * t + HEIGHT)},
+    )
     model.motion(
         "appear",
         0.5,

@@ -26,7 +26,11 @@ def make() -> Model:
     model.joint("Door")
     model.joint("Leaf", "Door", (-WIDE / 2, 0.02, 0.0))
     for side in (-1, 1):
-        model.part("Door", box((0.12, TALL + 0.16, 0.2), 0.012).moved(side * (WIDE / 2 + 0.06), TALL / 2 + 0.08), DARK_OAK)
+        model.part(
+            "Door",
+            box((0.12, TALL + 0.16, 0.2), 0.012).moved(side * (WIDE / 2 + 0.06), TALL / 2 + 0.08),
+            DARK_OAK,
+        )
         model.part("Door", box((1.5, 2.3, 0.14), 0.02).moved(side * (WIDE / 2 + 0.87), 1.3), PLASTER)
         model.part("Door", box((1.5, 0.3, 0.18), 0.02).moved(side * (WIDE / 2 + 0.87), 0.15), BRICK)
     model.part("Door", box((WIDE + 0.3, 0.28, 0.14), 0.02).moved(0, TALL + 0.25), PLASTER)
@@ -38,24 +42,33 @@ def make() -> Model:
     model.motion("shut", 1.0, {("Leaf", "rotation"): lambda t: turn_about((0, 1, 0), 0 * t)})
     model.motion("open", 0.8, {("Leaf", "rotation"): lambda t: turn_about((0, 1, 0), -100 * eased(t / 0.8))})
     model.motion("opened", 1.0, {("Leaf", "rotation"): lambda t: turn_about((0, 1, 0), 0 * t - 100)})
-    model.motion("close", 1.1, {("Leaf", "rotation"): lambda t: turn_about((0, 1, 0), -100 * (1 - eased(t / 1.1)))})
+    model.motion(
+        "close", 1.1, {("Leaf", "rotation"): lambda t: turn_about((0, 1, 0), -100 * (1 - eased(t / 1.1)))}
+    )
     return model
 
 
 def _leaf(model: Model) -> None:
     model.part("Leaf", box((WIDE - 0.02, TALL - 0.04, 0.045), 0.008).moved(WIDE / 2, TALL / 2), OAK)
     panels = [
-        box((0.32, height, 0.075), 0.02).moved(WIDE / 2 + x, middle) for x in (-0.2, 0.2) for middle, height in ((0.48, 0.62), (1.36, 0.92))
+        box((0.32, height, 0.075), 0.02).moved(WIDE / 2 + x, middle)
+        for x in (-0.2, 0.2)
+        for middle, height in ((0.48, 0.62), (1.36, 0.92))
     ]
     model.part("Leaf", joined(*panels), DARK_OAK)
     knobs = [ball(0.04).moved(WIDE - 0.1, 1.0, side * 0.075) for side in (-1, 1)]
     model.part("Leaf", joined(*knobs, box((0.05, 0.16, 0.065), 0.01).moved(WIDE - 0.1, 1.0)), BRASS)
-    hinges = [lathe([(0, -0.06), (0.018, -0.06), (0.018, 0.06), (0, 0.06)], 12).moved(0, height, 0.02) for height in (0.3, 1.75)]
+    hinges = [
+        lathe([(0, -0.06), (0.018, -0.06), (0.018, 0.06), (0, 0.06)], 12).moved(0, height, 0.02)
+        for height in (0.3, 1.75)
+    ]
     model.part("Leaf", joined(*hinges), IRON)
 
 
 def _wires(model: Model) -> None:
-    post = lathe([(0.05, 0), (0.05, 0.02), (0.025, 0.03), (0.02, 0.3), (0.03, 0.31), (0.03, 0.35), (0, 0.36)], 14)
+    post = lathe(
+        [(0.05, 0), (0.05, 0.02), (0.025, 0.03), (0.02, 0.3), (0.03, 0.31), (0.03, 0.35), (0, 0.36)], 14
+    )
     beam = lathe([(0, -0.85), (0.008, -0.85), (0.008, 0.85), (0, 0.85)], 8).turned(about_z(90))
     for side in (-1, 1):
         model.part("Door", joined(*(post.moved(x, 0, side * WIRE) for x in (-0.85, 0.85))), IRON)

@@ -39,21 +39,51 @@ def _trunk(model: Model) -> None:
         (0, 0.02, 0.27),
         (0, 0.035, 0.33),
     ]
-    model.part("Body", loft(spine, [0, 0.05, 0.08, 0.13, 0.16, 0.14, 0.08, 0], [0, 0.015, 0.05, 0.11, 0.145, 0.12, 0.07, 0], 20), GREY)
+    model.part(
+        "Body",
+        loft(
+            spine,
+            [0, 0.05, 0.08, 0.13, 0.16, 0.14, 0.08, 0],
+            [0, 0.015, 0.05, 0.11, 0.145, 0.12, 0.07, 0],
+            20,
+        ),
+        GREY,
+    )
     belly = [(0, -0.02, -0.4), (0, -0.03, -0.3), (0, -0.05, -0.1), (0, -0.055, 0.06), (0, -0.03, 0.2)]
     model.part("Body", loft(belly, [0, 0.06, 0.125, 0.12, 0], [0, 0.06, 0.11, 0.1, 0], 16), PALE)
     tail = [(0, 0.03, -0.62), (0, 0.03, -0.58), (0, 0.03, -0.45), (0, 0.03, -0.38)]
     model.part("Body", loft(tail, [0, 0.1, 0.06, 0], [0, 0.008, 0.02, 0], 12), DARK)
-    neck = [(0, -0.01, -0.06), (0, 0, 0.0), (0, 0.02, 0.12), (0, 0.04, 0.26), (0, 0.05, 0.36), (0, 0.05, 0.43), (0, 0.045, 0.48)]
-    model.part("Neck", loft(neck, [0, 0.07, 0.045, 0.036, 0.042, 0.036, 0], [0, 0.065, 0.045, 0.038, 0.047, 0.038, 0], 16), DARK)
+    neck = [
+        (0, -0.01, -0.06),
+        (0, 0, 0.0),
+        (0, 0.02, 0.12),
+        (0, 0.04, 0.26),
+        (0, 0.05, 0.36),
+        (0, 0.05, 0.43),
+        (0, 0.045, 0.48),
+    ]
+    model.part(
+        "Neck",
+        loft(neck, [0, 0.07, 0.045, 0.036, 0.042, 0.036, 0], [0, 0.065, 0.045, 0.038, 0.047, 0.038, 0], 16),
+        DARK,
+    )
     cheeks = [
-        loft([(side * 0.034, 0.035, 0.33), (side * 0.036, 0.04, 0.37), (side * 0.034, 0.045, 0.41)], [0, 0.012, 0], [0, 0.03, 0], 10)
+        loft(
+            [(side * 0.034, 0.035, 0.33), (side * 0.036, 0.04, 0.37), (side * 0.034, 0.045, 0.41)],
+            [0, 0.012, 0],
+            [0, 0.03, 0],
+            10,
+        )
         for side in (-1, 1)
     ]
     model.part("Neck", joined(*cheeks), PALE)
     beak = [(0, 0.04, 0.45), (0, 0.04, 0.47), (0, 0.03, 0.53), (0, 0.025, 0.56)]
     model.part("Neck", loft(beak, [0, 0.024, 0.016, 0], [0, 0.022, 0.01, 0], 12), ORANGE)
-    model.part("Neck", joined(*(ball(0.008, 8).moved(side * 0.034, 0.065, 0.405) for side in (-1, 1))), material("eye", "#0b0a09", 0.2))
+    model.part(
+        "Neck",
+        joined(*(ball(0.008, 8).moved(side * 0.034, 0.065, 0.405) for side in (-1, 1))),
+        material("eye", "#0b0a09", 0.2),
+    )
 
 
 def _wings(model: Model) -> None:
@@ -74,7 +104,12 @@ def _shares(name: str, out: Array) -> dict[str, Array]:
     root = np.clip((INNER + 0.03 - out) / 0.06, 0, 1)
     hand = np.clip((out - OUTER + 0.12) / 0.24, 0, 1)
     tip = np.clip((out - TIP + 0.12) / 0.24, 0, 1)
-    return {"Body": root, f"{name}.arm": (1 - root) * (1 - hand), f"{name}.hand": hand * (1 - tip), f"{name}.tip": tip}
+    return {
+        "Body": root,
+        f"{name}.arm": (1 - root) * (1 - hand),
+        f"{name}.hand": hand * (1 - tip),
+        f"{name}.tip": tip,
+    }
 
 
 def _beating(seconds: float, degrees: float, bob: float, lift: float = 4.0) -> Motion:
@@ -85,12 +120,14 @@ def _beating(seconds: float, degrees: float, bob: float, lift: float = 4.0) -> M
 
     motion = {
         ("Body", "translation"): lambda t: np.stack([0 * t, -bob * wave(t, 0.02), 0 * t], -1),
-        ("Neck", "translation"): lambda t: np.stack([0 * t, 0.02 + 0.7 * bob * wave(t, 0.02), 0 * t + 0.26], -1),
+        ("Neck", "translation"): lambda t: np.stack(
+            [0 * t, 0.02 + 0.7 * bob * wave(t, 0.02), 0 * t + 0.26], -1
+        ),
     }
     for side, name in ((1, "Left"), (-1, "Right")):
         for part, size, late in (("arm", 1.0, 0.0), ("hand", 0.62, 0.1), ("tip", 0.45, 0.2)):
             rest = lift if part == "arm" else -0.35 * lift
-            motion[f"{name}.{part}", "rotation"] = lambda t, side=side, size=size, late=late, rest=rest: turn_about(
-                (0, 0, 1), side * (rest + degrees * size * wave(t, late))
+            motion[f"{name}.{part}", "rotation"] = lambda t, side=side, size=size, late=late, rest=rest: (
+                turn_about((0, 0, 1), side * (rest + degrees * size * wave(t, late)))
             )
     return motion

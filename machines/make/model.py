@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 from shapes import Array, Mesh
-from statwalk.character import Character
-from statwalk.files.glb.write import model_glb
+from statwalk.character.character import Character
+from statwalk.files.gltf.write import model_glb
 from statwalk.maths.pose import rest
 from statwalk.motion.clip import Channel, Clip
 from statwalk.rig.skeleton import Skeleton
@@ -22,7 +22,15 @@ def material(name: str, colour: str, rough: float = 0.6, metal: float = 0.0, **m
     """A glTF material; `colour` as on a screen, #rrggbb."""
     screen = np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)]) / 255
     linear = [*(float(round(part, 4)) for part in screen**2.2), 1.0]
-    return {"name": name, "pbrMetallicRoughness": {"baseColorFactor": linear, "metallicFactor": metal, "roughnessFactor": rough}, **more}
+    return {
+        "name": name,
+        "pbrMetallicRoughness": {
+            "baseColorFactor": linear,
+            "metallicFactor": metal,
+            "roughnessFactor": rough,
+        },
+        **more,
+    }
 
 
 def turn_about(axis: Sequence[float], degrees: Array) -> Array:
@@ -55,7 +63,9 @@ class Model:
         """A rigid part, in the space of its joint."""
         row = self.names.index(joint)
         before = sum(part.joint == row and part.skin is None for part in self.parts)
-        self.parts.append(Primitive(joint=row, node=row, mesh=row, primitive=before, **self._surface(surface, stuff)))
+        self.parts.append(
+            Primitive(joint=row, node=row, mesh=row, primitive=before, **self._surface(surface, stuff))
+        )
 
     def skinned(self, surface: Mesh, stuff: dict[str, Any], weights: Mapping[str, Array]) -> None:
         """A part in the character's space that several joints bend, each with weights (V,)."""
@@ -89,15 +99,25 @@ class Model:
         skeleton = Skeleton(tuple(self.names), np.array(self.parents, np.int32))
         clips = {name: self._clip(name, seconds, motion, pose) for name, seconds, motion in self.motions}
         index = np.arange(len(self.names), dtype=np.int32)
-        numbers = {part.node: len(self.names) + row for row, part in enumerate(part for part in self.parts if part.skin is not None)}
+        numbers = {
+            part.node: len(self.names) + row
+            for row, part in enumerate(part for part in self.parts if part.skin is not None)
+        }
         parts = tuple(
-            part if part.skin is None else Primitive(**{**vars(part), "node": numbers[part.node], "mesh": numbers[part.node]})
+            part
+            if part.skin is None
+            else Primitive(**{**vars(part), "node": numbers[part.node], "mesh": numbers[part.node]})
             for part in self.parts
         )
-        character = Character(self.name, skeleton, index, pose, clips, tuple(self.skins), parts, tuple(self.materials))
+        character = Character(
+            self.name, skeleton, index, pose, clips, tuple(self.skins), parts, tuple(self.materials)
+        )
         path.write_bytes(model_glb(character))
         triangles = sum(len(part.indices) // 3 for part in self.parts if part.indices is not None)
-        print(f"{path.parent.name}/{path.name}: {path.stat().st_size // 1024} KiB, {len(self.names)} joints, {triangles} triangles")
+        print(
+            f"{path.parent.name}/{path.name}: {path.stat().st_size // 1024} KiB, {len(self.names)} joints, "
+            f"{triangles} triangles"
+        )
 
     def _surface(self, surface: Mesh, stuff: dict[str, Any]) -> dict[str, Any]:
         if stuff not in self.materials:
@@ -119,7 +139,9 @@ class Model:
     def _clip(self, name: str, seconds: float, motion: Motion, pose: Any) -> Clip:
         times = np.linspace(0, seconds, max(2, round(seconds * KEYS_PER_SECOND) + 1))
         channels = [
-            Channel(self.names.index(joint), path, times.astype(np.float32), np.asarray(values(times), np.float32))
+            Channel(
+                self.names.index(joint), path, times.astype(np.float32), np.asarray(values(times), np.float32)
+            )
             for (joint, path), values in motion.items()
         ]
         return Clip(name, tuple(channels), seconds, pose)

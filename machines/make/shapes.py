@@ -1,4 +1,6 @@
-"""Surfaces of simple things: points (V, 3) metres, unit normals (V, 3), triangles (T, 3) seen from outside."""
+"""Surfaces of simple things: points (V, 3) metres, unit normals (V, 3), triangles (T, 3) seen from
+outside.
+"""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -30,7 +32,11 @@ def joined(*meshes: Mesh) -> Mesh:
     """Several surfaces as one."""
     starts = np.cumsum([0, *(len(mesh.points) for mesh in meshes)])
     faces = [mesh.faces + start for mesh, start in zip(meshes, starts, strict=False)]
-    return Mesh(np.concatenate([mesh.points for mesh in meshes]), np.concatenate([mesh.normals for mesh in meshes]), np.concatenate(faces))
+    return Mesh(
+        np.concatenate([mesh.points for mesh in meshes]),
+        np.concatenate([mesh.normals for mesh in meshes]),
+        np.concatenate(faces),
+    )
 
 
 def about_x(degrees: float) -> Array:
@@ -54,7 +60,9 @@ def grid_faces(rows: int, columns: int) -> NDArray[np.int64]:
 
 
 def smooth(points: Array, faces: NDArray[np.int64]) -> Mesh:
-    """A surface whose normals are the mean of the faces around, by their area; points at the same place share one."""
+    """A surface whose normals are the mean of the faces around, by their area; points at the same place share
+    one.
+    """
     corners = points[faces]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     _, same = np.unique(np.round(points, 6), axis=0, return_inverse=True)
@@ -70,27 +78,50 @@ def smooth(points: Array, faces: NDArray[np.int64]) -> Mesh:
 def box(size: Point, bevel: float = 0.01, steps: int = 3) -> Mesh:
     """A box around the origin with round edges: a ball whose eighths have been moved into the corners."""
     quarter = np.linspace(0, np.pi / 2, steps + 1)
-    around, up = np.concatenate([quarter + turn * np.pi / 2 for turn in range(4)]), np.concatenate([quarter - np.pi / 2, quarter])
-    directions = [np.outer(np.cos(up), np.sin(around)), np.outer(np.sin(up), np.ones(len(around))), np.outer(np.cos(up), np.cos(around))]
+    around, up = (
+        np.concatenate([quarter + turn * np.pi / 2 for turn in range(4)]),
+        np.concatenate([quarter - np.pi / 2, quarter]),
+    )
+    directions = [
+        np.outer(np.cos(up), np.sin(around)),
+        np.outer(np.sin(up), np.ones(len(around))),
+        np.outer(np.cos(up), np.cos(around)),
+    ]
     quadrant, upper = np.repeat(np.arange(4), steps + 1), np.repeat([-1, 1], steps + 1)
-    signs = [np.outer(np.ones(len(up)), side[quadrant]) for side in np.array([[1, 1, -1, -1], [1, -1, -1, 1]])]
+    signs = [
+        np.outer(np.ones(len(up)), side[quadrant]) for side in np.array([[1, 1, -1, -1], [1, -1, -1, 1]])
+    ]
     corners = np.stack([signs[0], np.outer(upper, np.ones(len(around))), signs[1]], -1)
     normals = np.stack(directions, -1)
     points = normals * bevel + corners * (np.array(size) / 2 - bevel)
     ring = np.arange(4) * (steps + 1)
     caps = [ring[::-1], ring + (len(up) - 1) * len(around)]
     flat = np.array([[cap[0], cap[one], cap[one + 1]] for cap in caps for one in (1, 2)])
-    return Mesh(points.reshape(-1, 3), normals.reshape(-1, 3), np.concatenate([grid_faces(len(up), len(around)), flat]))
+    return Mesh(
+        points.reshape(-1, 3),
+        normals.reshape(-1, 3),
+        np.concatenate([grid_faces(len(up), len(around)), flat]),
+    )
 
 
 def lathe(profile: Sequence[tuple[float, float]], segments: int = 24) -> Mesh:
-    """(radius, height) turned about Y, from below to above; a corner of the profile is sharp where it is given twice."""
+    """(radius, height) turned about Y, from below to above; a corner of the profile is sharp where it is
+    given twice.
+    """
     radius, height = np.array(profile, float).T
     turn = np.linspace(0, 2 * np.pi, segments, endpoint=False)
-    points = np.stack([np.outer(radius, np.sin(turn)), np.outer(height, np.ones(segments)), np.outer(radius, np.cos(turn))], -1)
+    points = np.stack(
+        [np.outer(radius, np.sin(turn)), np.outer(height, np.ones(segments)), np.outer(radius, np.cos(turn))],
+        -1,
+    )
     slope = _slopes(radius, height)
     normals = np.stack(
-        [np.outer(slope[:, 0], np.sin(turn)), np.outer(slope[:, 1], np.ones(segments)), np.outer(slope[:, 0], np.cos(turn))], -1
+        [
+            np.outer(slope[:, 0], np.sin(turn)),
+            np.outer(slope[:, 1], np.ones(segments)),
+            np.outer(slope[:, 0], np.cos(turn)),
+        ],
+        -1,
     )
     return Mesh(points.reshape(-1, 3), normals.reshape(-1, 3), grid_faces(len(radius), segments))
 
@@ -111,7 +142,9 @@ def ball(radius: float, segments: int = 16) -> Mesh:
 
 
 def loft(spine: Sequence[Point], width: Sequence[float], height: Sequence[float], segments: int = 16) -> Mesh:
-    """Ellipses along a spine that runs from back to front; `width` and `height` are their half axes, 0 closes an end."""
+    """Ellipses along a spine that runs from back to front; `width` and `height` are their half axes, 0 closes
+    an end.
+    """
     middle = np.array(spine, float)
     ahead = np.gradient(middle, axis=0)
     ahead /= np.linalg.norm(ahead, axis=1, keepdims=True)
@@ -120,15 +153,23 @@ def loft(spine: Sequence[Point], width: Sequence[float], height: Sequence[float]
     up = np.cross(ahead, side)
     turn = np.linspace(0, 2 * np.pi, segments, endpoint=False)
     rings = (
-        middle[:, None] + side[:, None] * np.outer(width, np.cos(turn))[..., None] + up[:, None] * np.outer(height, np.sin(turn))[..., None]
+        middle[:, None]
+        + side[:, None] * np.outer(width, np.cos(turn))[..., None]
+        + up[:, None] * np.outer(height, np.sin(turn))[..., None]
     )
     return smooth(rings.reshape(-1, 3), grid_faces(len(middle), segments))
 
 
 def wing(
-    span: Sequence[float], front: Sequence[float], back: Sequence[float], thick: Sequence[float], rise: Sequence[float] | None = None
+    span: Sequence[float],
+    front: Sequence[float],
+    back: Sequence[float],
+    thick: Sequence[float],
+    rise: Sequence[float] | None = None,
 ) -> Mesh:
-    """A wing out to +X: for each place along the span where it begins and ends (Z), half its thickness, and its height."""
+    """A wing out to +X: for each place along the span where it begins and ends (Z), half its thickness, and
+    its height.
+    """
     turn = np.linspace(0, 2 * np.pi, 12, endpoint=False)
     middle, half = (np.array(front) + back) / 2, (np.array(front) - back) / 2
     lift = np.zeros(len(span)) if rise is None else np.array(rise)

@@ -14,30 +14,58 @@ From Python:
     actor.state, actor.pose, stage.hash
 """
 
-from statwalk.character import Character
-from statwalk.errors import ContentError, MachineError, ModelError, StageError, StatwalkError, TextError, UnknownNameError
-from statwalk.loading import load, load_scene, shipped_machines, shipped_scenes
-from statwalk.maths.pose import Pose
-from statwalk.stage.past.replay import replay
-from statwalk.stage.role import Role
-from statwalk.stage.stage import Actor, Stage
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-__all__ = [
-    "Actor",
-    "Character",
-    "ContentError",
-    "MachineError",
-    "ModelError",
-    "Pose",
-    "Role",
-    "Stage",
-    "StageError",
-    "StatwalkError",
-    "TextError",
-    "UnknownNameError",
-    "load",
-    "load_scene",
-    "replay",
-    "shipped_machines",
-    "shipped_scenes",
-]
+if TYPE_CHECKING:
+    from statwalk.character.character import Character as Character
+    from statwalk.character.role import Role as Role
+    from statwalk.errors import ContentError as ContentError
+    from statwalk.errors import MachineError as MachineError
+    from statwalk.errors import ModelError as ModelError
+    from statwalk.errors import StageError as StageError
+    from statwalk.errors import StatwalkError as StatwalkError
+    from statwalk.errors import TextError as TextError
+    from statwalk.errors import UnknownNameError as UnknownNameError
+    from statwalk.maths.pose import Pose as Pose
+    from statwalk.services.library.load import load as load
+    from statwalk.services.library.load import load_scene as load_scene
+    from statwalk.services.library.load import shipped_machines as shipped_machines
+    from statwalk.services.library.load import shipped_scenes as shipped_scenes
+    from statwalk.stage.replay import replay as replay
+    from statwalk.stage.stage import Actor as Actor
+    from statwalk.stage.stage import Stage as Stage
+
+_NAMES = {  # imported on first use: `statwalk --help` needs none of them
+    "statwalk.character.character": ("Character",),
+    "statwalk.character.role": ("Role",),
+    "statwalk.errors": (
+        "ContentError",
+        "MachineError",
+        "ModelError",
+        "StageError",
+        "StatwalkError",
+        "TextError",
+        "UnknownNameError",
+    ),
+    "statwalk.maths.pose": ("Pose",),
+    "statwalk.services.library.load": ("load", "load_scene", "shipped_machines", "shipped_scenes"),
+    "statwalk.stage.replay": ("replay",),
+    "statwalk.stage.stage": ("Actor", "Stage"),
+}
+_MODULES = {name: module for module, names in _NAMES.items() for name in names}
+__all__ = sorted(_MODULES)
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _MODULES:
+        raise AttributeError(f"module 'statwalk' has no attribute {name!r}")
+    try:
+        module = import_module(_MODULES[name])
+    except ImportError:
+        import_module(
+            "statwalk.maths.prepare"
+        ).compiler()  # raises a StatwalkError where numba is what is missing
+        raise
+    globals()[name] = value = getattr(module, name)
+    return value

@@ -1,12 +1,19 @@
-"""Every error statwalk raises on purpose, in one tree.
+"""The errors that statwalk raises on purpose, as one class tree.
 
     StatwalkError
-    +- ContentError          a file says something wrong; carries file, place (line, JSON pointer or byte) and name
+    +- ContentError          a file is wrong; carries the file, the place (line, JSON pointer or byte offset)
+    |  |                     and the message
     |  +- ModelError         a glTF model
     |  +- TextError          the FAQ's skeleton and key-frame text, a character file
     |  +- MachineError       a machine file or its table
-    +- UnknownNameError      a name that does not exist; carries the names that do
-    +- StageError            a stage was asked for something it cannot do (a tick that is not there, an event in the past)
+    +- UnknownNameError      a name does not exist; carries the existing names
+    +- StageError            a stage cannot do what is asked (a tick out of range, an event in the past)
+    +- RefusedEditError      an edit would break a machine; carries the verifier's new findings
+    +- ConflictError         a request conflicts with the current state
+    |  +- LimitError         the maximum number is reached
+    |  +- VersionConflictError  another client has changed the resource since it was read
+    +- BusyError             the server is busy: the same request may succeed later
+    +- CancelledError        long work was cancelled, because no client waits for the result
 
 Each message says what is wrong, where, and what would be right.
 """
@@ -15,18 +22,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from functools import partial
 from itertools import islice
+from typing import Any
 
 MOST_NAMES, MOST_LETTERS = 300, 40
-"""that are compared with a name that does not exist"""
+"""how many existing names, and letters of each, are compared with an unknown name"""
+LONGEST_NAME = 80
+"""letters of an unknown name that a message repeats"""
 
 
 class StatwalkError(Exception):
-    """The root: catch this to catch all that a user's input can cause."""
+    """The base class: catch StatwalkError to catch every error that a user's input can cause."""
 
 
 class ContentError(StatwalkError):
-    """A file says something wrong: `message` what, `file` and `place` where (`line 12`, `/nodes/3/mesh`, `byte 20`)."""
+    """A file is wrong: `message` says what, `file` and `place` say where (`line 12`, `/nodes/3/mesh`, `byte
+    20`).
+    """
 
     def __init__(self, message: str, *, file: str = "", place: str = "") -> None:
         self.message, self.file, self.place = message, file, place
@@ -34,36 +47,86 @@ class ContentError(StatwalkError):
         super().__init__(f"{where}: {message}" if where else message)
 
     def in_file(self, file: str) -> ContentError:
-        """The same error with the file's name, for readers that were given bytes or text."""
+        """Returns the same error with the file's name, for readers that get bytes or text without a name."""
         return type(self)(self.message, file=self.file or file, place=self.place)
 
 
 class ModelError(ContentError):
-    """A glTF model that must be refused; `place` is a JSON pointer or a byte offset."""
+    """A glTF model is refused; `place` is a JSON pointer or a byte offset."""
 
 
 class TextError(ContentError):
-    """A skeleton, key-frame or character file that must be refused; `place` is a line."""
+    """A skeleton, key-frame or character file is refused; `place` is a line."""
 
 
 class MachineError(ContentError):
-    """A machine file or table that must be refused; `place` is a line."""
+    """A machine file or a table is refused; `place` is a line."""
 
 
-def nearest(name: str, known: Iterable[str]) -> str:
-    """`; did you mean WALK?`, or nothing where no name is near; looks at no more names and letters than cost next to nothing."""
-    short = {one[:MOST_LETTERS]: one for one in islice(known, MOST_NAMES)}
-    near = get_close_matches(name[:MOST_LETTERS], list(short), n=1)
-    return f"; did you mean {short[near[0]]}?" if near else ""
+def nearest(name: str, names: Iterable[str]) -> str:
+    """Returns `; did you mean WALK?` with the name most like `name`, or the empty string if no name is
+    similar.
+
+    Compares at most MOST_NAMES names and MOST_LETTERS letters, so that the search stays cheap.
+    """
+    short = {candidate[:MOST_LETTERS]: candidate for candidate in islice(names, MOST_NAMES)}
+    matches = get_close_matches(name[:MOST_LETTERS], list(short), n=1)
+    return f"; did you mean {short[matches[0]]}?" if matches else ""
 
 
 class UnknownNameError(StatwalkError):
-    """`name` is no `kind` (state, event, clip, machine …) here; `known` lists those that exist."""
+    """No `kind` (state, event, clip, machine …) has the name `name`; `known` lists the existing names."""
 
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         self.kind, self.name, self.known = kind, name, tuple(known)
-        super().__init__(f"no {kind} is called {name!r}{nearest(name, self.known) or '.'} There are: {', '.join(self.known) or 'none'}")
+        suggestion = nearest(name, self.known) or "."
+        super().__init__(
+            f"no {kind} is called {name[:LONGEST_NAME]!r}{suggestion} "
+            f"There are: {', '.join(self.known) or 'none'}"
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.kind, self.name, self.known)
 
 
 class StageError(StatwalkError):
-    """A stage was asked for something it cannot do."""
+    """A stage cannot do what is asked."""
+
+
+class RefusedEditError(StatwalkError):
+    """An edit is refused: `field` says where, `findings` are the verifier's findings that the edit
+    would add.
+    """
+
+    def __init__(self, message: str, *, field: str, findings: Iterable[Any] = ()) -> None:
+        self.field, self.findings = field, tuple(findings)
+        super().__init__(message)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return partial(type(self), field=self.field, findings=self.findings), self.args
+
+
+class ConflictError(StatwalkError):
+    """A request conflicts with the current state; `field` names the part of the request that conflicts, if
+    any.
+    """
+
+    def __init__(self, message: str, *, field: str = "") -> None:
+        self.field = field
+        super().__init__(message)
+
+
+class LimitError(ConflictError):
+    """The maximum number is reached."""
+
+
+class VersionConflictError(ConflictError):
+    """Another client has changed the resource since it was read."""
+
+
+class BusyError(StatwalkError):
+    """The server is busy: the same request may succeed later."""
+
+
+class CancelledError(StatwalkError):
+    """Long work was cancelled: no client waits for the result."""

@@ -12,12 +12,13 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from paths import GLTF, ROOT
 from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
-from where import GLTF, ROOT
 
 CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
 REPORT_VIOLATIONS = (
-    "window.violations = []; addEventListener('securitypolicyviolation', e => violations.push(e.violatedDirective + ' ' + e.blockedURI))"
+    "window.violations = []; addEventListener('securitypolicyviolation', e => "
+    "violations.push(e.violatedDirective + ' ' + e.blockedURI))"
 )
 SIZE = {"width": 960, "height": 640}
 
@@ -27,7 +28,8 @@ UNTIL = """async arg => {
   while (!(CONDITION)) {
     if (performance.now() - start > 20000) {
       const v = window.__viewer;
-      throw new Error('waited for ' + `CONDITION` + (v ? ` at tick ${v.tick()} in ${v.state()}, line ${v.link()}` : ''));
+      const where = v ? ` at tick ${v.tick()} in ${v.state()}, line ${v.link()}` : '';
+      throw new Error('waited for ' + `CONDITION` + where);
     }
     await new Promise(done => setTimeout(done, 20));
   }
@@ -35,12 +37,16 @@ UNTIL = """async arg => {
 
 
 def until(page: Page, condition: str, arg: object = None) -> None:
-    """Waits until `condition` (JavaScript, over `arg`) is true; Playwright's own way needs eval, which the page's policy forbids."""
+    """Waits until `condition` (JavaScript, over `arg`) is true; Playwright's own way needs eval, which the
+    page's policy forbids.
+    """
     page.evaluate(UNTIL.replace("CONDITION", condition), arg)
 
 
 class Server:
-    """`statwalk serve` on a port and with a data folder of its own; `start` again after `stop` takes the same ones."""
+    """`statwalk serve` on a port and with a data folder of its own; `start` again after `stop` takes the same
+    ones.
+    """
 
     def __init__(self, data: Path, *folders: Path) -> None:
         with socket.socket() as free:
@@ -53,7 +59,9 @@ class Server:
 
     def start(self) -> None:
         """Returns when the server has printed its address."""
-        self.process = subprocess.Popen(self.command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd=ROOT)
+        self.process = subprocess.Popen(
+            self.command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd=ROOT
+        )
         assert self.process.stdout is not None
         printed = []
         for line in self.process.stdout:
@@ -111,7 +119,9 @@ def allowed() -> list[str]:
 
 @pytest.fixture
 def page(browser: Browser, allowed: list[str]) -> Iterator[Page]:
-    """A page of its own, in whose life nothing went wrong: no error, no dialog, no breach of the content security policy."""
+    """A page of its own, in whose life nothing went wrong: no error, no dialog, no breach of the content
+    security policy.
+    """
     context = browser.new_context(viewport=SIZE, reduced_motion="reduce")
     shown = context.new_page()
     shown.set_default_timeout(20_000)

@@ -10,7 +10,8 @@ from serving import wait_for
 
 FARTHEST = """start => {
   const now = __viewer.joints();
-  return Math.max(...Object.keys(start).map(name => Math.hypot(...start[name].map((value, i) => value - now[name][i]))));
+  const way = name => Math.hypot(...start[name].map((value, i) => value - now[name][i]));
+  return Math.max(...Object.keys(start).map(way));
 }"""
 
 
@@ -56,10 +57,10 @@ def test_losing_the_keyboard_lets_the_key_go(standing: Page) -> None:
 def test_leaving_for_another_machine_lets_the_key_go(server: Server, standing: Page) -> None:
     standing.keyboard.down("ArrowUp")
     until(standing, "__viewer.state() === 'WALK'")
-    standing.locator("#chooser select").first.select_option("faq-printed")
+    standing.locator("#picker select").first.select_option("faq-printed")
     until(standing, "__viewer.stage() !== 'main' && __viewer.ready")
     log = f"{server.url}/api/stages/main/log"
-    wait_for(lambda: json.loads(httpx.get(log).text.splitlines()[-1])["name"] == "STOP")
+    wait_for(lambda: json.loads(httpx.get(log).text.splitlines()[-1]).get("event") == "STOP")
     standing.keyboard.up("ArrowUp")
 
 

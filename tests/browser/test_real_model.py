@@ -3,8 +3,8 @@
 from collections.abc import Callable
 
 from browser.conftest import Server, until
+from paths import needs_assets
 from playwright.sync_api import Page
-from where import needs_assets
 
 pytestmark = needs_assets
 
@@ -18,7 +18,8 @@ def test_a_machine_made_from_a_real_model_walks(robot_server: Server, opened: Ca
     until(page, "__viewer.state().toLowerCase().startsWith('walk')")
     until(
         page,
-        "Object.entries(__viewer.joints()).some(([name, at]) => Math.hypot(...at.map((v, i) => v - arg[name][i])) > 0.2)",
+        "Object.entries(__viewer.joints()).some(([name, at]) => Math.hypot(...at.map((v, i) => v - "
+        "arg[name][i])) > 0.2)",
         first[1],
     )
     page.mouse.up()

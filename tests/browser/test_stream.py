@@ -35,16 +35,21 @@ def test_it_comes_back_after_a_restart(server: Server, viewer: Page, allowed: li
 
 def test_names_are_text(server: Server, opened: Callable[[str], Page]) -> None:
     machine = httpx.get(f"{server.url}/api/machines").json()[0]["name"]
-    actors = [{"machine": machine, "name": HOSTILE}, {"machine": machine, "name": "\u202etwo", "position": [1.5, 0, 0]}]
+    actors = [
+        {"machine": machine, "name": HOSTILE},
+        {"machine": machine, "name": "\u202etwo", "position": [1.5, 0, 0]},
+    ]
     made = httpx.post(f"{server.url}/api/stages", json={"actors": actors, "clock": "real"}).json()
     page = opened(f"{server.url}/?stage={made['id']}")
-    options = page.locator("#chooser select").nth(1).locator("option")
+    options = page.locator("#picker select").nth(1).locator("option")
     assert options.all_text_contents() == [HOSTILE, "\u202etwo"]
     assert page.locator("img").count() == 0
     assert page.title() == "statwalk"
 
 
-def test_an_unknown_stage_leads_back_to_main(server: Server, opened: Callable[[str], Page], allowed: list[str]) -> None:
+def test_an_unknown_stage_leads_back_to_main(
+    server: Server, opened: Callable[[str], Page], allowed: list[str]
+) -> None:
     allowed += ["WebSocket connection to", "Failed to load resource"]
     page = opened(f"{server.url}/?stage=nowhere")
     assert page.evaluate("__viewer.stage()") == "main"

@@ -1,4 +1,6 @@
-"""Any moment of the timeline tells why; what did not happen tells what would have made it; a state can be gone to."""
+"""Any moment of the timeline tells why; what did not happen tells what would have made it; a state can be
+gone to.
+"""
 
 from collections.abc import Callable, Iterator
 
@@ -18,9 +20,13 @@ CLICK_AT = """async tick => {
 
 @pytest.fixture
 def still(server: Server, opened: Callable[[str], Page]) -> Iterator[Page]:
-    """A page at a stage that moves only when it is told to: FORWARD in tick 11, JUMP in tick 31, 60 ticks in all."""
+    """A page at a stage that moves only when it is told to: FORWARD in tick 11, JUMP in tick 31, 60 ticks in
+    all.
+    """
     machine = httpx.get(f"{server.url}/api/machines").json()[0]["name"]
-    stage = httpx.post(f"{server.url}/api/stages", json={"clock": "manual", "actors": [{"machine": machine}]}).headers["Location"]
+    stage = httpx.post(
+        f"{server.url}/api/stages", json={"clock": "manual", "actors": [{"machine": machine}]}
+    ).headers["Location"]
     for event, ticks in (("FORWARD", 20), ("JUMP", 30)):
         httpx.post(f"{server.url}{stage}/step", json={"ticks": 10})
         httpx.post(f"{server.url}{stage}/events", json={"event": event})
@@ -45,7 +51,11 @@ def test_a_click_on_the_timeline_tells_why(still: Page) -> None:
 def test_the_cell_is_shown_in_the_table(still: Page) -> None:
     why(still, 11)
     still.locator(".event-why .where").click()
-    until(still, "document.activeElement?.dataset.state === 'STAT' && document.activeElement.dataset.column === 'FORWARD'")
+    until(
+        still,
+        "document.activeElement?.dataset.state === 'STAT' && document.activeElement.dataset.column === "
+        "'FORWARD'",
+    )
 
 
 def test_escape_closes_it(still: Page) -> None:
@@ -65,21 +75,21 @@ def test_why_not_proposes_what_helps_and_the_cell_takes_it(still: Page) -> None:
     still.keyboard.press("Escape")
 
 
-def test_one_goes_to_a_state_and_sees_the_way(viewer: Page) -> None:
+def test_a_travel_shows_its_route(viewer: Page) -> None:
     until(viewer, "__viewer.state() === 'STAT'")
     viewer.locator("#table th[data-state=JUMP]").click(button="right")
-    until(viewer, "!document.querySelector('#way').hidden")
-    assert "JUMP" in viewer.locator("#way").inner_text()
+    until(viewer, "!document.querySelector('#route').hidden")
+    assert "JUMP" in viewer.locator("#route").inner_text()
     until(viewer, "__viewer.state() === 'JUMP'")
-    until(viewer, "document.querySelector('#way').hidden")
+    until(viewer, "document.querySelector('#route').hidden")
 
 
 def test_the_way_can_be_cancelled(viewer: Page) -> None:
     until(viewer, "__viewer.state() === 'STAT'")
     viewer.locator("#table th[data-state=LAND]").click(button="right")
-    until(viewer, "!document.querySelector('#way').hidden")
+    until(viewer, "!document.querySelector('#route').hidden")
     viewer.get_by_role("button", name="cancel", exact=True).click()
-    until(viewer, "document.querySelector('#way').hidden")
+    until(viewer, "document.querySelector('#route').hidden")
 
 
 def test_lanes_tell_taken_from_waiting_and_dropped(still: Page) -> None:

@@ -3,7 +3,9 @@
 import subprocess
 import sys
 
-from where import GLTF, needs_assets
+from paths import GLTF, MACHINES, needs_assets
+
+WALKER = MACHINES / "faq-walker" / "walker.glb"
 
 
 def statwalk(*arguments, cwd):
@@ -15,18 +17,17 @@ def statwalk(*arguments, cwd):
 def test_new_verify_and_play(tmp_path):
     made = statwalk("new", GLTF / "RobotExpressive.glb", cwd=tmp_path)
     assert made.returncode == 0, made.stderr
-    assert "14 states, standing about in STAT" in made.stdout
+    assert "14 states; it begins in STAT" in made.stdout
     assert statwalk("verify", "RobotExpressive", cwd=tmp_path).returncode == 0
     played = statwalk("play", "RobotExpressive", "--events", "0:+FORWARD", "--seconds", "1", cwd=tmp_path)
     assert "after 60 ticks: WALK" in played.stdout
 
 
-@needs_assets
 def test_again_in_the_same_place_is_refused(tmp_path):
-    statwalk("new", GLTF / "RobotExpressive.glb", "robot", cwd=tmp_path)
-    again = statwalk("new", GLTF / "RobotExpressive.glb", "robot", cwd=tmp_path)
+    statwalk("new", WALKER, "robot", cwd=tmp_path)
+    again = statwalk("new", WALKER, "robot", cwd=tmp_path)
     assert again.returncode == 2
-    assert "there is a machine here already" in again.stderr
+    assert "this folder already holds a machine" in again.stderr
 
 
 def test_a_model_that_is_not_there(tmp_path):
@@ -35,18 +36,16 @@ def test_a_model_that_is_not_there(tmp_path):
     assert "nothing.glb: there is no such file" in done.stderr
 
 
-@needs_assets
 def test_a_file_where_the_folder_should_be(tmp_path):
     (tmp_path / "taken").write_text("")
-    made = statwalk("new", GLTF / "RobotExpressive.glb", "taken", cwd=tmp_path)
+    made = statwalk("new", WALKER, "taken", cwd=tmp_path)
     assert (made.returncode, made.stdout) == (2, "")
     assert "taken" in made.stderr
     assert made.stderr.count("\n") == 1
 
 
-@needs_assets
 def test_a_model_that_stays_where_it_is_is_named_from_the_folder(tmp_path):
-    (tmp_path / "robot.glb").write_bytes((GLTF / "RobotExpressive.glb").read_bytes())
+    (tmp_path / "robot.glb").write_bytes((WALKER).read_bytes())
     statwalk("new", "robot.glb", "machines/robot", "--no-copy", cwd=tmp_path)
     (tmp_path / "here").mkdir()
     for name in ("robot.glb", "machines"):

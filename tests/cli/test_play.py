@@ -7,7 +7,9 @@ import pytest
 
 
 def play(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, "-m", "statwalk.cli", "play", *arguments], capture_output=True, text=True)
+    return subprocess.run(
+        [sys.executable, "-m", "statwalk.cli", "play", *arguments], capture_output=True, text=True
+    )
 
 
 def test_the_states_that_the_events_lead_through() -> None:
@@ -26,7 +28,11 @@ def test_the_same_inputs_give_the_same_output() -> None:
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
-    [(("nobody",), "faq-walker"), (("faq-walker", "--events", "0:DANCE"), "FORWARD"), (("faq-walker", "--events", "now"), "SECONDS:EVENT")],
+    [
+        (("nobody",), "faq-walker"),
+        (("faq-walker", "--events", "0:DANCE"), "FORWARD"),
+        (("faq-walker", "--events", "now"), "SECONDS:EVENT"),
+    ],
 )
 def test_what_does_not_exist_is_named(arguments: tuple[str, ...], said: str) -> None:
     ended = play(*arguments)

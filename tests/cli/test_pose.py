@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 import typer
 from statwalk.cli.pose import pose
-from statwalk.files.glb import read_model
-from tinymodel import model
+from statwalk.files.gltf import read_model
+from tiny_model import model
 from typer.testing import CliRunner
 
 app = typer.Typer()
@@ -40,7 +40,9 @@ def test_without_a_clip_it_is_the_pose_at_rest(file):
 def test_time_wraps_with_loop(file):
     run(file, "--clip", "Bend", "--time", "1.25", "--loop")
     with np.load(file.with_name("pose.npz")) as found:
-        assert found["local"][1, 3:7] == pytest.approx(read_model(model(), "t").clips["Bend"].sample(0.25).rotation[1])
+        assert found["local"][1, 3:7] == pytest.approx(
+            read_model(model(), "t").clips["Bend"].sample(0.25).rotation[1]
+        )
 
 
 def test_a_dot_in_the_name_stays(file):

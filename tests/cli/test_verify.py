@@ -5,7 +5,7 @@ import sys
 
 import orjson
 import pytest
-from where import MACHINES
+from paths import MACHINES
 
 
 def run(*arguments):
@@ -39,7 +39,9 @@ def test_a_file_that_cannot_be_read_makes_status_2_and_one_line(tmp_path):
     (tmp_path / "machine.yaml").write_text(text.replace("initial: STAT", "initial: STAAT"))
     done = run(tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.startswith(f"statwalk: {tmp_path}/machine.yaml, line 8: no state is called 'STAAT'; did you mean STAT?")
+    assert done.stderr.startswith(
+        f"statwalk: {tmp_path}/machine.yaml, line 8: no state is called 'STAAT'; did you mean STAT?"
+    )
     assert len(done.stderr.splitlines()) == 1
 
 

@@ -57,16 +57,29 @@ def test_no_way():
 
 def test_every_state_knows_its_first_step(machine):
     events = events_towards(machine, row(machine, "STAT"))
-    assert [machine.events[event] if event >= 0 else "" for event in events] == ["", "END", "STOP", "STOP", "END", "END"]
+    assert [machine.events[event] if event >= 0 else "" for event in events] == [
+        "",
+        "END",
+        "STOP",
+        "STOP",
+        "END",
+        "END",
+    ]
 
 
 def test_the_sooner_of_two_ways():
-    machine = machine_of("state | SLOW | QUICK | END\nA | B at end | C |\nB | | |\nC | | | B\n", {"A": 60, "B": 60, "C": 30})
+    machine = machine_of(
+        "state | SLOW | QUICK | END\nA | B at end | C |\nB | | |\nC | | | B\n", {"A": 60, "B": 60, "C": 30}
+    )
     assert way(machine, "A", "B") == [("A", "QUICK"), ("C", "END")]
 
 
 def test_what_is_drawn_seldom_takes_many_tries():
-    machine = machine_of("state | DRAW\nA |\nB |\nC |\n", {"A": 60, "B": 60, "C": 60}, "cells: {A/DRAW: {to: {B: 9, C: 1}, when: end}}")
+    machine = machine_of(
+        "state | DRAW\nA |\nB |\nC |\n",
+        {"A": 60, "B": 60, "C": 60},
+        "cells: {A/DRAW: {to: {B: 9, C: 1}, when: end}}",
+    )
     assert [plan(machine, 0, row(machine, name)).seconds for name in "BC"] == pytest.approx([10 / 9, 10])
 
 

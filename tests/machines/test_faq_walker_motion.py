@@ -1,4 +1,6 @@
-"""The walker's clips by number: feet that stay, soles over the ground, joints within limits, motions that meet (guide to motion)."""
+"""The walker's clips by number: feet that stay, soles over the ground, joints within limits, motions that
+meet (guide to motion).
+"""
 
 import subprocess
 import sys
@@ -7,16 +9,22 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from soles import RATE, slides, soles_of, times_of
-from statwalk.files.glb import read_model
-from where import MACHINES
+from paths import MACHINES
+from sole_points import RATE, slides, soles_of, times_of
+from statwalk.files.gltf import read_model
 
 WALKER = read_model((MACHINES / "faq-walker" / "walker.glb").read_bytes(), "walker", None)
 JOINT = {name: index for index, name in enumerate(WALKER.skeleton.names)}
 BONES = 20  # the last joint is the node of the mesh
 SIDES = ("Left", "Right")
 MEETINGS = [
-    *(("start-walk", "walk"), ("walk", "walk"), ("walk", "come-to-stop"), ("walk", "jump"), ("stand", "stand")),
+    *(
+        ("start-walk", "walk"),
+        ("walk", "walk"),
+        ("walk", "come-to-stop"),
+        ("walk", "jump"),
+        ("stand", "stand"),
+    ),
     *(("come-to-stop", "stand"), ("turn-left", "stand"), ("turn-right", "stand"), ("stand-up", "stand")),
     *(("stand", "start-walk"), ("stand", "turn-left"), ("stand", "turn-right")),
     *(("jump", "fly"), ("fly", "land"), ("land", "crouch"), ("crouch", "stand-up")),
@@ -50,7 +58,9 @@ def hinge_deg(name: str, joint: str) -> np.ndarray:
 def state_at(name: str, end: bool) -> tuple[np.ndarray, np.ndarray]:
     """Places and speeds of the joints at a clip's first or last moment, seen from the root on the ground."""
     path, step = joints(name)[::2], 2.0 / RATE  # as far apart as the keys
-    ahead = WALKER.world(WALKER.clips[name].sample(WALKER.clips[name].duration if end else 0.0))[JOINT["Root"], :3, 2]
+    ahead = WALKER.world(WALKER.clips[name].sample(WALKER.clips[name].duration if end else 0.0))[
+        JOINT["Root"], :3, 2
+    ]
     c, s = np.array([ahead[2], ahead[0]]) / np.hypot(ahead[0], ahead[2])
     turn = np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]])
     a, b, d = (path[-1], path[-2], path[-3]) if end else (path[0], path[1], path[2])
@@ -64,13 +74,26 @@ def hardest(name: str) -> float:
 
 
 def test_eleven_motions() -> None:
-    expected = {"stand", "start-walk", "walk", "come-to-stop", "turn-left", "turn-right", "jump", "fly", "land", "crouch", "stand-up"}
+    expected = {
+        "stand",
+        "start-walk",
+        "walk",
+        "come-to-stop",
+        "turn-left",
+        "turn-right",
+        "jump",
+        "fly",
+        "land",
+        "crouch",
+        "stand-up",
+    }
     assert set(WALKER.clips) == expected
 
 
 def test_the_bones_of_the_faq() -> None:
     parent = {
-        name: WALKER.skeleton.names[p] if p >= 0 else "" for name, p in zip(WALKER.skeleton.names, WALKER.skeleton.parent, strict=True)
+        name: WALKER.skeleton.names[p] if p >= 0 else ""
+        for name, p in zip(WALKER.skeleton.names, WALKER.skeleton.parent, strict=True)
     }
     for side in SIDES:
         chain = ["shoulder", "upperarm", "lowerarm", "hand"], ["butt", "upperleg", "lowerleg", "foot"]
@@ -128,18 +151,32 @@ def test_walk_has_the_speed_and_the_rise_of_a_grown_up() -> None:
 @pytest.mark.parametrize("side", SIDES)
 @pytest.mark.parametrize(
     ("bone", "sign", "keys", "within"),
-    [("upperleg", -1, HIP, 10), ("lowerleg", 1, KNEE, 11), ("upperarm", -1, SHOULDER, 9), ("lowerarm", -1, ELBOW, 5)],
+    [
+        ("upperleg", -1, HIP, 10),
+        ("lowerleg", 1, KNEE, 11),
+        ("upperarm", -1, SHOULDER, 9),
+        ("lowerarm", -1, ELBOW, 5),
+    ],
 )
-def test_walk_keeps_to_clinical_averages(side: str, bone: str, sign: int, keys: tuple[int, ...], within: float) -> None:
+def test_walk_keeps_to_clinical_averages(
+    side: str, bone: str, sign: int, keys: tuple[int, ...], within: float
+) -> None:
     phase = np.arange(8) / 8 + (0.0 if side == "Left" else 0.5)
     clip = WALKER.clips["walk"]
-    q = np.array([clip.sample(float(p % 1.0) * clip.duration).rotation[JOINT[f"{side}.{bone}"]] for p in phase], float)
+    q = np.array(
+        [clip.sample(float(p % 1.0) * clip.duration).rotation[JOINT[f"{side}.{bone}"]] for p in phase], float
+    )
     assert sign * np.degrees(2 * np.arctan2(q[:, 0], q[:, 3])) == pytest.approx(np.array(keys), abs=within)
 
 
-@pytest.mark.parametrize(("name", "angle"), [("turn-left", 60.0), ("turn-right", -60.0), ("walk", 0.0), ("come-to-stop", 0.0)])
+@pytest.mark.parametrize(
+    ("name", "angle"), [("turn-left", 60.0), ("turn-right", -60.0), ("walk", 0.0), ("come-to-stop", 0.0)]
+)
 def test_turns_go_the_way_they_say(name: str, angle: float) -> None:
-    ahead = [WALKER.world(WALKER.clips[name].sample(t))[JOINT["Root"], :3, 2] for t in (0.0, WALKER.clips[name].duration)]
+    ahead = [
+        WALKER.world(WALKER.clips[name].sample(t))[JOINT["Root"], :3, 2]
+        for t in (0.0, WALKER.clips[name].duration)
+    ]
     start, end = (np.degrees(np.arctan2(way[0], way[2])) for way in ahead)
     assert end - start == pytest.approx(angle, abs=0.1)
 
@@ -152,8 +189,12 @@ def test_standing_breathes_and_shifts_its_weight() -> None:
 
 def test_the_kept_script_makes_the_shipped_file(tmp_path: Path) -> None:
     target = tmp_path / "walker.glb"
-    subprocess.run([sys.executable, MACHINES / "faq-walker" / "make", target], check=True, capture_output=True)
+    subprocess.run(
+        [sys.executable, MACHINES / "faq-walker" / "make", target], check=True, capture_output=True
+    )
     made = read_model(target.read_bytes(), "walker", None)
     for name, clip in made.clips.items():
         for time in np.linspace(0.0, clip.duration, 5):
-            assert made.world(clip.sample(float(time))) == pytest.approx(WALKER.world(WALKER.clips[name].sample(float(time))), abs=1e-4)
+            assert made.world(clip.sample(float(time))) == pytest.approx(
+                WALKER.world(WALKER.clips[name].sample(float(time))), abs=1e-4
+            )

@@ -1,12 +1,17 @@
-"""Each cell of the corrected table (FAQ Q19), reached by the shipped walker at the tick worked out by hand from the clips' durations."""
+"""Each cell of the corrected table (FAQ Q19), reached by the shipped walker at the tick worked out by hand
+from the clips' durations.
+"""
 
 import pytest
-from statwalk.loading import load_role
+from paths import MACHINES
+from statwalk.services.library.load import load_role
 from statwalk.stage.stage import Stage
-from where import MACHINES
 
 WALKER = load_role(MACHINES / "faq-walker")
-LASTS = {state: round(float(seconds) * 60) for state, seconds in zip(WALKER.machine.states, WALKER.machine.duration, strict=True)}
+LASTS = {
+    state: round(float(seconds) * 60)
+    for state, seconds in zip(WALKER.machine.states, WALKER.machine.duration, strict=True)
+}
 SENT = 90  # the tick in which the event of a cell counts, unless the state is over sooner
 
 WALK = 1 + LASTS["STWK"]  # FORWARD counts in tick 1; STWK plays once
@@ -58,7 +63,9 @@ CELLS = [
 
 @pytest.mark.parametrize(("state", "path", "event", "tick", "answer"), CELLS)
 def test_a_cell_answers_in_its_tick(state, path, event, tick, answer):
-    """In the tick before the answer the actor is in the row's state; in the tick of the answer, in the cell's."""
+    """In the tick before the answer the actor is in the row's state; in the tick of the answer, in the
+    cell's.
+    """
     stage = Stage()
     actor = stage.add(WALKER)
     inputs = path | ({event[1]: event[0]} if event else {})
@@ -92,4 +99,7 @@ def test_actions_come_once_in_order():
         if now in JUMPING:
             stage.send(actor, JUMPING[now])
         stage.step()
-    assert [(action.seq, action.tick, action.name) for action in stage.actions] == [(1, JUMP, "jump"), (2, LAND, "land")]
+    assert [(action.seq, action.tick, action.name) for action in stage.actions] == [
+        (1, JUMP, "jump"),
+        (2, LAND, "land"),
+    ]

@@ -1,26 +1,37 @@
-"""No jump (SM4): through every transition of faq-walker, seen on the stage, from ten phases of the old motion and through interruptions,
-nothing changes its position or velocity more from tick to tick than it does within the motions themselves.
+"""No jump (SM4): through every transition of faq-walker, seen on the stage, from ten phases of the old motion
+and through interruptions, nothing changes its position or velocity more from tick to tick than it does within
+the motions themselves.
 
-Two measures. The body: the joint that changes most in the transition, against the one that changes most in either motion. Each joint by
-itself: what is shown is the sum of the new motion and of what is left of the old one, so a joint that is at its liveliest in both at
-that moment passes the most of either. A cut passes it more than tenfold. The rooms are what was measured, rounded up.
+Two measures. The body: the joint that changes most in the transition, against the one that changes most in
+either motion. Each joint by itself: what is shown is the sum of the new motion and of what is left of the old
+one, so a joint that is at its liveliest in both at that moment passes the most of either. A cut passes it
+more than tenfold. The rooms are what was measured, rounded up.
 """
 
 import numpy as np
 import pytest
-from statwalk.loading import load_role
+from paths import MACHINES
 from statwalk.maths import quat, transform
 from statwalk.motion.root import compose
+from statwalk.services.library.load import load_role
 from statwalk.stage.stage import Stage
-from where import MACHINES
 
 ROOM_OF_THE_BODY = 1.2
 ROOM_OF_A_JOINT = 2.4
 PHASES = np.linspace(0, 0.9, 10)
-PATHS = {"STAT": (), "STWK": ("FORWARD",), "WALK": ("FORWARD",), "CSTP": ("FORWARD", "STOP"), "TLFT": ("LEFT",), "TRGT": ("RIGHT",)}
+PATHS = {
+    "STAT": (),
+    "STWK": ("FORWARD",),
+    "WALK": ("FORWARD",),
+    "CSTP": ("FORWARD", "STOP"),
+    "TLFT": ("LEFT",),
+    "TRGT": ("RIGHT",),
+}
 WALKER = load_role(MACHINES / "faq-walker")
 MACHINE = WALKER.machine
-JOINTS = [row for row, name in enumerate(WALKER.character.skeleton.names) if name != "Body"]  # the node that carries the mesh is no joint
+JOINTS = [
+    row for row, name in enumerate(WALKER.character.skeleton.names) if name != "Body"
+]  # the node that carries the mesh is no joint
 TRANSITIONS = [
     (state, event, MACHINE.states[MACHINE.target[row, column]])
     for row, state in enumerate(MACHINE.states)
@@ -38,13 +49,16 @@ def joints_on_stage(pose, position, heading):
 
 def motion_on_stage(state, offset):
     """(T, J, 3): a motion by itself, a tick at a time from `offset` seconds on; those that loop run twice."""
-    clip, root, loops = WALKER.motions[state].clip, WALKER.motions[state].root, bool(MACHINE.loop[state])
+    motion, loops = WALKER.motions[state], bool(MACHINE.loop[state])
+    clip = motion.clip
     times = np.arange(offset, clip.duration * (1 + loops), 1 / 60)
     wrapped = np.mod(times, clip.duration) if loops else times
     place = np.zeros((len(times), 3))
     for k in range(1, len(times)):
         wraps = np.array([int(wrapped[k] < wrapped[k - 1])])
-        place[k] = compose(place[k - 1 : k], root.displacement(wrapped[k - 1 : k], wrapped[k : k + 1], wraps))[0]
+        place[k] = compose(
+            place[k - 1 : k], motion.way(wrapped[k - 1 : k], wrapped[k : k + 1], wraps, np.zeros((1, 0)))
+        )[0]
     position = np.stack([place[:, 0], 0 * place[:, 0], place[:, 1]], -1)
     return joints_on_stage(clip.sample(wrapped), position, place[:, 2])
 
@@ -55,13 +69,17 @@ def changes_of(track):
 
 
 MOST = {
-    name: np.max([changes_of(motion_on_stage(row, offset)) for offset in np.linspace(0, 1 / 60, 4, endpoint=False)], 0)
+    name: np.max(
+        [changes_of(motion_on_stage(row, offset)) for offset in np.linspace(0, 1 / 60, 4, endpoint=False)], 0
+    )
     for row, name in enumerate(MACHINE.states)
 }
 
 
 def play(cases):
-    """Plays (state, event, phase, ticks until a second event or None, that event) side by side: when each was sent, tracks (T, J, 3)."""
+    """Plays (state, event, phase, ticks until a second event or None, that event) side by side: when each was
+    sent, tracks (T, J, 3).
+    """
     stage = Stage()
     actors = [stage.add(WALKER) for _ in cases]
     sent, paths, tracks = [0] * len(cases), [list(PATHS[case[0]]) for case in cases], []
@@ -99,7 +117,12 @@ LATER = (1, 5, 11)
 @pytest.fixture(scope="module")
 def played():
     plain = [(state, event, phase, None, None) for state, event, _ in CHANGES for phase in PHASES]
-    twice = [(state, event, phase, later, second) for state, event, _, second, _ in INTERRUPTIONS for phase in PHASES for later in LATER]
+    twice = [
+        (state, event, phase, later, second)
+        for state, event, _, second, _ in INTERRUPTIONS
+        for phase in PHASES
+        for later in LATER
+    ]
     return dict(zip(plain + twice, zip(*play(plain + twice), strict=True), strict=True))
 
 
@@ -110,7 +133,9 @@ def of_the_body(track, states):
 
 
 def of_a_joint(track, states):
-    """By how much, and in which joint, a track passes the motions of `states`; a joint that stands still in all counts from 0.1 mm."""
+    """By how much, and in which joint, a track passes the motions of `states`; a joint that stands still in
+    all counts from 0.1 mm.
+    """
     ratios = np.array(changes_of(track)) / (np.max([MOST[state] for state in states], 0) + 1e-4)
     what, joint = np.unravel_index(ratios.argmax(), ratios.shape)
     return float(ratios.max()), ("position", "velocity")[what], WALKER.character.skeleton.names[JOINTS[joint]]

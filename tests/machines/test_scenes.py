@@ -6,12 +6,12 @@ import sys
 import khronos
 import numpy as np
 import pytest
+from paths import MACHINES
 from statwalk.errors import MachineError, UnknownNameError
-from statwalk.files.glb import read_model
-from statwalk.loading import load, load_scene, shipped_machines, shipped_scenes
-from statwalk.machine.checking.verify import verify
-from statwalk.stage.past.replay import replay
-from where import MACHINES
+from statwalk.files.gltf import read_model
+from statwalk.machine.verify import verify
+from statwalk.services.library.load import load, load_scene, shipped_machines, shipped_scenes
+from statwalk.stage.replay import replay
 
 MADE = (
     "playground/door/door.glb",
@@ -33,7 +33,7 @@ class Played:
         """The tick of the next action of that name."""
         for _ in range(most):
             self.stage.step()
-            if any(one.name == action for one in self.stage.state.actions):
+            if any(one.name == action for one in self.stage.effects.actions):
                 return self.stage.tick
         raise AssertionError(f"no {action} in {most} ticks")
 
@@ -60,7 +60,15 @@ def test_a_name_is_no_path():
 
 
 @pytest.mark.parametrize(
-    "name", ["playground.walker", "playground.door", "playground.coin", "playground.cannon", "geese.goose", "swarm.bee"]
+    "name",
+    [
+        "playground.walker",
+        "playground.door",
+        "playground.coin",
+        "playground.cannon",
+        "geese.goose",
+        "swarm.bee",
+    ],
 )
 def test_the_verifier_finds_no_error_in_a_machine(name):
     role = load(name)
@@ -72,7 +80,9 @@ def test_the_door_opens_at_the_wire_and_closes_when_everybody_has_gone():
     walker, door = played.actor["walker"], played.actor["door"]
     played.stage.hold(walker, "FORWARD")
     played.until("open")
-    assert door.root.position[2] - walker.root.position[2] == pytest.approx(1.1 + 0.4, abs=0.1)  # the wire, and the walker's sphere
+    assert door.root.position[2] - walker.root.position[2] == pytest.approx(
+        1.1 + 0.4, abs=0.1
+    )  # the wire, and the walker's sphere
     assert door.state == "OPENING"
     played.stage.step(60)
     assert door.state == "OPEN"
@@ -105,7 +115,8 @@ def test_the_ball_hits_between_two_ticks_and_the_walker_goes_down():
     played.stage.send(played.actor["walker"], "CALL")
     assert played.until("fire") == 2
     tick = played.until("ouch")
-    # 30 m/s from 0.55 m before the cannon at x = -5.5 to 0.53 m before the victim's middle: 4.42 m, in tick 8.8, heard in the next
+    # 30 m/s from 0.55 m before the cannon at x = -5.5 to 0.53 m before the victim's middle: 4.42 m, in tick
+    # 8.8, heard in the next
     assert tick == 2 + 10
     assert victim.state == "CRCH"
     assert cannon.states == ("HIT", "BURST")
@@ -119,7 +130,9 @@ def test_the_ball_hits_between_two_ticks_and_the_walker_goes_down():
 def test_a_ball_that_has_burst_hits_nobody_on_its_way_back(z):
     """It is in the cannon again from one tick to the next; who stands between is not in its way."""
     played = Played()
-    victim = played.stage.add(played.stage.role(load_scene("playground").lines[0][0].name), (0, 0, z), 0.0, "victim")
+    victim = played.stage.add(
+        played.stage.role(load_scene("playground").lines[0][0].name), (0, 0, z), 0.0, "victim"
+    )
     played.stage.send(played.actor["walker"], "CALL")
     played.until("ouch")
     for _ in range(150):
@@ -145,21 +158,25 @@ def test_a_scene_is_replayed_bit_for_bit():
 def test_bees_stay_together_and_do_not_collide():
     stage = load_scene("swarm").open()
     stage.step(120)
-    places = stage.state.casts[0].position
+    places = stage.casts[0].position
     away = np.linalg.norm(places[:, None] - places, axis=-1) + np.eye(len(places)) * 9
     assert np.ptp(places, axis=0).max() < 4
     assert away.min() > 0.05
 
 
 def test_a_scene_of_ones_own(tmp_path):
-    (tmp_path / "scene.yaml").write_text("actors:\n  - {machine: faq-walker}\n  - {machine: faq-walker, position: [2, 0, 0]}\n")
+    (tmp_path / "scene.yaml").write_text(
+        "actors:\n  - {machine: faq-walker}\n  - {machine: faq-walker, position: [2, 0, 0]}\n"
+    )
     stage = load_scene(tmp_path).open()
     assert [actor.role.name for actor in stage.actors] == ["faq-walker", "faq-walker"]
 
 
 def test_a_machine_that_is_not_there_is_an_error_with_its_line(tmp_path):
     (tmp_path / "scene.yaml").write_text("actors:\n  - {machine: faq-woker}\n")
-    with pytest.raises(MachineError, match=r"line 2: no machine is called 'faq-woker'; did you mean faq-walker"):
+    with pytest.raises(
+        MachineError, match=r"line 2: no machine is called 'faq-woker'; did you mean faq-walker"
+    ):
         load_scene(tmp_path)
 
 
@@ -174,7 +191,11 @@ def arrays_of(path):
     """All numbers of a model: places at rest, and the values of its clips."""
     model = read_model(path.read_bytes(), "model", None)
     parts = [array for part in model.parts for array in (part.positions, part.normals, part.indices)]
-    return [*model.bind_pose, *parts, *(channel.values for clip in model.clips.values() for channel in clip.channels)]
+    return [
+        *model.bind_pose,
+        *parts,
+        *(channel.values for clip in model.clips.values() for channel in clip.channels),
+    ]
 
 
 def test_the_models_are_those_that_the_makers_make(tmp_path):
@@ -183,4 +204,6 @@ def test_the_models_are_those_that_the_makers_make(tmp_path):
     subprocess.run([sys.executable, MACHINES / "make", tmp_path], check=True, capture_output=True)
     for path in MADE:
         for made, shipped in zip(arrays_of(tmp_path / path), arrays_of(MACHINES / path), strict=True):
-            np.testing.assert_allclose(made, shipped, atol=1e-5)  # another processor's sine has other last bits
+            np.testing.assert_allclose(
+                made, shipped, atol=1e-5
+            )  # another processor's sine has other last bits

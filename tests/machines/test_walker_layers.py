@@ -1,4 +1,6 @@
-"""The walker in layers: a run that stands on its feet, feet in step between walk and run, and an arm that waves whatever the legs do."""
+"""The walker in layers: a run that stands on its feet, feet in step between walk and run, and an arm that
+waves whatever the legs do.
+"""
 
 import subprocess
 import sys
@@ -7,11 +9,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from soles import part_of, sides_of, slides, soles_of
-from statwalk.files.glb import read_model
-from statwalk.loading import load_role
+from paths import MACHINES
+from sole_points import part_of, sides_of, slides, soles_of
+from statwalk.files.gltf import read_model
+from statwalk.services.library.load import load_role
 from statwalk.stage.stage import Stage
-from where import MACHINES
 
 FOLDER = MACHINES / "walker-layers"
 ROLE = load_role(FOLDER)
@@ -23,7 +25,9 @@ SPEEDS = (1.28, 1.6, 2.04, 2.4, 2.8)
 
 @cache
 def moving(speed: float) -> tuple[dict[str, np.ndarray], list[set[str]], float]:
-    """A hundred ticks at a speed: the soles on the stage (F, V, 3), the steps that are heard, metres a second."""
+    """A hundred ticks at a speed: the soles on the stage (F, V, 3), the steps that are heard, metres a
+    second.
+    """
     stage = Stage()
     actor = stage.add(ROLE)
     stage.hold(actor, "GO")
@@ -53,7 +57,9 @@ def test_planted_feet_do_not_slide(name: str) -> None:
 @pytest.mark.parametrize("name", ["run", "wave", "nod"])
 def test_no_joint_jerks(name: str) -> None:
     clip = WALKER.clips[name]
-    path = np.array([WALKER.world(clip.sample(time))[:, :3, 3] for time in np.arange(0, clip.duration, 1 / 60)], float)
+    path = np.array(
+        [WALKER.world(clip.sample(time))[:, :3, 3] for time in np.arange(0, clip.duration, 1 / 60)], float
+    )
     assert np.linalg.norm(np.diff(path, 2, axis=0), axis=-1).max() * 3600 < 125
 
 
@@ -76,7 +82,9 @@ def test_a_step_is_heard_when_the_foot_comes_down(speed: float, side: str) -> No
         assert any(side.lower() in heard[later] for later in (tick, tick + 1, tick + 2))
 
 
-@pytest.mark.parametrize(("speed", "expected"), [(1.28, 1.34 / 1.05), (2.04, 1.68 / 0.885), (2.8, 2.02 / 0.72)])
+@pytest.mark.parametrize(
+    ("speed", "expected"), [(1.28, 1.34 / 1.05), (2.04, 1.68 / 0.885), (2.8, 2.02 / 0.72)]
+)
 def test_it_goes_its_mean_stride_in_its_mean_lap(speed: float, expected: float) -> None:
     assert moving(speed)[2] == pytest.approx(expected, rel=0.01)
 
@@ -123,4 +131,6 @@ def test_the_kept_script_makes_the_shipped_file(tmp_path: Path) -> None:
     made = read_model(target.read_bytes(), "walker", None)
     for name, clip in made.clips.items():
         for time in np.linspace(0.0, clip.duration, 5):
-            assert made.world(clip.sample(float(time))) == pytest.approx(WALKER.world(WALKER.clips[name].sample(float(time))), abs=1e-4)
+            assert made.world(clip.sample(float(time))) == pytest.approx(
+                WALKER.world(WALKER.clips[name].sample(float(time))), abs=1e-4
+            )

@@ -69,7 +69,11 @@ def test_a_lap_that_ends_further_on_goes_on_smoothly():
     laps = np.concatenate([keys, keys[:1] + way])
     one = windows(curves.bspline_through(laps, loop=True))
     two = windows(curves.bspline_through(np.concatenate([laps[:-1], laps + way]), loop=True))
-    np.testing.assert_allclose(curves.bspline(two, 0.4), np.concatenate([curves.bspline(one, 0.4) + i * way for i in range(2)]), atol=1e-12)
+    np.testing.assert_allclose(
+        curves.bspline(two, 0.4),
+        np.concatenate([curves.bspline(one, 0.4) + i * way for i in range(2)]),
+        atol=1e-12,
+    )
 
 
 def test_float32_stays():
@@ -97,9 +101,14 @@ def test_bspline_rotation_is_the_cumulative_product():
     controls = turns(4, 40.0)
     first, second, third = (curves.bspline_basis(0.6)[k:].sum() for k in (1, 2, 3))
     r = Rotation.from_quat(controls)
-    steps = [Rotation.from_rotvec((r[k].inv() * r[k + 1]).as_rotvec() * part) for k, part in enumerate((first, second, third))]
+    steps = [
+        Rotation.from_rotvec((r[k].inv() * r[k + 1]).as_rotvec() * part)
+        for k, part in enumerate((first, second, third))
+    ]
     expected = (r[0] * steps[0] * steps[1] * steps[2]).as_quat()
-    np.testing.assert_allclose(quat.align(expected, curves.bspline_rotation(controls, 0.6)), expected, atol=1e-13)
+    np.testing.assert_allclose(
+        quat.align(expected, curves.bspline_rotation(controls, 0.6)), expected, atol=1e-13
+    )
 
 
 @pytest.mark.parametrize("loop", [False, True])

@@ -20,11 +20,14 @@ def test_holds_beyond_the_ends(name):
 
 
 @pytest.mark.parametrize(
-    ("name", "at_start", "at_end"), [("smoothstep", 0, 0), ("smootherstep", 0, 0), ("ease-in", 0, 3), ("ease-out", 3, 0)]
+    ("name", "at_start", "at_end"),
+    [("smoothstep", 0, 0), ("smootherstep", 0, 0), ("ease-in", 0, 3), ("ease-out", 3, 0)],
 )
 def test_speed_at_the_ends(name, at_start, at_end):
     way = EASINGS[name](np.array([0, 1e-6, 1 - 1e-6, 1]))
-    np.testing.assert_allclose([(way[1] - way[0]) * 1e6, (way[3] - way[2]) * 1e6], [at_start, at_end], atol=1e-4)
+    np.testing.assert_allclose(
+        [(way[1] - way[0]) * 1e6, (way[3] - way[2]) * 1e6], [at_start, at_end], atol=1e-4
+    )
 
 
 @pytest.mark.parametrize("name", ["linear", "smoothstep", "smootherstep", "ease-in-out"])

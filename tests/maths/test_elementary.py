@@ -1,4 +1,6 @@
-"""Our sines against NumPy's, and the law that matters most: one number alone gives the same bits as in a crowd."""
+"""Our sines against NumPy's, and the law that matters most: one number alone gives the same bits as in a
+crowd.
+"""
 
 import numpy as np
 import pytest
@@ -41,7 +43,9 @@ def test_sincos_is_sin_and_cos():
 
 
 def test_atan2_in_all_quadrants():
-    y, x = np.random.default_rng(2).normal(size=(2, 5000)) * 10.0 ** np.random.default_rng(3).integers(-8, 8, (2, 5000))
+    y, x = np.random.default_rng(2).normal(size=(2, 5000)) * 10.0 ** np.random.default_rng(3).integers(
+        -8, 8, (2, 5000)
+    )
     np.testing.assert_allclose(elementary.atan2(y, x), np.arctan2(y, x), rtol=1e-14)
 
 

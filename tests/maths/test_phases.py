@@ -64,7 +64,9 @@ def test_laps_are_counted_through():
 
 
 def test_a_motion_that_does_not_loop_begins_and_ends_with_the_other():
-    assert match((("hit", 0.4),), (("hit", 0.6),), [0.0, 0.2, 0.4, 0.7, 1.0], loop=False) == pytest.approx([0, 0.3, 0.6, 0.8, 1.0])
+    assert match((("hit", 0.4),), (("hit", 0.6),), [0.0, 0.2, 0.4, 0.7, 1.0], loop=False) == pytest.approx(
+        [0, 0.3, 0.6, 0.8, 1.0]
+    )
 
 
 def test_one_phase_is_the_same_alone_and_among_many():
@@ -74,7 +76,10 @@ def test_one_phase_is_the_same_alone_and_among_many():
 @pytest.mark.parametrize("seed", range(5))
 def test_any_markers_give_a_way_that_goes_on(seed):
     rng = np.random.default_rng(seed)
-    marks = [[(str(name), phase) for name, phase in zip(rng.integers(0, 3, 5), rng.random(5), strict=True)] for _ in range(2)]
+    marks = [
+        [(str(name), phase) for name, phase in zip(rng.integers(0, 3, 5), rng.random(5), strict=True)]
+        for _ in range(2)
+    ]
     lifted = warp(*marks).lift(np.linspace(-1, 1, 4001))
     assert np.isfinite(lifted).all()
     assert (np.diff(lifted) >= 0).all()

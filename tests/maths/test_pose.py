@@ -11,20 +11,30 @@ RNG = np.random.default_rng(11)
 
 def some_pose(*leading: int) -> Pose:
     turns = quat.normalize(RNG.normal(size=(*leading, 4, 4)))
-    return Pose(RNG.normal(size=(*leading, 4, 3)), turns, RNG.uniform(0.5, 2, (*leading, 4, 3)), RNG.uniform(size=(*leading, 2)))
+    return Pose(
+        RNG.normal(size=(*leading, 4, 3)),
+        turns,
+        RNG.uniform(0.5, 2, (*leading, 4, 3)),
+        RNG.uniform(size=(*leading, 2)),
+    )
 
 
 def test_blend_is_straight_for_places_sizes_and_weights():
     a, b = some_pose(), some_pose()
     blended = a.blend(b, 0.25)
     for name in ("translation", "scale", "weights"):
-        np.testing.assert_allclose(getattr(blended, name), 0.75 * getattr(a, name) + 0.25 * getattr(b, name), atol=1e-15)
+        np.testing.assert_allclose(
+            getattr(blended, name), 0.75 * getattr(a, name) + 0.25 * getattr(b, name), atol=1e-15
+        )
 
 
 def test_blend_is_scipys_slerp_for_rotations():
     a, b = some_pose(), some_pose()
     blended = a.blend(b, 0.25).rotation
-    expected = [Slerp([0, 1], Rotation.from_quat([p, q]))(0.25).as_quat() for p, q in zip(a.rotation, b.rotation, strict=True)]
+    expected = [
+        Slerp([0, 1], Rotation.from_quat([p, q]))(0.25).as_quat()
+        for p, q in zip(a.rotation, b.rotation, strict=True)
+    ]
     np.testing.assert_allclose(quat.align(np.array(expected), blended), expected, atol=1e-12)
 
 

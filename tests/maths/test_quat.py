@@ -52,7 +52,9 @@ def test_euler_xyz_is_x_then_y_then_z_about_the_parents_axes(angles):
 
 @given(quaternions())
 def test_euler_and_back(q):
-    assert same_rotation(quat.from_euler_xyz(quat.to_euler_xyz(q)), q, 1e-7)  # near gimbal lock angles are known to half the digits
+    assert same_rotation(
+        quat.from_euler_xyz(quat.to_euler_xyz(q)), q, 1e-7
+    )  # near gimbal lock angles are known to half the digits
 
 
 @pytest.mark.parametrize("lock", [90.0, -90.0])
@@ -76,11 +78,15 @@ def test_rotation_vector_takes_the_shorter_arc():
 
 @pytest.mark.parametrize("size", [0.0, 1e-20, 1e-8])
 def test_tiny_rotation_vectors_keep_their_digits(size):
-    np.testing.assert_allclose(quat.to_rotation_vector(quat.from_rotation_vector(np.array([0, size, 0]))), [0, size, 0], rtol=1e-14)
+    np.testing.assert_allclose(
+        quat.to_rotation_vector(quat.from_rotation_vector(np.array([0, size, 0]))), [0, size, 0], rtol=1e-14
+    )
 
 
 def test_zero_normalises_to_the_identity():
-    np.testing.assert_array_equal(quat.normalize(np.array([[0.0, 0, 0, 0], [0, 0, 0, 2]])), [quat.IDENTITY] * 2)
+    np.testing.assert_array_equal(
+        quat.normalize(np.array([[0.0, 0, 0, 0], [0, 0, 0, 2]])), [quat.IDENTITY] * 2
+    )
 
 
 @given(quaternions(), quaternions())

@@ -1,4 +1,6 @@
-"""The kernels give the same bits whatever instructions NumPy may use: a replay on an older CPU shows the same poses."""
+"""The kernels give the same bits whatever instructions NumPy may use: a replay on an older CPU shows the same
+poses.
+"""
 
 import hashlib
 import os
@@ -21,8 +23,21 @@ def digest() -> str:
         a, b = (quat.normalize(rng.normal(size=(1003, 4)).astype(dtype)) for _ in range(2))
         f, v = rng.uniform(size=1003).astype(dtype), rng.normal(size=(1003, 3)).astype(dtype)
         trs = transform.from_trs(v, a, np.abs(v))
-        kernels = [quat.mul(a, b), quat.slerp(a, b, f), quat.nlerp(a, b, f), quat.from_rotation_vector(v), quat.to_rotation_vector(a)]
-        kernels += [quat.rotate(a, v), trs, transform.mul(trs, trs[::-1]), quat.from_euler_xyz(v), quat.to_euler_xyz(a), elementary.exp(v)]
+        kernels = [
+            quat.mul(a, b),
+            quat.slerp(a, b, f),
+            quat.nlerp(a, b, f),
+            quat.from_rotation_vector(v),
+            quat.to_rotation_vector(a),
+        ]
+        kernels += [
+            quat.rotate(a, v),
+            trs,
+            transform.mul(trs, trs[::-1]),
+            quat.from_euler_xyz(v),
+            quat.to_euler_xyz(a),
+            elementary.exp(v),
+        ]
         for kernel in kernels:
             result.update(np.ascontiguousarray(kernel).tobytes())
     return result.hexdigest()

@@ -12,11 +12,15 @@ MATRICES = transform.to_matrix4(TRS)
 
 def test_from_trs_scales_first_then_turns_then_moves():
     point = np.array([1.0, 2.0, 3.0])
-    np.testing.assert_allclose(transform.apply(TRS, point), quat.rotate(TURNS, SIZES * point) + PLACES, atol=1e-13)
+    np.testing.assert_allclose(
+        transform.apply(TRS, point), quat.rotate(TURNS, SIZES * point) + PLACES, atol=1e-13
+    )
 
 
 def test_mul_is_the_matrix_product():
-    np.testing.assert_allclose(transform.to_matrix4(transform.mul(TRS, TRS[::-1])), MATRICES @ MATRICES[::-1], atol=1e-12)
+    np.testing.assert_allclose(
+        transform.to_matrix4(transform.mul(TRS, TRS[::-1])), MATRICES @ MATRICES[::-1], atol=1e-12
+    )
 
 
 def test_mul_is_associative():
@@ -26,11 +30,15 @@ def test_mul_is_associative():
 
 
 def test_invert_is_numpys():
-    np.testing.assert_allclose(transform.to_matrix4(transform.invert(TRS)), np.linalg.inv(MATRICES), atol=1e-12)
+    np.testing.assert_allclose(
+        transform.to_matrix4(transform.invert(TRS)), np.linalg.inv(MATRICES), atol=1e-12
+    )
 
 
 def test_vectors_are_not_moved():
-    np.testing.assert_allclose(transform.apply_vector(TRS, PLACES), transform.apply(TRS, PLACES) - PLACES, atol=1e-13)
+    np.testing.assert_allclose(
+        transform.apply_vector(TRS, PLACES), transform.apply(TRS, PLACES) - PLACES, atol=1e-13
+    )
 
 
 def test_matrix4_and_back():

@@ -6,7 +6,11 @@ from statwalk.rig.bones import Bones
 from statwalk.rig.skeleton import Skeleton
 
 UP = [0.0, 1.0, 0.0]
-ARM = Bones(Skeleton(("upper", "lower", "hand"), np.array([-1, 0, 1], np.int32)), np.array([3.0, 2, 1]), np.array([UP, UP, UP]))
+ARM = Bones(
+    Skeleton(("upper", "lower", "hand"), np.array([-1, 0, 1], np.int32)),
+    np.array([3.0, 2, 1]),
+    np.array([UP, UP, UP]),
+)
 BENT = quat.from_euler_xyz(np.radians([[0, 0, 90.0], [0, 0, -90], [0, 0, 0]]))
 
 

@@ -14,7 +14,9 @@ SKELETON = Skeleton(tuple("abcdefgh"), PARENT)
 def some_pose(*leading: int) -> Pose:
     shape = (*leading, len(PARENT))
     turns = quat.normalize(RNG.normal(size=(*shape, 4)))
-    return Pose(RNG.normal(size=(*shape, 3)), turns, RNG.uniform(0.5, 2, (*shape, 3)), np.zeros((*leading, 0)))
+    return Pose(
+        RNG.normal(size=(*shape, 3)), turns, RNG.uniform(0.5, 2, (*shape, 3)), np.zeros((*leading, 0))
+    )
 
 
 def test_world_is_the_product_of_all_above():

@@ -21,7 +21,9 @@ def test_every_order_of_the_rows_gives_parents_first(order):
     parents = [None if i == 0 else f"bone{(i - 1) // 2}" for i in range(12)]
     skeleton, rows = Skeleton.sorted([names[i] for i in order], [parents[i] for i in order])
     assert (skeleton.parent < np.arange(12)).all()
-    assert [skeleton.names[p] if p >= 0 else None for p in skeleton.parent] == [parents[order[row]] for row in rows]
+    assert [skeleton.names[p] if p >= 0 else None for p in skeleton.parent] == [
+        parents[order[row]] for row in rows
+    ]
 
 
 def test_a_chain_of_5000_is_sorted_without_recursion():
@@ -33,16 +35,20 @@ def test_a_chain_of_5000_is_sorted_without_recursion():
 
 def test_levels_hold_every_joint_once_with_its_parent():
     skeleton, _ = Skeleton.sorted(["a", "b", "c", "d"], [None, "a", "a", "c"])
-    assert [(joints.tolist(), parents.tolist()) for joints, parents in skeleton.levels] == [([0], [-1]), ([1, 2], [0, 0]), ([3], [2])]
+    assert [(joints.tolist(), parents.tolist()) for joints, parents in skeleton.levels] == [
+        ([0], [-1]),
+        ([1, 2], [0, 0]),
+        ([3], [2]),
+    ]
 
 
 @pytest.mark.parametrize(
     ("names", "parents", "message"),
     [
-        (["a", "b", "a"], [None, "a", "b"], "line 9: a is there twice, first at line 7"),
+        (["a", "b", "a"], [None, "a", "b"], "line 9: a is defined twice, first at line 7"),
         (["arm", "hand"], [None, "amr"], "line 8: no bone is called 'amr'; did you mean arm?"),
-        (["a", "b", "c"], [None, "c", "b"], "line 8: bones hang on each other in a circle: b -> c -> b"),
-        (["a"], ["a"], "line 7: bones hang on each other in a circle: a -> a"),
+        (["a", "b", "c"], [None, "c", "b"], "line 8: bones form a cycle: b -> c -> b"),
+        (["a"], ["a"], "line 7: bones form a cycle: a -> a"),
     ],
 )
 def test_what_cannot_be_sorted_is_refused(names, parents, message):

@@ -1,15 +1,17 @@
-"""Both kernel sets on the shapes that blocks of sixteen could get wrong, and on values that no character should have."""
+"""Skinning on the shapes that blocks of sixteen could get wrong, and on values that no character should
+have.
+"""
 
 import numpy as np
 import pytest
-from kernelsets import kernel_set  # noqa: F401 - a fixture
 from statwalk.skin.deform import surface
 from statwalk.skin.primitive import Primitive, Skin
 
-pytestmark = pytest.mark.usefixtures("kernel_set")
 CHANCE = np.random.default_rng(11)
 BONES = 5
-SKIN = Skin("skin", np.arange(BONES, dtype=np.int32), np.broadcast_to(np.eye(4, dtype=np.float32)[:3], (BONES, 3, 4)))
+SKIN = Skin(
+    "skin", np.arange(BONES, dtype=np.int32), np.broadcast_to(np.eye(4, dtype=np.float32)[:3], (BONES, 3, 4))
+)
 AT_REST = np.array(SKIN.inverse_bind)
 NONE = np.zeros(0, np.float32)
 
@@ -33,7 +35,10 @@ def part(vertices, influences=3, **given):
 def posed(parts, world=AT_REST, weights=NONE):
     """(V,3) positions, normals, and (P,6) bounds."""
     whole = surface(parts, [SKIN])
-    flat, bounds = np.full((2, whole.positions.size), np.nan, np.float32), np.full((len(parts), 6), np.nan, np.float32)
+    flat, bounds = (
+        np.full((2, whole.positions.size), np.nan, np.float32),
+        np.full((len(parts), 6), np.nan, np.float32),
+    )
     whole.pose_into(world, weights, flat[0], flat[1], bounds)
     return (*flat.reshape(2, -1, 3), bounds)
 
@@ -65,7 +70,9 @@ def test_a_morph_is_gone_when_its_weight_is():
     parts = [part(20, target_positions=np.ones((1, 20, 3), np.float32))]
     whole = surface(parts, [SKIN])
     whole.posed_parts(AT_REST, np.ones(1, np.float32))
-    assert whole.posed_parts(AT_REST, np.zeros(1, np.float32))[0].positions == pytest.approx(parts[0].positions, abs=1e-6)
+    assert whole.posed_parts(AT_REST, np.zeros(1, np.float32))[0].positions == pytest.approx(
+        parts[0].positions, abs=1e-6
+    )
 
 
 @pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan, 3e38, 1e20])
@@ -92,7 +99,9 @@ def test_normals_keep_their_direction_at_any_scale(scale):
     assert posed([source], AT_REST * np.float32(scale))[1] == pytest.approx(source.normals, abs=1e-5)
 
 
-@pytest.mark.parametrize(("normal", "expected"), [((0, 0, 0), (0, 0, 1)), ((np.nan, 0, 0), (0, 0, 1)), ((0, 3, 4), (0, 0.6, 0.8))])
+@pytest.mark.parametrize(
+    ("normal", "expected"), [((0, 0, 0), (0, 0, 1)), ((np.nan, 0, 0), (0, 0, 1)), ((0, 3, 4), (0, 0.6, 0.8))]
+)
 def test_where_a_matrix_is_flat_the_normal_at_rest_stays(normal, expected):
     source = part(20, normals=np.tile(np.array(normal, np.float32), (20, 1)))
     assert posed([source], np.zeros_like(AT_REST))[1] == pytest.approx(np.tile(expected, (20, 1)), abs=1e-6)
@@ -102,7 +111,9 @@ def test_locked_arrays_are_welcome():
     world, weights = AT_REST.copy(), np.ones(1, np.float32)
     world.setflags(write=False)
     weights.setflags(write=False)
-    assert np.isfinite(posed([part(20, target_positions=np.ones((1, 20, 3), np.float32))], world, weights)[0]).all()
+    assert np.isfinite(
+        posed([part(20, target_positions=np.ones((1, 20, 3), np.float32))], world, weights)[0]
+    ).all()
 
 
 def test_a_bone_that_is_not_there_is_refused():
@@ -119,4 +130,6 @@ def test_too_few_matrices_are_refused(joints):
 @pytest.mark.parametrize("floats", [59, 61])
 def test_room_of_another_size_is_refused(floats):
     with pytest.raises(ValueError):
-        surface([part(20)], [SKIN]).pose_into(AT_REST, NONE, np.empty(floats, np.float32), np.empty(60, np.float32), np.empty((1, 6)))
+        surface([part(20)], [SKIN]).pose_into(
+            AT_REST, NONE, np.empty(floats, np.float32), np.empty(60, np.float32), np.empty((1, 6))
+        )

@@ -2,11 +2,9 @@
 
 import numpy as np
 import pytest
-from kernelsets import kernel_set  # noqa: F401 - a fixture
 from statwalk.skin.deform import surface
 from statwalk.skin.primitive import Primitive, Skin
 
-pytestmark = pytest.mark.usefixtures("kernel_set")
 RANDOM = np.random.default_rng(7)
 JOINTS, VERTICES = 6, 40
 
@@ -36,7 +34,9 @@ def four_by_four(matrix):
 def blended_matrix(part, vertex):
     """Σ wᵢ · world(bone) · inverse_bind, 4 x 4."""
     pairs = zip(part.joints[vertex], part.weights[vertex], strict=True)
-    return sum(float(w) * four_by_four(WORLD[SKIN.joints[j]]) @ four_by_four(INVERSE_BIND[j]) for j, w in pairs)
+    return sum(
+        float(w) * four_by_four(WORLD[SKIN.joints[j]]) @ four_by_four(INVERSE_BIND[j]) for j, w in pairs
+    )
 
 
 @pytest.mark.parametrize("influences", [1, 2, 4, 8, 11])
@@ -50,9 +50,13 @@ def test_positions_follow_the_formula_for_any_number_of_influences(influences):
 @pytest.mark.parametrize("influences", [1, 4, 8])
 def test_normals_follow_the_inverse_transpose(influences):
     part = skinned(influences)
-    turned = np.array([np.linalg.inv(blended_matrix(part, v)[:3, :3]).T @ NORMALS[v] for v in range(VERTICES)])
+    turned = np.array(
+        [np.linalg.inv(blended_matrix(part, v)[:3, :3]).T @ NORMALS[v] for v in range(VERTICES)]
+    )
     expected = turned / np.linalg.norm(turned, axis=1, keepdims=True)
-    assert surface([part], [SKIN]).posed_parts(WORLD, np.zeros(0, np.float32))[0].normals == pytest.approx(expected, abs=1e-4)
+    assert surface([part], [SKIN]).posed_parts(WORLD, np.zeros(0, np.float32))[0].normals == pytest.approx(
+        expected, abs=1e-4
+    )
 
 
 def test_parts_do_not_disturb_each_other():
@@ -63,7 +67,10 @@ def test_parts_do_not_disturb_each_other():
 
 
 def test_points_and_lines_have_no_normals():
-    assert surface([Primitive(0, 0, 0, 0, POSITIONS, mode=1)], []).posed_parts(WORLD, np.zeros(0))[0].normals is None
+    assert (
+        surface([Primitive(0, 0, 0, 0, POSITIONS, mode=1)], []).posed_parts(WORLD, np.zeros(0))[0].normals
+        is None
+    )
 
 
 def test_a_character_without_parts_has_no_vertices():

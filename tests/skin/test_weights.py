@@ -6,7 +6,9 @@ JOINTS = np.array([[3, 1, 2, 0]] * 3)
 
 
 def test_sums_become_one_and_the_vertices_that_were_off_are_counted():
-    _, weights, off = normalised(JOINTS, np.array([[0.1, 0.2, 0.1, 0], [0.5, 0.5, 0, 0], [3, 1, 0, 0]], np.float32))
+    _, weights, off = normalised(
+        JOINTS, np.array([[0.1, 0.2, 0.1, 0], [0.5, 0.5, 0, 0], [3, 1, 0, 0]], np.float32)
+    )
     assert weights.sum(axis=1) == pytest.approx([1, 1, 1])
     assert off == 2
 

@@ -3,11 +3,11 @@
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 from builders import role
-from statwalk.stage.past.replay import replay
+from paths import ROOT
+from statwalk.stage.replay import replay
 from statwalk.stage.stage import Stage
 
 ROLE = role()
@@ -15,7 +15,7 @@ ROLES = {"tiny": ROLE}
 REPLAY = """
 import sys
 from builders import role
-from statwalk.stage.past.replay import replay
+from statwalk.stage.replay import replay
 print(replay(sys.stdin, {"tiny": role()}.__getitem__).hash)
 """
 
@@ -67,9 +67,11 @@ def test_a_replay_can_stop_before_the_end(logged):
 
 @pytest.mark.parametrize("hash_seed", ["0", "77"])
 def test_a_new_process_gives_the_same_hash(logged, hash_seed):
-    environment = os.environ | {"PYTHONHASHSEED": hash_seed, "PYTHONPATH": str(Path(__file__).resolve().parents[1])}
+    environment = os.environ | {"PYTHONHASHSEED": hash_seed, "PYTHONPATH": str(ROOT / "tests" / "support")}
     command = [sys.executable, "-c", REPLAY]
-    done = subprocess.run(command, input="\n".join(logged.dump()), env=environment, capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        command, input="\n".join(logged.dump()), env=environment, capture_output=True, text=True, check=True
+    )
     assert done.stdout.strip() == logged.hash
 
 

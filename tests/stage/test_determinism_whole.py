@@ -1,8 +1,10 @@
-"""The same log, the same bits: with chance, senses, layers, raised events, journeys and edits in it, however it was cut."""
+"""The same log, the same bits: with chance, senses, layers, raised events, journeys and edits in it, however
+it was cut.
+"""
 
 import pytest
 from playing import role_of, text_of
-from statwalk.stage.past.replay import replay
+from statwalk.stage.replay import replay
 from statwalk.stage.stage import Stage
 
 TABLE = """
@@ -113,8 +115,8 @@ def test_seeking_anywhere_shows_what_was_shown(whole, hashes):
 def test_a_fork_that_is_told_the_same_goes_the_same_way(whole, hashes):
     fork = whole.fork_at(90)
     for tick in range(91, 151):
-        for entry in whole.entries(tick):
-            fork.keep(entry)
+        for command in whole.commands(tick):
+            fork.keep(tick, command)
         fork.step()
     assert fork.hash == hashes[150]
 

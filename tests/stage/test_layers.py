@@ -6,9 +6,9 @@ import gaits
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
+from statwalk.character.role import Role
 from statwalk.errors import MachineError
-from statwalk.stage.past.replay import replay
-from statwalk.stage.role import Role
+from statwalk.stage.replay import replay
 from statwalk.stage.stage import Stage
 
 LEGS = [gaits.HIPS, gaits.LEFT, gaits.RIGHT]
@@ -32,7 +32,9 @@ def test_an_upper_layer_moves_its_joints():
     stage.send(actor, "WAVE")
     stage.step(13)  # 0.2 s, and the tick in which it began
     assert actor.states == ("STAND", "WAVE", "CALM")
-    assert actor.pose.rotation[gaits.ARM] == pytest.approx(gaits.WAVE.sample(0.2, loop=True).rotation[gaits.ARM], abs=1e-6)
+    assert actor.pose.rotation[gaits.ARM] == pytest.approx(
+        gaits.WAVE.sample(0.2, loop=True).rotation[gaits.ARM], abs=1e-6
+    )
 
 
 def test_and_no_others_to_the_bit():
@@ -106,7 +108,9 @@ def test_a_blend_goes_its_mean_stride_in_its_mean_lap(speed, metres_per_second):
     stage.step(60)
     start = actor.root.position[2]
     stage.step(48 if speed == 2.6 else 60)
-    assert actor.root.position[2] - start == pytest.approx(metres_per_second * (0.8 if speed == 2.6 else 1), abs=2e-3)
+    assert actor.root.position[2] - start == pytest.approx(
+        metres_per_second * (0.8 if speed == 2.6 else 1), abs=2e-3
+    )
 
 
 def test_layers_do_not_move_the_root():
@@ -118,7 +122,9 @@ def test_layers_do_not_move_the_root():
 
 def life(stage, actor, others=()):
     """Everything at once, for two seconds."""
-    for tick, events in enumerate([["GO"], ["WAVE"], ["NOD"], ["BOTH"], ["STILL"], ["GO", "REST"], ["CALM"], ["WAVE", "NOD"]]):
+    for tick, events in enumerate(
+        [["GO"], ["WAVE"], ["NOD"], ["BOTH"], ["STILL"], ["GO", "REST"], ["CALM"], ["WAVE", "NOD"]]
+    ):
         for event in events:
             stage.send(actor, event)
         stage.set(actor, "speed", (tick * 1.7) % 5)
@@ -163,7 +169,10 @@ def test_the_base_needs_a_motion():
 
 
 def test_a_blend_over_two_parameters():
-    plane = ("over: speed\n", "over: [speed, force]\n"), ("{walk: 1.2, run: 4}", "{walk: [1.2, 0], run: [4, 0], nod: [1.2, 1]}")
+    plane = (
+        ("over: speed\n", "over: [speed, force]\n"),
+        ("{walk: 1.2, run: 4}", "{walk: [1.2, 0], run: [4, 0], nod: [1.2, 1]}"),
+    )
     stage, actor = stage_of(60, *plane, ("weight: force", "weight: 1"))
     stage.send(actor, "GO")
     stage.set(actor, "force", 1.0)

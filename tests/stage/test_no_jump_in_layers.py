@@ -1,11 +1,13 @@
-"""Nothing jumps, in position or velocity, whichever layers turn, fade or are edited, and when a smooth parameter of a blend is set."""
+"""Nothing jumps, in position or velocity, whichever layers turn, fade or are edited, and when a smooth
+parameter of a blend is set.
+"""
 
 from itertools import pairwise
 
 import gaits
 import numpy as np
 import pytest
-from statwalk.motion import inertialize
+import slow_inertialize
 from statwalk.stage.stage import Stage
 
 
@@ -16,8 +18,19 @@ def press(*names):
 SCRIPTS = {
     "an upper layer turns": {0.5: press("WAVE"), 1.5: press("REST")},
     "two layers turn at once": {0.5: press("BOTH"), 1.5: press("BOTH")},
-    "one turns while another fades": {0.5: press("GO"), 0.6: press("WAVE"), 0.65: press("NOD"), 0.75: press("REST"), 1.5: press("STOP")},
-    "the base turns while an upper one fades": {0.5: press("NOD"), 0.6: press("GO"), 0.7: press("STOP"), 0.75: press("CALM")},
+    "one turns while another fades": {
+        0.5: press("GO"),
+        0.6: press("WAVE"),
+        0.65: press("NOD"),
+        0.75: press("REST"),
+        1.5: press("STOP"),
+    },
+    "the base turns while an upper one fades": {
+        0.5: press("NOD"),
+        0.6: press("GO"),
+        0.7: press("STOP"),
+        0.75: press("CALM"),
+    },
     "one is interrupted": {0.5: press("WAVE"), 0.6: press("REST"), 0.65: press("WAVE"), 0.75: press("BOTH")},
     "the speed of a blend is set": {0.3: press("GO"), 1.0: [("speed", 4.0)], 1.4: [("speed", 1.2)]},
 }
@@ -42,21 +55,31 @@ def changes_of_velocity(rate, changes):
                 stage.set(actor, what, value) if value is not None else stage.send(actor, what)
         stage.step()
         poses.append(stage.frame.casts[0].pose)
-    velocity = np.array([inertialize.difference(later, earlier) for earlier, later in pairwise(poses)], np.float64) * rate
+    velocity = (
+        np.array(
+            [slow_inertialize.difference(later, earlier) for earlier, later in pairwise(poses)], np.float64
+        )
+        * rate
+    )
     return np.abs(np.diff(velocity, axis=0)).max((0, 2))
 
 
 @pytest.fixture(scope="module")
 def ratio():
     """By role and script: the change of velocity in a tick of a quarter against that in a whole one."""
-    found = {name: changes_of_velocity(240, changes) / changes_of_velocity(60, changes) for name, changes in ROLES.items()}
+    found = {
+        name: changes_of_velocity(240, changes) / changes_of_velocity(60, changes)
+        for name, changes in ROLES.items()
+    }
     return {name: dict(zip(SCRIPTS, row, strict=True)) for name, row in found.items()}
 
 
 @pytest.mark.parametrize("curve", ["cubic", "quintic"])
 @pytest.mark.parametrize("script", SCRIPTS)
 def test_nothing_jumps(ratio, script, curve):
-    """Where position and velocity go on, a quarter of a tick changes the velocity by about a quarter; a jump would be the same."""
+    """Where position and velocity go on, a quarter of a tick changes the velocity by about a quarter; a jump
+    would be the same.
+    """
     assert ratio[curve][script] < 0.45
 
 
@@ -69,10 +92,16 @@ def test_a_blend_without_smooth_jumps(ratio):
 
 
 @pytest.mark.parametrize(
-    "change", [("  head:", "  skull:"), ("mask: [chest]", "mask: [arm]"), ("  arm:\n    mask: [arm]", "  arm:\n    mask: [hand]")]
+    "change",
+    [
+        ("  head:", "  skull:"),
+        ("mask: [chest]", "mask: [arm]"),
+        ("  arm:\n    mask: [arm]", "  arm:\n    mask: [hand]"),
+    ],
 )
 def test_an_edit_of_the_layers_does_not_jump(change):
-    """Layers that are renamed, or move other joints, while they fade: a tick before, in it and after, the velocity changes little.
+    """Layers that are renamed, or move other joints, while they fade: a tick before, in it and after, the
+    velocity changes little.
 
     A cut would change it by more than a radian a tick.
     """
@@ -87,5 +116,5 @@ def test_an_edit_of_the_layers_does_not_jump(change):
     for _ in range(3):
         stage.step()
         poses.append(stage.frame.casts[0].pose)
-    steps = np.array([inertialize.difference(later, earlier) for earlier, later in pairwise(poses)])
+    steps = np.array([slow_inertialize.difference(later, earlier) for earlier, later in pairwise(poses)])
     assert np.abs(np.diff(steps, axis=0)).max() < 0.12

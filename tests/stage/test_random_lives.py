@@ -1,13 +1,15 @@
-"""Whatever the machine, the events and the edits: the log alone gives the same stage again, and a first remedy helps."""
+"""Whatever the machine, the events and the edits: the log alone gives the same stage again, and a first
+remedy helps.
+"""
 
 import random
 
 import pytest
 from playing import role_of
-from randommachines import machine_text
-from statwalk.stage.explaining.trying import tried
-from statwalk.stage.explaining.whynot import whynot
-from statwalk.stage.past.replay import replay
+from random_machines import machine_text
+from statwalk.stage.explain.counterfactual import tried
+from statwalk.stage.explain.whynot import whynot
+from statwalk.stage.replay import replay
 from statwalk.stage.stage import Stage
 
 KINDS = (Stage.send, Stage.send, Stage.hold, Stage.release)
@@ -47,7 +49,7 @@ def test_the_log_gives_it_again(seed):
 def test_the_first_remedy_helps(seed):
     stage, _, chance = lived(seed)
     tick, actor = chance.randint(1, stage.head), chance.randint(1, 3)
-    event = chance.choice(stage.state_at(tick - 1).find(actor)[0].role.machine.events[:-1])
+    event = chance.choice(stage.roles[stage.state_at(tick - 1).find(actor)[0]].machine.events[:-1])
     answer = whynot(stage, actor, event, tick)
     assert answer.fired or answer.remedies
     for one in answer.remedies[:1]:

@@ -1,34 +1,38 @@
-"""A log from elsewhere: every name in it is looked up before a tick is made, and what is unknown is named with its line."""
+"""A log from elsewhere: every name in it is looked up before a tick is made, and what is unknown is named
+with its line.
+"""
+
+import json
 
 import pytest
 from builders import role
 from statwalk.errors import StageError
-from statwalk.loading import load, shipped_machines_folder
-from statwalk.stage.past.replay import replay
+from statwalk.services.library.load import load, shipped_machines_folder
+from statwalk.stage.replay import replay
 from statwalk.stage.stage import Stage
 
 ROLES = {"tiny": role()}
 HEADER = '{"statwalk": "log", "semantics": 1, "head": 5}'
-ADD = '{"tick":0,"kind":"add","actor":1,"name":"a","value":{"role":"tiny","position":[0,0,0],"heading":0}}'
+ADD = '{"number":1,"tick":0,"kind":"add","actor":1,"name":"a","role":"tiny","position":[0,0,0],"heading":0}'
 
 
-def line(kind, name, value="null", actor=1):
-    return f'{{"tick":2,"kind":"{kind}","actor":{actor},"name":"{name}","value":{value}}}'
+def line(kind, actor=1, **fields):
+    return json.dumps({"number": 2, "tick": 2, "kind": kind, "actor": actor, **fields})
 
 
 def test_a_log_written_by_hand_can_be_played():
-    assert replay([HEADER, ADD, line("press", "GO")], ROLES.__getitem__).actor(1).state == "WALK"
+    assert replay([HEADER, ADD, line("press", event="GO")], ROLES.__getitem__).actor(1).state == "WALK"
 
 
 @pytest.mark.parametrize(
     ("entry", "message"),
     [
-        (line("press", "GOO"), "line 3: no event is called 'GOO'; did you mean GO?"),
-        (line("hold", "END"), "line 3: no event is called 'END'"),
-        (line("set", "pase", "1"), "line 3: no parameter is called 'pase'; did you mean pace?"),
-        (line("travel", "WAKL"), "line 3: no state is called 'WAKL'; did you mean WALK?"),
-        (line("press", "GO", actor=7), "line 3: no actor is called '7'. There are: 1"),
-        (line("remove", "", actor=7), "line 3: no actor is called '7'"),
+        (line("press", event="GOO"), "line 3: no event is called 'GOO'; did you mean GO?"),
+        (line("hold", event="END"), "line 3: no event is called 'END'"),
+        (line("set", parameter="pase", value=1), "line 3: no parameter is called 'pase'; did you mean pace?"),
+        (line("travel", state="WAKL"), "line 3: no state is called 'WAKL'; did you mean WALK?"),
+        (line("press", actor=7, event="GO"), "line 3: no actor is called '7'. There are: 1"),
+        (line("remove", actor=7), "line 3: no actor is called '7'"),
     ],
 )
 def test_an_unknown_name_is_named_with_its_line(entry, message):
@@ -38,7 +42,11 @@ def test_an_unknown_name_is_named_with_its_line(entry, message):
 
 
 def test_a_log_with_edits_of_a_shipped_machine_needs_nothing_but_load():
-    text = (shipped_machines_folder() / "faq-walker" / "machine.yaml").read_text().replace("STAT  | STWK ", "STAT  | CRCH ")
+    text = (
+        (shipped_machines_folder() / "faq-walker" / "machine.yaml")
+        .read_text()
+        .replace("STAT  | STWK ", "STAT  | CRCH ")
+    )
     stage = Stage()
     actor = stage.add(load("faq-walker"))
     stage.step(10)

@@ -1,9 +1,12 @@
-"""The tick, worked out by hand on the tiny character: 60 Hz, stand 2 s, walk 1 s (1.5 m), hop 0.5 s (0.4 m), turn 1 s (90° to the left)."""
+"""The tick, worked out by hand on the tiny character: 60 Hz, stand 2 s, walk 1 s (1.5 m), hop 0.5 s (0.4 m),
+turn 1 s (90° to the left).
+"""
 
 import numpy as np
 import pytest
 from builders import CLIPS, role
-from statwalk.machine.authored.celldefinition import CellDefinition
+from playing import role_of, text_of
+from statwalk.machine.definition.cell_definition import CellDefinition
 from statwalk.stage.stage import Stage
 
 DT = 1 / 60
@@ -78,6 +81,23 @@ def test_time_left_after_end_goes_into_the_motion_that_follows():
     stage.step(5)  # HOP at 0; 4/7 s later it has been over for 4/7 − 0.5 s
     assert actor.state == "STAND"
     assert actor.time == pytest.approx(4 / 7 - 0.5)
+
+
+def test_the_root_goes_the_way_of_the_time_left_after_end_once_also_through_a_loops_seam():
+    """Ticks of 0.25 s: A, at 0.9, is at 0.9 s after four and ends 0.1 s on in its motion; 0.125 s of it are
+    left, 0.1389 s of the tick, so that B goes from 0.8 through its end to 0.0778 s. 1.5 m a second.
+    """
+    walks = "motion: walk, loop: true"
+    states = f"states:\n  A: {{{walks}, speed: 0.9}}\n  B: {{{walks}, speed: 2}}\n"
+    cells = "cells: {A/END: {to: B, enter: 0.8, blend: 0}}"
+    stage = Stage(rate=4)
+    actor = stage.add(role_of(text_of("state | END\nA |\nB |", cells, states, "A")))
+    stage.step(4)
+    before = actor.root.position[2]
+    stage.step()
+    left = 0.125 / 0.9 * 2
+    assert (actor.state, actor.time) == ("B", pytest.approx(0.8 + left - 1))
+    assert actor.root.position[2] - before == pytest.approx(1.5 * (0.1 + left), abs=1e-6)
 
 
 def test_a_walk_goes_on_through_its_loop():
@@ -161,8 +181,13 @@ def test_without_a_root_joint_the_pose_moves_and_the_actor_stays():
 
 
 def test_a_looping_motion_left_at_its_end_has_gone_its_way_once():
-    """At 7 Hz and twice the speed the walk is over in the middle of a tick; what is left of the tick belongs to standing."""
-    once = {("STAND", "GO"): CellDefinition("WALK", 1, blend=0.0), ("WALK", "END"): CellDefinition("STAND", 1, blend=0.0)}
+    """At 7 Hz and twice the speed the walk is over in the middle of a tick; what is left of the tick belongs
+    to standing.
+    """
+    once = {
+        ("STAND", "GO"): CellDefinition("WALK", 1, blend=0.0),
+        ("WALK", "END"): CellDefinition("STAND", 1, blend=0.0),
+    }
     stage = Stage(rate=7)
     actor = stage.add(role(cells=once))
     stage.set(actor, "pace", 2.0)
@@ -182,8 +207,13 @@ def test_a_motion_entered_at_a_phase_goes_no_further_than_its_ticks():
 
 
 def test_time_left_after_end_goes_on_from_the_phase_that_is_entered():
-    """At 7 Hz a hop of 0.5 s leaves 1/14 s of its last tick to the walk, which is entered a twentieth before its end and wraps."""
-    cells = {("HOP", "END"): CellDefinition("WALK", 1, blend=0.0, enter=0.95), ("STAND", "HOP"): CellDefinition("HOP", 1, blend=0.0)}
+    """At 7 Hz a hop of 0.5 s leaves 1/14 s of its last tick to the walk, which is entered a twentieth before
+    its end and wraps.
+    """
+    cells = {
+        ("HOP", "END"): CellDefinition("WALK", 1, blend=0.0, enter=0.95),
+        ("STAND", "HOP"): CellDefinition("HOP", 1, blend=0.0),
+    }
     stage = Stage(rate=7)
     actor = stage.add(role(cells=cells))
     stage.send(actor, "HOP")

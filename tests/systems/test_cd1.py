@@ -1,4 +1,6 @@
-"""CD1 point and plane (FAQ Q31): the sign of the plane equation changes between the old place and the new one."""
+"""CD1 point and plane (FAQ Q31): the sign of the plane equation changes between the old place and the new
+one.
+"""
 
 import numpy as np
 import pytest

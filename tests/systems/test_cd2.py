@@ -1,4 +1,6 @@
-"""CD2 line and sphere (FAQ Q32): A t² + B t + C = 0; a missile meets a character at the smallest root on its way."""
+"""CD2 line and sphere (FAQ Q32): A t² + B t + C = 0; a missile meets a character at the smallest root on its
+way.
+"""
 
 import numpy as np
 import pytest
@@ -14,18 +16,25 @@ def at(*offset):
 
 @pytest.mark.parametrize(
     ("offset", "count", "first", "second"),
-    [((0, 0), 2, 0.3, 0.7), ((0, 1.2), 2, 0.5 - 0.16, 0.5 + 0.16), ((0, 2), 1, 0.5, 0.5), ((0, 2.1), 0, 0, 0)],
+    [
+        ((0, 0), 2, 0.3, 0.7),
+        ((0, 1.2), 2, 0.5 - 0.16, 0.5 + 0.16),
+        ((0, 2), 1, 0.5, 0.5),
+        ((0, 2.1), 0, 0, 0),
+    ],
 )
 def test_two_roots_one_or_none(offset, count, first, second):
-    # ten metres along X past the middle, beside the centre by 0 m, 1.2 m (half chord 1.6 m), 2 m (grazes), 2.1 m
+    # ten metres along X past the middle, beside the centre by 0 m, 1.2 m (half chord 1.6 m), 2 m (grazes),
+    # 2.1 m
     roots = line_sphere(at(-5.0, *offset), np.array([10.0, 0, 0]), CENTER, RADIUS)
     assert roots.roots == count
     assert (roots.first, roots.second) == pytest.approx((first, second))
 
 
 def test_the_printed_coefficients_do_not_meet_it():
-    # As printed A = Pdx + Pdy + Pdz (no squares): it is 0 for the step (3, -3, 0), which goes right through the middle, and
-    # the quadratic is none. The correct A is 18, and the way of 3·sqrt 2 m enters 2 m before the middle.
+    # As printed A = Pdx + Pdy + Pdz (no squares): it is 0 for the step (3, -3, 0), which goes right through
+    # the middle, and the quadratic is none. The correct A is 18, and the way of 3·sqrt 2 m enters 2 m before
+    # the middle.
     step = np.array([3.0, -3, 0])
     assert step.sum() == 0
     roots = line_sphere(CENTER - step, step, CENTER, RADIUS)
@@ -34,7 +43,12 @@ def test_the_printed_coefficients_do_not_meet_it():
 
 @pytest.mark.parametrize(
     ("start", "end", "fraction"),
-    [((-5, 0, 0), (5, 0, 0), 0.3), ((5, 0, 0), (-5, 0, 0), 0.3), ((-5, 0, 0), (-2, 0, 0), 1), ((-1, 0, 0), (-9, 0, 0), 0)],
+    [
+        ((-5, 0, 0), (5, 0, 0), 0.3),
+        ((5, 0, 0), (-5, 0, 0), 0.3),
+        ((-5, 0, 0), (-2, 0, 0), 1),
+        ((-1, 0, 0), (-9, 0, 0), 0),
+    ],
     ids=["through", "back through", "just reaches", "starts inside"],
 )
 def test_the_hit_is_the_smallest_root_in_the_segment(start, end, fraction):
@@ -45,7 +59,12 @@ def test_the_hit_is_the_smallest_root_in_the_segment(start, end, fraction):
 
 @pytest.mark.parametrize(
     ("start", "end"),
-    [((-5, 0, 0), (-2.1, 0, 0)), ((3, 0, 0), (9, 0, 0)), ((-5, 2.1, 0), (5, 2.1, 0)), ((-5, 0, 0), (-5, 0, 0))],
+    [
+        ((-5, 0, 0), (-2.1, 0, 0)),
+        ((3, 0, 0), (9, 0, 0)),
+        ((-5, 2.1, 0), (5, 2.1, 0)),
+        ((-5, 0, 0), (-5, 0, 0)),
+    ],
     ids=["stops before", "flies away", "passes by", "does not move"],
 )
 def test_no_hit(start, end):
@@ -70,5 +89,7 @@ def test_one_of_many_has_the_bits_of_one_alone():
     chance = np.random.default_rng(3)
     starts, ends, centers = chance.normal(size=(3, 101, 3))
     many = segment_sphere(starts, ends, centers, np.full(101, 0.8))
-    alone = [segment_sphere(starts[row], ends[row], centers[row], np.array(0.8)).fraction for row in range(101)]
+    alone = [
+        segment_sphere(starts[row], ends[row], centers[row], np.array(0.8)).fraction for row in range(101)
+    ]
     np.testing.assert_array_equal(many.fraction, alone)

@@ -11,14 +11,17 @@ def along_x(distance, a_radius, b_radius):
     return ORIGIN, np.array(float(a_radius)), np.array([float(distance), 0, 0]), np.array(float(b_radius))
 
 
-@pytest.mark.parametrize(("distance", "expected"), [(4, -1), (5, 0), (7, 2)], ids=["overlap", "just touch", "apart"])
+@pytest.mark.parametrize(
+    ("distance", "expected"), [(4, -1), (5, 0), (7, 2)], ids=["overlap", "just touch", "apart"]
+)
 def test_the_gap(distance, expected):
     assert gap(*along_x(distance, 3, 2)) == expected
 
 
 def test_the_plane_of_a_right_triangle():
-    # radii 3 and 4, centres 5 apart: the circle's radius is the triangle's height 3·4/5, its foot 9/5 from the first centre.
-    # As printed the point is Ra/(Ra + Rb) of the way along the full vector, 15/7 = 2.14 (with the unit normal meant: 0.43).
+    # radii 3 and 4, centres 5 apart: the circle's radius is the triangle's height 3·4/5, its foot 9/5 from
+    # the first centre. As printed the point is Ra/(Ra + Rb) of the way along the full vector, 15/7 = 2.14
+    # (with the unit normal meant: 0.43).
     plane = meeting(*along_x(5, 3, 4))
     assert plane.kind == MEET
     np.testing.assert_allclose(plane.point, [1.8, 0, 0])
@@ -47,7 +50,13 @@ def test_the_centre_of_the_smaller_may_lie_beyond_the_plane():
 
 @pytest.mark.parametrize(
     ("distance", "radii", "kind"),
-    [(6, (3, 2), APART), (0.5, (3, 2), INSIDE), (0.5, (2, 3), INSIDE), (0, (3, 2), CONCENTRIC), (0, (2, 2), CONCENTRIC)],
+    [
+        (6, (3, 2), APART),
+        (0.5, (3, 2), INSIDE),
+        (0.5, (2, 3), INSIDE),
+        (0, (3, 2), CONCENTRIC),
+        (0, (2, 2), CONCENTRIC),
+    ],
 )
 def test_where_there_is_no_plane_that_is_said(distance, radii, kind):
     plane = meeting(*along_x(distance, *radii))
@@ -57,14 +66,17 @@ def test_where_there_is_no_plane_that_is_said(distance, radii, kind):
 
 
 def test_many_pairs_at_once():
-    plane = meeting(np.zeros((2, 3)), np.array([3.0, 3]), np.array([[5.0, 0, 0], [9, 0, 0]]), np.array([4.0, 4]))
+    plane = meeting(
+        np.zeros((2, 3)), np.array([3.0, 3]), np.array([[5.0, 0, 0], [9, 0, 0]]), np.array([4.0, 4])
+    )
     np.testing.assert_array_equal(plane.kind, [MEET, APART])
 
 
 def test_two_that_fly_through_each_other_within_a_step_meet():
     # ten metres towards each other each, radii 1: the gap of 8 m closes at 20 m a step
     hit = swept_spheres(
-        *(np.array([-5.0, 0, 0]), np.array([5.0, 0, 0]), np.array(1.0)), *(np.array([5.0, 0, 0]), np.array([-5.0, 0, 0]), np.array(1.0))
+        *(np.array([-5.0, 0, 0]), np.array([5.0, 0, 0]), np.array(1.0)),
+        *(np.array([5.0, 0, 0]), np.array([-5.0, 0, 0]), np.array(1.0)),
     )
     assert hit.is_hit
     assert hit.fraction == pytest.approx(0.4)

@@ -1,20 +1,27 @@
-"""DS1 hierarchical rigid parts (RTCA 2.1, FAQ Q20): a mesh per bone, drawn with that bone's matrix, gaps and all."""
+"""DS1 hierarchical rigid parts (RTCA 2.1, FAQ Q20): a mesh per bone, drawn with that bone's matrix, gaps and
+all.
+"""
 
 from pathlib import Path
 
 import numpy as np
 import pytest
-from statwalk.character import Character
-from statwalk.loading import load
-from tinymodel import POSITIONS, document, glb
+from statwalk.character.character import Character
+from statwalk.services.library.load import load
+from tiny_model import POSITIONS, document, glb
 
 
 @pytest.fixture
 def arm(tmp_path: Path) -> Character:
-    """An upper arm and, one metre along x, a forearm: a triangle on each; the forearm turns half round its z axis."""
+    """An upper arm and, one metre along x, a forearm: a triangle on each; the forearm turns half round its z
+    axis.
+    """
     root, binary = document()
     del root["skins"], root["meshes"][0]["weights"], root["meshes"][0]["primitives"][0]["targets"]
-    root["nodes"] = [{"name": "upper", "mesh": 0, "children": [1]}, {"name": "fore", "mesh": 0, "translation": [1, 0, 0]}]
+    root["nodes"] = [
+        {"name": "upper", "mesh": 0, "children": [1]},
+        {"name": "fore", "mesh": 0, "translation": [1, 0, 0]},
+    ]
     root["scenes"] = [{"nodes": [0]}]
     (tmp_path / "arm.glb").write_bytes(glb(root, binary))
     return load(tmp_path / "arm.glb")

@@ -1,13 +1,15 @@
-"""DS2 inbetweening (RTCA 2.2, Listings 1 and 2): whole meshes with equal vertex counts are blended, forwards in time."""
+"""DS2 inbetweening (RTCA 2.2, Listings 1 and 2): whole meshes with equal vertex counts are blended, forwards
+in time.
+"""
 
 from pathlib import Path
 
 import numpy as np
 import pytest
-from statwalk.character import Character
-from statwalk.loading import load
+from statwalk.character.character import Character
+from statwalk.services.library.load import load
 from statwalk.skin.morph import inbetween
-from tinymodel import LIFTED, POSITIONS, document, glb
+from tiny_model import LIFTED, POSITIONS, document, glb
 
 
 @pytest.fixture

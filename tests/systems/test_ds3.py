@@ -4,16 +4,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from statwalk.character import Character
-from statwalk.loading import load
-from tinymodel import POSITIONS, document, glb
+from statwalk.character.character import Character
+from statwalk.services.library.load import load
+from tiny_model import POSITIONS, document, glb
 
 OWNERS = [0, 1, 1]
 
 
 @pytest.fixture
 def leg(tmp_path: Path) -> Character:
-    """The triangle of the small model, each corner on one bone; the knee, one metre up, turns half round z."""
+    """The triangle of the small model, each corner on one bone; the knee, one metre up, turns half round
+    z.
+    """
     root, binary = document()
     start = root["bufferViews"][3]["byteOffset"]
     binary[start : start + 48] = np.eye(4, dtype="<f4")[OWNERS].tobytes()

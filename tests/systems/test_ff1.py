@@ -1,17 +1,19 @@
-"""FF1 glTF 2.0: any model in, what is broken refused with its place, posed frames out that the Khronos validator accepts."""
+"""FF1 glTF 2.0: any model in, what is broken refused with its place, posed frames out that the Khronos
+validator accepts.
+"""
 
 from pathlib import Path
 
 import khronos
 import numpy as np
 import pytest
-from statwalk.character import Character
+from paths import GLTF, needs_assets
+from statwalk.character.character import Character
 from statwalk.errors import ModelError
-from statwalk.files.glb.template import FrameTemplate, PosedCast
-from statwalk.loading import load
+from statwalk.files.gltf.template import FrameTemplate, PosedCast
 from statwalk.maths.pose import Pose
-from tinymodel import changed, gltf, model
-from where import GLTF, needs_assets
+from statwalk.services.library.load import load
+from tiny_model import changed, gltf, model
 
 MODELS = sorted(path.name for path in GLTF.glob("*.gl*"))
 
@@ -26,7 +28,9 @@ def test_both_forms_load(tmp_path: Path, name: str, data: bytes) -> None:
 
 def test_a_broken_file_is_refused_with_file_and_place(tmp_path: Path) -> None:
     (tmp_path / "bad.glb").write_bytes(changed("/nodes/2/mesh", 5))
-    with pytest.raises(ModelError, match=r"bad\.glb, /nodes/2/mesh: 5 is not the index of a mesh; there are 1"):
+    with pytest.raises(
+        ModelError, match=r"bad\.glb, /nodes/2/mesh: 5 is not the index of a mesh; there are 1"
+    ):
         load(tmp_path / "bad.glb")
 
 
@@ -38,4 +42,6 @@ def at_rest(character: Character) -> PosedCast:
 @pytest.mark.parametrize("name", MODELS)
 def test_a_posed_frame_of_every_model_is_valid(name: str) -> None:
     character = load(GLTF / name)
-    assert khronos.errors(FrameTemplate([(character, 1)], images=True).frame(0, "0", [at_rest(character)])) == []
+    assert (
+        khronos.errors(FrameTemplate([(character, 1)], images=True).frame(0, "0", [at_rest(character)])) == []
+    )

@@ -1,8 +1,10 @@
-"""FL1 flocks and swarms (FAQ Q34): particles that keep to limits, see few, hold a distance, and fly around what is in the way."""
+"""FL1 flocks and swarms (FAQ Q34): particles that keep to limits, see few, hold a distance, and fly around
+what is in the way.
+"""
 
 import numpy as np
 import pytest
-from statwalk.loading import load_scene
+from statwalk.services.library.load import load_scene
 from statwalk.world import grid
 from statwalk.world.flock import Members, Rules, flown
 from statwalk.world.obstacles import NO_OBSTACLES, Obstacles
@@ -13,7 +15,9 @@ AHEAD = np.array([0.0, 0, 1])
 
 def members(*positions, velocity=(0, 0, 0)):
     place = np.array(positions, float)
-    return Members(place, np.tile(np.array(velocity, float), (len(place), 1)), np.tile(AHEAD, (len(place), 1)))
+    return Members(
+        place, np.tile(np.array(velocity, float), (len(place), 1)), np.tile(AHEAD, (len(place), 1))
+    )
 
 
 def after(flock, rules, ticks=1, goal=None, obstacles=NO_OBSTACLES, chance=None):
@@ -25,11 +29,18 @@ def after(flock, rules, ticks=1, goal=None, obstacles=NO_OBSTACLES, chance=None)
 
 def push(distance, **rules):
     """Acceleration of a member along Z, towards another so far ahead (metres per second squared)."""
-    flock = after(members((0, 0, 0), (0, 0, distance)), Rules(distance=1, strength=4, max_acceleration=1e6, max_speed=1e6, **rules))
+    flock = after(
+        members((0, 0, 0), (0, 0, distance)),
+        Rules(distance=1, strength=4, max_acceleration=1e6, max_speed=1e6, **rules),
+    )
     return float(flock.velocity[0, 2] / DT)
 
 
-@pytest.mark.parametrize(("distance", "force"), [(0.5, -8), (1, 0), (2, 1), (4, 0.75)], ids=["too near", "as wanted", "too far", "farther"])
+@pytest.mark.parametrize(
+    ("distance", "force"),
+    [(0.5, -8), (1, 0), (2, 1), (4, 0.75)],
+    ids=["too near", "as wanted", "too far", "farther"],
+)
 def test_a_preferred_distance_by_inverse_square_forces(distance, force):
     # 4·(r − 1)/r²: what is wanting, scaled by the inverse square
     assert push(distance) == pytest.approx(force)
@@ -79,7 +90,12 @@ def test_a_goal_is_reached():
 
 
 def test_nobody_flies_through_a_sphere_or_a_plane():
-    wall = Obstacles(np.array([[0.0, 0, 5], [0, -1, 0]]), np.array([2.0, 0]), np.array([[0.0, 0, 0], [0, 1, 0]]), np.array([False, True]))
+    wall = Obstacles(
+        np.array([[0.0, 0, 5], [0, -1, 0]]),
+        np.array([2.0, 0]),
+        np.array([[0.0, 0, 0], [0, 1, 0]]),
+        np.array([False, True]),
+    )
     chance = np.random.default_rng(4)
     flock = members(*chance.uniform(-1, 1, (40, 3)), velocity=(0, 0, 3))
     for _ in range(300):
@@ -115,7 +131,7 @@ def flight(name, ticks, seed=None):
 
 def test_geese_form_a_wedge_that_turns_with_the_first():
     stage = flight("geese", 900)
-    cast = stage.state.casts[0]
+    cast = stage.casts[0]
     first, others = cast.position[0], cast.position[1:]
     sine, cosine = np.sin(cast.heading[0]), np.cos(cast.heading[0])
     away = others - first
@@ -130,7 +146,7 @@ def test_geese_form_a_wedge_that_turns_with_the_first():
 
 def test_a_goose_beats_its_wings_as_its_speed_says():
     stage = flight("geese", 300)
-    cast = stage.state.casts[0]
+    cast = stage.casts[0]
     speed = np.linalg.norm(stage.state.flights[0].velocity, axis=1)
     np.testing.assert_allclose(cast.machine.parameters[:, 0], speed.clip(0, 10))
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from statwalk.errors import TextError
-from statwalk.files.faqkeys import read_keys, write_keys
-from textcharacter import from_text
+from statwalk.files.faq.key_frame_text import read_keys, write_keys
+from text_character import from_text
 
 PRINTED = "#rotate    Left.upperleg 0 10  0\n#translate Left.upperleg 0 0.3 0\n#length    Left.upperleg 3\n"
 MATRIX = "#matrix Left.upperleg\n\n1 0 0  0\n0 1 0  0.3\n0 0 {third}  0\n0 0 0  1\n"
@@ -29,11 +29,15 @@ def test_the_printed_matrix_is_singular_and_named():
 
 def test_the_corrected_matrix_is_the_translation_it_means(tmp_path):
     by_matrix = thigh_world(tmp_path, MATRIX.format(third=1))
-    np.testing.assert_allclose(by_matrix, thigh_world(tmp_path, "#translate Left.upperleg 0 0.3 0"), atol=1e-6)
+    np.testing.assert_allclose(
+        by_matrix, thigh_world(tmp_path, "#translate Left.upperleg 0 0.3 0"), atol=1e-6
+    )
     np.testing.assert_allclose(by_matrix[:3, 3], [3, 0.3, 0], atol=1e-6)
 
 
 def test_a_matrix_turns_as_the_angles_do(tmp_path):
     c, s = np.cos(np.radians(10)), np.sin(np.radians(10))
     rows = f"#matrix Left.upperleg\n{c} 0 {s} 0\n0 1 0 0\n{-s} 0 {c} 0\n0 0 0 1"
-    np.testing.assert_allclose(thigh_world(tmp_path, rows), thigh_world(tmp_path, "#rotate Left.upperleg 0 10 0"), atol=1e-6)
+    np.testing.assert_allclose(
+        thigh_world(tmp_path, rows), thigh_world(tmp_path, "#rotate Left.upperleg 0 10 0"), atol=1e-6
+    )

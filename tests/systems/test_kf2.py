@@ -1,4 +1,6 @@
-"""KF2, keyframe animation (FAQ Q16): clips of timed poses; a walk cycle of 8 keys whose last half mirrors the first; no seam."""
+"""KF2, keyframe animation (FAQ Q16): clips of timed poses; a walk cycle of 8 keys whose last half mirrors the
+first; no seam.
+"""
 
 import numpy as np
 import pytest
@@ -7,7 +9,9 @@ from statwalk.maths.pose import rest
 from statwalk.motion.clip import Channel, Clip
 
 LEFT, RIGHT = 0, 1
-HALF = np.array([30.0, 18, -5, -22])  # degrees: the left leg's first four keys; its last four are the right leg's first
+HALF = np.array(
+    [30.0, 18, -5, -22]
+)  # degrees: the left leg's first four keys; its last four are the right leg's first
 STRIDE = np.concatenate([HALF, -HALF])
 
 
@@ -22,7 +26,9 @@ def walk(interpolation):
 
 
 def angle(clip, time, joint):
-    return Rotation.from_quat(clip.sample(time, loop=True).rotation[..., joint, :]).as_euler("xyz", degrees=True)[..., 0]
+    return Rotation.from_quat(clip.sample(time, loop=True).rotation[..., joint, :]).as_euler(
+        "xyz", degrees=True
+    )[..., 0]
 
 
 @pytest.mark.parametrize("interpolation", ["LINEAR", "BSPLINE_THROUGH"])

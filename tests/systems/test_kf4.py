@@ -1,8 +1,10 @@
-"""KF4 quaternion interpolation (FAQ Q17): slerp along the shorter arc at constant angular speed; squad without kinks."""
+"""KF4 quaternion interpolation (FAQ Q17): slerp along the shorter arc at constant angular speed; squad
+without kinks.
+"""
 
 import numpy as np
 from scipy.spatial.transform import Rotation, Slerp
-from textcharacter import from_text, keyed
+from text_character import from_text, keyed
 
 BONE = "Root --- - - - -\nArm Root 2 1 0 0\n"
 ANGLES = np.array([[0.0, 0, 0], [70, 20, -50], [10, -80, 30], [-60, 10, 20]])
@@ -10,7 +12,9 @@ TIMES = [0.0, 0.5, 1.0, 1.5]
 
 
 def turns(tmp_path, interpolation: str, moments: np.ndarray) -> Rotation:
-    arm = from_text(tmp_path, BONE, swing=(keyed(TIMES, "#rotate", "Arm", ANGLES), f"interpolation: {interpolation}"))
+    arm = from_text(
+        tmp_path, BONE, swing=(keyed(TIMES, "#rotate", "Arm", ANGLES), f"interpolation: {interpolation}")
+    )
     return Rotation.from_quat(arm.clip("swing").sample(moments).rotation[:, 1])
 
 
@@ -37,5 +41,8 @@ def test_squad_meets_the_keys(tmp_path):
 
 def test_squad_turns_the_corner_that_slerp_takes_sharply(tmp_path):
     around = 0.5 + np.array([-1, 0, 1]) / 60
-    corner = {name: np.linalg.norm(np.diff(speeds(turns(tmp_path, name, around), 1 / 60), axis=0)) for name in ("slerp", "squad")}
+    corner = {
+        name: np.linalg.norm(np.diff(speeds(turns(tmp_path, name, around), 1 / 60), axis=0))
+        for name in ("slerp", "squad")
+    }
     assert corner["squad"] < 0.15 * corner["slerp"]

@@ -1,10 +1,12 @@
-"""KF5 B-spline interpolation (FAQ Q17): uniform cubic, near the keys and through them; rotations by the cumulative form."""
+"""KF5 B-spline interpolation (FAQ Q17): uniform cubic, near the keys and through them; rotations by the
+cumulative form.
+"""
 
 import numpy as np
 import pytest
 from scipy.interpolate import BSpline, CubicSpline
 from scipy.spatial.transform import Rotation
-from textcharacter import from_text, keyed, place
+from text_character import from_text, keyed, place
 
 BONE = "Root --- - - - -\nArm Root 2 1 0 0\n"
 TIMES = [0.0, 1.0, 2.0, 3.0, 4.0]
@@ -13,7 +15,9 @@ MOMENTS = np.linspace(0, 4, 41)
 
 
 def arm(tmp_path, command: str, values: np.ndarray, interpolation: str):
-    return from_text(tmp_path, BONE, move=(keyed(TIMES, command, "Arm", values), f"interpolation: {interpolation}"))
+    return from_text(
+        tmp_path, BONE, move=(keyed(TIMES, command, "Arm", values), f"interpolation: {interpolation}")
+    )
 
 
 def path(tmp_path, interpolation: str) -> np.ndarray:
@@ -28,7 +32,9 @@ def test_near_the_keys_is_scipys_uniform_cubic_bspline(tmp_path):
 
 
 def test_through_the_keys_is_scipys_natural_cubic_spline(tmp_path):
-    np.testing.assert_allclose(path(tmp_path, "b-spline through"), CubicSpline(TIMES, PLACES, bc_type="natural")(MOMENTS), atol=1e-5)
+    np.testing.assert_allclose(
+        path(tmp_path, "b-spline through"), CubicSpline(TIMES, PLACES, bc_type="natural")(MOMENTS), atol=1e-5
+    )
 
 
 @pytest.mark.parametrize("interpolation", ["b-spline", "b-spline through"])
@@ -40,12 +46,16 @@ def test_acceleration_has_no_step(tmp_path, interpolation):
 
 
 def turns(tmp_path, interpolation: str, angles: np.ndarray, moments) -> Rotation:
-    return Rotation.from_quat(arm(tmp_path, "#rotate", angles, interpolation).clip("move").sample(moments).rotation[:, 1])
+    return Rotation.from_quat(
+        arm(tmp_path, "#rotate", angles, interpolation).clip("move").sample(moments).rotation[:, 1]
+    )
 
 
 def test_rotations_about_one_axis_follow_the_bspline_of_the_angle(tmp_path):
     angle = np.array([0.0, 40, -20, 30, 60])
-    expected = BSpline(np.arange(-3.0, 8), [2 * angle[0] - angle[1], *angle, 2 * angle[-1] - angle[-2]], 3)(MOMENTS)
+    expected = BSpline(np.arange(-3.0, 8), [2 * angle[0] - angle[1], *angle, 2 * angle[-1] - angle[-2]], 3)(
+        MOMENTS
+    )
     measured = turns(tmp_path, "b-spline", angle[:, None] * [0, 0, 1], MOMENTS).as_rotvec(degrees=True)
     np.testing.assert_allclose(measured, expected[:, None] * [0, 0, 1], atol=2e-4)
 

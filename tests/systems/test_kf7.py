@@ -1,4 +1,6 @@
-"""KF7, step (RTCA Listing 2) and glTF's samplers: what a STEP channel shows over its whole span; the formulas stand in tests/motion."""
+"""KF7, step (RTCA Listing 2) and glTF's samplers: what a STEP channel shows over its whole span; the formulas
+stand in tests/motion.
+"""
 
 import numpy as np
 from statwalk.maths import curves
@@ -14,5 +16,7 @@ def test_a_switch_at_the_half_way_point():
 
 
 def test_gltfs_step_holds_until_the_next_key():
-    clip = Clip("door", (Channel(0, "translation", np.array([0, 1], np.float32), KEYS, "STEP"),), 1.0, rest(1))
+    clip = Clip(
+        "door", (Channel(0, "translation", np.array([0, 1], np.float32), KEYS, "STEP"),), 1.0, rest(1)
+    )
     assert clip.sample([0, 0.5, 0.999, 1]).translation[:, 0, 0].tolist() == [0, 0, 0, 1]

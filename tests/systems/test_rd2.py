@@ -1,10 +1,12 @@
-"""RD2 tetrahedra (FAQ Q28): each bone is drawn as one, base at its start and apex at its end; the printed -3.306186 is -0.306186."""
+"""RD2 tetrahedra (FAQ Q28): each bone is drawn as one, base at its start and apex at its end; the printed
+-3.306186 is -0.306186.
+"""
 
 import numpy as np
 import pytest
-from statwalk.files.characterfile import load_character
+from paths import MACHINES
+from statwalk.files.character_yaml import load_character
 from statwalk.files.tetrahedra import FACES, UNIT
-from where import MACHINES
 
 MAMMAL = load_character(MACHINES / "faq-printed" / "character.yaml")
 NAMES = MAMMAL.skeleton.names
@@ -25,7 +27,9 @@ def test_faces_look_outwards():
 
 
 def test_every_bone_with_a_length_has_one():
-    assert {NAMES[part.joint] for part in MAMMAL.parts} == {name for name in NAMES if name != "Root" and not name.endswith(".end")}
+    assert {NAMES[part.joint] for part in MAMMAL.parts} == {
+        name for name in NAMES if name != "Root" and not name.endswith(".end")
+    }
 
 
 @pytest.mark.parametrize("time", [0.0, 0.3])

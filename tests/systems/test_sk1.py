@@ -1,11 +1,13 @@
-"""SK1 skeleton table (FAQ Q2, Q11): the mammal and the hand ship as data; the printed mammal keeps its misprints."""
+"""SK1 skeleton table (FAQ Q2, Q11): the mammal and the hand ship as data; the printed mammal keeps its
+misprints.
+"""
 
 import numpy as np
 import pytest
+from paths import MACHINES
 from statwalk.errors import TextError
-from statwalk.files.faqtext import read_skeleton, shipped_skeleton
-from textcharacter import from_text
-from where import MACHINES
+from statwalk.files.faq.skeleton_text import read_skeleton, shipped_skeleton
+from text_character import from_text
 
 
 def parent_of(bones, name: str) -> str:
@@ -20,7 +22,11 @@ def test_the_mammal_has_the_20_bones_of_the_faq_corrected():
         "Left.upperarm",
         "Left.lowerarm",
     ]
-    legs = [mammal.skeleton.index(f"{side}.{bone}") for side in ("Left", "Right") for bone in ("upperleg", "lowerleg")]
+    legs = [
+        mammal.skeleton.index(f"{side}.{bone}")
+        for side in ("Left", "Right")
+        for bone in ("upperleg", "lowerleg")
+    ]
     np.testing.assert_array_equal(mammal.direction[legs], [[0, -1, 0]] * 4)
 
 
@@ -61,8 +67,14 @@ def test_rows_in_any_order_make_the_same_skeleton(tmp_path):
     ("rows", "message"),
     [
         ("Root --- - - - -\nHead Neck 3 0 1 0\n", r"skeleton.txt, line 2: no bone is called 'Neck'"),
-        ("A B 1 0 1 0\nB A 1 0 1 0\n", r"skeleton.txt, line 1: bones hang on each other in a circle: A -> B -> A"),
-        ("Root --- - - - -\nRoot --- - - - -\n", r"skeleton.txt, line 2: Root is there twice, first at line 1"),
+        (
+            "A B 1 0 1 0\nB A 1 0 1 0\n",
+            r"skeleton.txt, line 1: bones form a cycle: A -> B -> A",
+        ),
+        (
+            "Root --- - - - -\nRoot --- - - - -\n",
+            r"skeleton.txt, line 2: Root is defined twice, first at line 1",
+        ),
     ],
 )
 def test_a_wrong_table_is_refused_by_file_and_line(tmp_path, rows, message):

@@ -1,8 +1,10 @@
-"""SK2 skeleton evaluation (FAQ Q14): relative and absolute matrix, start- and end-point of every bone, against a plain loop."""
+"""SK2 skeleton evaluation (FAQ Q14): relative and absolute matrix, start- and end-point of every bone,
+against a plain loop.
+"""
 
 import numpy as np
 from scipy.spatial.transform import Rotation
-from statwalk.files.faqtext import shipped_skeleton
+from statwalk.files.faq.skeleton_text import shipped_skeleton
 from statwalk.maths import transform
 
 MAMMAL = shipped_skeleton("mammal")
@@ -29,7 +31,9 @@ def test_points_and_absolute_matrices_are_those_of_the_faqs_steps():
 
 def test_a_bone_starts_where_its_parent_ends():
     children = np.flatnonzero(MAMMAL.skeleton.parent >= 0)
-    np.testing.assert_allclose(FRAMES.start[children], FRAMES.end[MAMMAL.skeleton.parent[children]], atol=1e-13)
+    np.testing.assert_allclose(
+        FRAMES.start[children], FRAMES.end[MAMMAL.skeleton.parent[children]], atol=1e-13
+    )
 
 
 def test_absolute_is_the_parents_absolute_times_relative():

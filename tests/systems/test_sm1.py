@@ -1,6 +1,6 @@
 """SM1: the eleven states of FAQ Q19, each tied to a motion of its own that the character has."""
 
-from statwalk.loading import load
+from statwalk.services.library.load import load
 
 # From the list in FAQ Q19.
 STATES = {

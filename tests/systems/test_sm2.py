@@ -1,10 +1,12 @@
-"""SM2: events are the inputs of FAQ Q19 and the end of a motion; the control pad, held and released, walks the character about."""
+"""SM2: events are the inputs of FAQ Q19 and the end of a motion; the control pad, held and released, walks
+the character about.
+"""
 
 import math
 
 import pytest
 from statwalk.errors import UnknownNameError
-from statwalk.loading import load
+from statwalk.services.library.load import load
 from statwalk.stage.stage import Stage
 
 RATE = 60
@@ -72,7 +74,16 @@ def test_the_ends_of_motions_carry_a_jump_through(walker, stage):
         stage.step(1)
         if not seen or seen[-1] != actor.state:
             seen.append(actor.state)
-    assert seen[:8] == ["JUMP", "FLY", "LAND", "CRCH", "STUP", "STAT", "STWK", "WALK"]  # the key is still down
+    assert seen[:8] == [
+        "JUMP",
+        "FLY",
+        "LAND",
+        "CRCH",
+        "STUP",
+        "STAT",
+        "STWK",
+        "WALK",
+    ]  # the key is still down
 
 
 def test_a_jump_asked_for_a_little_early_waits_for_the_walk(walker, stage):
@@ -100,7 +111,9 @@ def test_a_jump_means_nothing_to_one_who_stands(walker, stage):
     actor = stage.add(walker)
     stage.send(actor, "JUMP")
     stage.step(1)
-    assert [(one.event, one.verdict, one.reason) for one in stage.frame.verdicts] == [("JUMP", "dropped", "the cell is -")]
+    assert [(one.event, one.verdict, one.reason) for one in stage.frame.verdicts] == [
+        ("JUMP", "dropped", "the cell is -")
+    ]
 
 
 def test_an_event_that_does_not_exist_is_refused(walker, stage):

@@ -1,11 +1,13 @@
-"""SM3: the state table of FAQ Q19 as an integer array; the verifier finds exactly the misprints and proves the FAQ's sentences."""
+"""SM3: the state table of FAQ Q19 as an integer array; the verifier finds exactly the misprints and proves
+the FAQ's sentences.
+"""
 
 import pytest
-from statwalk.files.machinefile import load_machine, read_machine
-from statwalk.loading import load
-from statwalk.machine.built.build import MotionFacts
-from statwalk.machine.checking.verify import verify
-from where import MACHINES
+from paths import MACHINES
+from statwalk.files.machine_yaml.machine_file import load_machine, read_machine
+from statwalk.machine.compile.compile_machine import MotionFacts
+from statwalk.machine.verify import verify
+from statwalk.services.library.load import load
 
 # FAQ Q19, column by column as printed.
 PRINTED = """STAT STWK TLFG TRGT STAT
@@ -20,7 +22,8 @@ LAND CRCH CRCH CRCH CRCH
 CRCH STUP STUP STUP STUP
 STUP STAT STAT STAT STAT"""
 
-# The corrected table: state, FORWARD, LEFT, RIGHT, STOP, JUMP, CROUCH, END; `.` is blank, `@` stands for `at end`.
+# The corrected table: state, FORWARD, LEFT, RIGHT, STOP, JUMP, CROUCH, END; `.` is blank, `@` stands for `at
+# end`.
 CORRECTED = """STAT STWK TLFT TRGT STAT - CRCH .
 STWK STWK . . CSTP . . WALK
 WALK WALK TLFT TRGT CSTP JUMP . .
@@ -42,7 +45,9 @@ def rows(machine):
         for column in range(len(machine.events)):
             to = int(machine.target[row, column])
             text = names.get(to) or (machine.undefined[row, column] if to == -3 else machine.states[to])
-            cells.append(text + "!" * bool(machine.restart[row, column]) + "@" * bool(machine.when[row, column]))
+            cells.append(
+                text + "!" * bool(machine.restart[row, column]) + "@" * bool(machine.when[row, column])
+            )
         yield " ".join((state, *cells))
 
 
@@ -64,7 +69,10 @@ def test_the_verifier_finds_exactly_the_faults_of_the_printed_table():
     for one in verify(role.definition, motions):
         (undefined if one.kind == "undefined state" else unreachable).append(one)
     assert [one.message.split(" is no state; did you mean ")[0] for one in undefined] == ["TLFG", "TRGY"]
-    assert [one.message.split("stands in ")[1] for one in undefined] == ["STAT/LEFT (line 27), WALK/LEFT (line 29)", "TRGT/RIGHT (line 32)"]
+    assert [one.message.split("stands in ")[1] for one in undefined] == [
+        "STAT/LEFT (line 27), WALK/LEFT (line 29)",
+        "TRGT/RIGHT (line 32)",
+    ]
     assert {one.kind for one in unreachable} == {"unreachable state"}
     assert [one.state for one in unreachable] == ["JUMP", "FLY", "LAND", "CRCH", "STUP"]
 
@@ -82,7 +90,10 @@ def test_no_error_is_left_in_the_corrected_table():
         ("FLY only after JUMP", "proved"),  # "can only fly after jumping"
         ("STUP only after CRCH", "proved"),  # "may only stand up after crouching"
         ("LAND only after FLY", "proved"),  # "landing is only possible after flying"
-        ("TLFT only after WALK", "refuted: STAT -LEFT-> TLFT"),  # "can only … turn left or right when walking"
+        (
+            "TLFT only after WALK",
+            "refuted: STAT -LEFT-> TLFT",
+        ),  # "can only … turn left or right when walking"
         ("TRGT only after WALK", "refuted: STAT -RIGHT-> TRGT"),
     ],
 )

@@ -1,7 +1,9 @@
-"""SM5: an action tied to a state change reaches whoever listens, once each, in order; and again when the past is played again."""
+"""SM5: an action tied to a state change reaches whoever listens, once each, in order; and again when the past
+is played again.
+"""
 
 import pytest
-from statwalk.loading import load
+from statwalk.services.library.load import load
 from statwalk.stage.stage import Stage
 
 

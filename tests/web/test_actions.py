@@ -6,11 +6,11 @@ from pathlib import Path
 
 import httpx
 import pytest
+from paths import MACHINES
 from serving import serving
 from statwalk.web.app import create_app
 from statwalk.web.settings import Settings
 from watcher import Watcher
-from where import MACHINES
 
 MACHINE = """
 semantics: 1
@@ -43,7 +43,9 @@ def address(tmp_path: Path) -> Iterator[str]:
 
 def test_each_action_once_in_order(address: str) -> None:
     with httpx.Client(base_url=f"http://{address}") as rest:
-        opened = rest.post("/api/stages", json={"clock": "manual", "actors": [{"machine": "caller"}, {"machine": "caller"}]})
+        opened = rest.post(
+            "/api/stages", json={"clock": "manual", "actors": [{"machine": "caller"}, {"machine": "caller"}]}
+        )
         stage = opened.headers["Location"]
         with Watcher(address, stage) as keen, Watcher(address, stage, acknowledge=False) as slow:
             for event in ("CALL", "GO", "HALT", "CALL") * 5:
@@ -54,5 +56,10 @@ def test_each_action_once_in_order(address: str) -> None:
             slow.text("pong")
         told = [[text for text in viewer.texts if text["type"] == "action"] for viewer in (keen, slow)]
     assert [action["seq"] for action in told[0]] == list(range(1, 41))
-    assert [action["name"] for action in told[0] if action["actor"] == 1] == ["call", "start", "stop", "call"] * 5
+    assert [action["name"] for action in told[0] if action["actor"] == 1] == [
+        "call",
+        "start",
+        "stop",
+        "call",
+    ] * 5
     assert told[0] == told[1]

@@ -1,4 +1,6 @@
-"""The issue's way: an httpx client drives a stage with a manual clock, without a socket, and compares poses as numbers."""
+"""The issue's way: an httpx client drives a stage with a manual clock, without a socket, and compares poses
+as numbers.
+"""
 
 import json
 import math
@@ -39,7 +41,10 @@ LAND |             |              |              |      |      |             | C
 CRCH |             |              |              |      |      | CRCH at end | STUP
 STUP |             |              |              |      |      |             | STAT
 """  # the corrected table of spec/machine.md
-ROWS = {line.split("|")[0].strip(): [cell.strip() for cell in line.split("|")[1:]] for line in TABLE.strip().splitlines()}
+ROWS = {
+    line.split("|")[0].strip(): [cell.strip() for cell in line.split("|")[1:]]
+    for line in TABLE.strip().splitlines()
+}
 CELLS = [(state, event, cell) for state, row in ROWS.items() for event, cell in zip(EVENTS, row, strict=True)]
 
 
@@ -54,7 +59,11 @@ class Walk:
         opened = await client.post("/api/stages", json={"clock": "manual", "actors": [WALKER]} | stage)
         assert opened.status_code == 201, opened.text
         machine = (await client.get("/api/machines/faq-walker")).json()
-        return cls(client, opened.headers["Location"], {state["name"]: state["duration"] for state in machine["states"]})
+        return cls(
+            client,
+            opened.headers["Location"],
+            {state["name"]: state["duration"] for state in machine["states"]},
+        )
 
     async def post(self, what: str, **body: Any) -> Any:
         answer = await self.client.post(f"{self.path}/{what}", json=body)
@@ -81,8 +90,12 @@ class Walk:
         await self.client.delete(self.path)
 
 
-@pytest.mark.parametrize(("state", "event", "cell"), CELLS, ids=[f"{state}/{event}" for state, event, _ in CELLS])
-async def test_each_cell_of_the_corrected_table(client: httpx.AsyncClient, state: str, event: str, cell: str) -> None:
+@pytest.mark.parametrize(
+    ("state", "event", "cell"), CELLS, ids=[f"{state}/{event}" for state, event, _ in CELLS]
+)
+async def test_each_cell_of_the_corrected_table(
+    client: httpx.AsyncClient, state: str, event: str, cell: str
+) -> None:
     walk = await Walk.begin(client)
     for before in WAY_TO[state]:
         await walk.event(before)
@@ -117,7 +130,8 @@ async def test_the_log_replayed_in_a_new_process_gives_the_same_hash(client: htt
         stage = await walk.post("step", ticks=40)
     log = (await client.get(f"{walk.path}/log")).text
     program = (
-        "import sys; from statwalk.loading import load; from statwalk.stage.past.replay import replay;"
+        "import sys; from statwalk.services.library.load import load; from statwalk.stage.replay import "
+        "replay;"
         "print(replay(sys.stdin.read().splitlines(), load).hash)"
     )
     again = await anyio.run_process([sys.executable, "-c", program], input=log.encode())
@@ -159,8 +173,12 @@ async def test_a_refused_event_before_the_head_leaves_no_fork(client: httpx.Asyn
     await walk.post("seek", tick=20)
     before = (await client.get("/api/stages")).json()
     assert (await client.post(f"{walk.path}/events", json={"event": "DANCE"})).status_code == 422
-    assert (await client.post(f"{walk.path}/parameters", json={"parameter": "mood", "value": 1.0})).status_code == 422
-    assert [stage["id"] for stage in (await client.get("/api/stages")).json()] == [stage["id"] for stage in before]
+    assert (
+        await client.post(f"{walk.path}/parameters", json={"parameter": "mood", "value": 1.0})
+    ).status_code == 422
+    assert [stage["id"] for stage in (await client.get("/api/stages")).json()] == [
+        stage["id"] for stage in before
+    ]
     await walk.leave()
 
 
@@ -184,7 +202,9 @@ async def test_hold_counts_until_it_is_released(client: httpx.AsyncClient) -> No
         ("seek", {"tick": 1}, 409, ""),
     ],
 )
-async def test_what_does_not_exist_is_named(client: httpx.AsyncClient, what: str, body: Any, status: int, known: str) -> None:
+async def test_what_does_not_exist_is_named(
+    client: httpx.AsyncClient, what: str, body: Any, status: int, known: str
+) -> None:
     walk = await Walk.begin(client)
     answer = await client.post(f"{walk.path}/{what}", json=body)
     assert answer.status_code == status

@@ -1,4 +1,6 @@
-"""The door on every route there is, HTTP and WebSocket, and the answers to bodies that nobody should send."""
+"""The guard on every route there is, HTTP and WebSocket, and the answers to bodies that nobody
+should send.
+"""
 
 import asyncio
 from collections.abc import Iterator
@@ -30,7 +32,12 @@ def every_route(routes: list[BaseRoute]) -> Iterator[tuple[str, str]]:
 
 
 def filled(path: str) -> str:
-    return path.replace("{stage_id}", "main").replace("{actor_id}", "1").replace("{name}", "faq-walker").replace("{machine}", "faq-walker")
+    return (
+        path.replace("{stage_id}", "main")
+        .replace("{actor_id}", "1")
+        .replace("{name}", "faq-walker")
+        .replace("{machine}", "faq-walker")
+    )
 
 
 ROUTES = sorted(set(every_route(APP.app.routes)))
@@ -39,12 +46,31 @@ ROUTES = sorted(set(every_route(APP.app.routes)))
 def ask(method: str, path: str, headers: dict[str, str], body: bytes = b"") -> int:
     """The status that comes back; for a WebSocket that of the refused upgrade, or 101."""
     kind = "websocket" if method == "WEBSOCKET" else "http"
-    scope = {"type": kind, "method": method, "path": path, "raw_path": path.encode(), "query_string": b"", "root_path": ""}
-    scope |= {"headers": [(name.encode(), value.encode()) for name, value in headers.items()], "subprotocols": []}
-    scope |= {"extensions": {"websocket.http.response": {}}, "server": ("127.0.0.1", 8000), "scheme": "http", "http_version": "1.1"}
+    scope = {
+        "type": kind,
+        "method": method,
+        "path": path,
+        "raw_path": path.encode(),
+        "query_string": b"",
+        "root_path": "",
+    }
+    scope |= {
+        "headers": [(name.encode(), value.encode()) for name, value in headers.items()],
+        "subprotocols": [],
+    }
+    scope |= {
+        "extensions": {"websocket.http.response": {}},
+        "server": ("127.0.0.1", 8000),
+        "scheme": "http",
+        "http_version": "1.1",
+    }
     sent: list[Any] = []
 
-    first = [{"type": "websocket.connect"} if kind == "websocket" else {"type": "http.request", "body": body, "more_body": False}]
+    first = [
+        {"type": "websocket.connect"}
+        if kind == "websocket"
+        else {"type": "http.request", "body": body, "more_body": False}
+    ]
 
     async def receive() -> Any:
         return first.pop() if first else await asyncio.Event().wait()
@@ -115,7 +141,15 @@ def test_a_body_without_a_length_is_cut_off_at_the_limit() -> None:
 
 
 @pytest.mark.parametrize(
-    "path", ["/api/nothing", "/../../etc/passwd", "/%2e%2e%2fetc/passwd", "/assets/..%5c..%5cx", "/api/stages/%00", "/x" * 2_000]
+    "path",
+    [
+        "/api/nothing",
+        "/../../etc/passwd",
+        "/%2e%2e%2fetc/passwd",
+        "/assets/..%5c..%5cx",
+        "/api/stages/%00",
+        "/x" * 2_000,
+    ],
 )
 def test_paths_that_lead_nowhere_are_not_found(path: str) -> None:
     assert ask("GET", path, {"host": "localhost"}) == 404

@@ -38,7 +38,9 @@ async def test_its_assets_are_kept(dist: Path) -> None:
     assert asset.headers["content-type"].startswith("text/javascript")
 
 
-@pytest.mark.parametrize("path", ["/secret.txt", "/%2e%2e/secret.txt", "/..%2fsecret.txt", "/assets/%2e%2e/%2e%2e/secret.txt"])
+@pytest.mark.parametrize(
+    "path", ["/secret.txt", "/%2e%2e/secret.txt", "/..%2fsecret.txt", "/assets/%2e%2e/%2e%2e/secret.txt"]
+)
 async def test_nothing_beside_the_page_is_served(dist: Path, path: str) -> None:
     assert (await get(dist, path)).status_code == 404
 

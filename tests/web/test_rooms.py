@@ -46,11 +46,16 @@ async def test_a_character_has_joints_clips_and_a_model(client: httpx.AsyncClien
     assert model.headers["content-type"] == "model/gltf-binary"
     assert model.content[:4] == b"glTF"
     nodes = json.loads(model.content[20 : 20 + int.from_bytes(model.content[12:16], "little")])["nodes"]
-    assert all(nodes[joint["node"]].get("name", joint["name"]) == joint["name"] for joint in character["joints"])
+    assert all(
+        nodes[joint["node"]].get("name", joint["name"]) == joint["name"] for joint in character["joints"]
+    )
     assert {"walk", "stand", "jump"} <= {clip["name"] for clip in character["clips"]}
 
 
-@pytest.mark.parametrize("path", ["/api/machines/x", "/api/machines/x/verify", "/api/characters/x", "/api/stages/x", "/api/stages/x/log"])
+@pytest.mark.parametrize(
+    "path",
+    ["/api/machines/x", "/api/machines/x/verify", "/api/characters/x", "/api/stages/x", "/api/stages/x/log"],
+)
 async def test_what_is_not_there_is_404_and_lists_what_is(client: httpx.AsyncClient, path: str) -> None:
     problem = await get(client, path, 404)
     assert problem["status"] == 404
@@ -59,7 +64,9 @@ async def test_what_is_not_there_is_404_and_lists_what_is(client: httpx.AsyncCli
 
 async def test_actors_come_and_go(client: httpx.AsyncClient) -> None:
     stage = (await client.post("/api/stages", json={"clock": "manual"})).headers["Location"]
-    added = await client.post(f"{stage}/actors", json={"machine": "faq-walker", "position": [1, 0, 2], "heading_deg": 90})
+    added = await client.post(
+        f"{stage}/actors", json={"machine": "faq-walker", "position": [1, 0, 2], "heading_deg": 90}
+    )
     assert added.status_code == 201
     actor = await get(client, added.headers["Location"])
     assert actor["position"] == [1, 0, 2]
@@ -84,9 +91,10 @@ async def test_the_number_of_stages_is_bounded(client: httpx.AsyncClient) -> Non
 async def test_the_description_has_every_route_and_its_errors(client: httpx.AsyncClient) -> None:
     description = await get(client, "/api/openapi.json")
     assert len(description["paths"]) >= 20
+    assert "application/problem+json" in description["components"]["responses"]["Problem"]["content"]
     for path, operations in description["paths"].items():
         for operation in operations.values():
-            assert "application/problem+json" in operation["responses"]["422"]["content"], path
+            assert operation["responses"]["4XX"]["$ref"] == "#/components/responses/Problem", path
             assert operation["summary"]
 
 
@@ -106,4 +114,7 @@ async def test_the_frame_of_a_tick_is_a_model(client: httpx.AsyncClient) -> None
 @pytest.mark.parametrize(("path", "status"), [("/api/machines", 200), ("/api/nothing", 404)])
 async def test_head_is_get_without_a_body(client: httpx.AsyncClient, path: str, status: int) -> None:
     answer = await client.head(path)
-    assert (answer.status_code, answer.headers["content-type"]) == (status, (await client.get(path)).headers["content-type"])
+    assert (answer.status_code, answer.headers["content-type"]) == (
+        status,
+        (await client.get(path)).headers["content-type"],
+    )

@@ -1,46 +1,27 @@
-"""A long way through time lets others in: the lock of a stage is free between slices."""
+"""A long step is given up when its client goes."""
 
-import threading
+from collections.abc import Iterator
 
+import httpx
 import pytest
-from statwalk.loading import load
-from statwalk.stage.past.timeline import SLICE
-from statwalk.stage.stage import Stage
-from statwalk.web.keeping.catalogue import Catalogue
-from statwalk.web.keeping.hosted import HostedStage
 
-TICKS = 20 * SLICE
+FOR_EVER = 36_000
 
 
-@pytest.fixture(scope="module")
-def hosted():
-    stage = Stage()
-    stage.add(load("faq-walker"))
-    return HostedStage("one", stage, "manual", Catalogue())
+@pytest.fixture
+def crowd(rest: httpx.Client) -> Iterator[str]:
+    """The path of a stage with a manual clock that many actors stand on."""
+    opened = rest.post("/api/stages", json={"clock": "manual", "actors": [{"machine": "faq-walker"}] * 50})
+    yield opened.headers["Location"]
+    rest.delete(opened.headers["Location"])
 
 
-def turns_of_another(hosted, work):
-    """The ticks at which somebody else had the stage while `work` was done in a thread of its own."""
-    seen = set()
-    worker = threading.Thread(target=work)
-    worker.start()
-    while worker.is_alive():
-        with hosted.turn() as stage:
-            seen.add(stage.tick)
-    worker.join()
-    return seen
-
-
-def test_many_steps_are_seen_on_their_way(hosted):
-    seen = turns_of_another(hosted, lambda: hosted.step(TICKS))
-    assert hosted.stage.tick == TICKS
-    assert any(0 < tick < TICKS for tick in seen)
-    assert all(tick % SLICE == 0 for tick in seen)
-
-
-def test_a_long_seek_moves_the_playhead_once(hosted):
-    hosted.stage.seek(hosted.stage.head)
-    before = hosted.stage.head
-    seen = turns_of_another(hosted, lambda: hosted.seek(7))
-    assert seen <= {before, 7}
-    assert hosted.stage.tick == 7
+def test_a_stage_stands_still_when_the_client_that_steps_it_has_gone(
+    address: str, crowd: str, rest: httpx.Client
+):
+    with httpx.Client(base_url=f"http://{address}") as impatient, pytest.raises(httpx.ReadTimeout):
+        impatient.post(f"{crowd}/step", json={"ticks": FOR_EVER}, timeout=0.5)
+    left = rest.get(crowd).json()["head"]
+    ticks = [rest.get(crowd).json()["head"] for _ in range(20)]
+    assert 0 < left < FOR_EVER
+    assert len(set(ticks[10:])) == 1

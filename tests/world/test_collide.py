@@ -8,7 +8,9 @@ ALL = np.ones((1, 1), bool)
 
 
 def bodies(*rows):
-    """Rows (before, now, radius) of spheres, or (before, now, radius, normal) of planes; each of an owner of its own."""
+    """Rows (before, now, radius) of spheres, or (before, now, radius, normal) of planes; each of an owner of
+    its own.
+    """
     normal = np.array([row[3] if len(row) > 3 else (0, 0, 0) for row in rows], float)
     return Bodies(
         owner=np.arange(len(rows)),
@@ -107,7 +109,9 @@ def test_only_the_kinds_that_are_wanted_in_either_order():
 
 def test_a_crowd_gives_what_each_pair_gives_alone():
     chance = np.random.default_rng(2)
-    rows = [(chance.normal(size=3) * 3, chance.normal(size=3) * 3, chance.uniform(0.1, 0.5)) for _ in range(40)]
+    rows = [
+        (chance.normal(size=3) * 3, chance.normal(size=3) * 3, chance.uniform(0.1, 0.5)) for _ in range(40)
+    ]
     rows += [(*row, FRONT) for row in rows[:4]]
     crowd = touches(bodies(*rows), ALL)
     for at, (first, second) in enumerate(zip(crowd.first, crowd.second, strict=True)):

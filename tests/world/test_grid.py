@@ -18,12 +18,18 @@ def crowds():
     yield "even", CHANCE.uniform(-20, 20, (300, 3)), np.full(300, 0.9)
     yield "of all sizes", CHANCE.uniform(-20, 20, (300, 3)), 10 ** CHANCE.uniform(-3, 1, 300)
     yield "in one place", np.zeros((40, 3)), np.full(40, 0.5)
-    yield "farther than the grid reaches", CHANCE.choice([-1e9, 0, 1e9], (60, 3)) + CHANCE.normal(size=(60, 3)), np.full(60, 0.7)
+    yield (
+        "farther than the grid reaches",
+        CHANCE.choice([-1e9, 0, 1e9], (60, 3)) + CHANCE.normal(size=(60, 3)),
+        np.full(60, 0.7),
+    )
     yield "points", np.array([[0.0, 0, 0], [0, 0, 0], [1, 0, 0]]), np.zeros(3)
     yield "nobody", np.zeros((0, 3)), np.zeros(0)
 
 
-@pytest.mark.parametrize(("centers", "reach"), [crowd[1:] for crowd in crowds()], ids=[crowd[0] for crowd in crowds()])
+@pytest.mark.parametrize(
+    ("centers", "reach"), [crowd[1:] for crowd in crowds()], ids=[crowd[0] for crowd in crowds()]
+)
 def test_no_overlapping_pair_is_missing(centers, reach):
     found = list(zip(*overlapping(centers, reach), strict=True))
     assert all_pairs(centers, reach) <= set(found)

@@ -8,7 +8,11 @@ BALL = Obstacles(np.array([[0.0, 0, 10]]), np.array([2.0]), np.zeros((1, 3)), np
 FLOOR = Obstacles(np.array([[7.0, 1, 7]]), np.zeros(1), np.array([[0.0, 1, 0]]), np.array([True]))
 
 
-@pytest.mark.parametrize(("gap", "force"), [(1, 4), (2, 0), (3, 0), (0.5, 20)], ids=["at the distance", "at twice it", "far", "at half"])
+@pytest.mark.parametrize(
+    ("gap", "force"),
+    [(1, 4), (2, 0), (3, 0), (0.5, 20)],
+    ids=["at the distance", "at twice it", "far", "at half"],
+)
 def test_the_field_of_a_sphere(gap, force):
     # 4·((1/gap)² − 1/4)/(3/4) away from it
     pushed = repulsion(BALL, np.array([[0.0, 0, 8 - gap]]), 1.0, 4.0)
@@ -16,7 +20,9 @@ def test_the_field_of_a_sphere(gap, force):
 
 
 def test_the_field_of_a_plane_leads_along_its_normal():
-    np.testing.assert_allclose(repulsion(FLOOR, np.array([[0.0, 2, 0], [3, 9, 1]]), 1.0, 4.0), [[0, 4, 0], [0, 0, 0]])
+    np.testing.assert_allclose(
+        repulsion(FLOOR, np.array([[0.0, 2, 0], [3, 9, 1]]), 1.0, 4.0), [[0, 4, 0], [0, 0, 0]]
+    )
 
 
 def test_who_is_inside_is_put_onto_the_surface_and_flies_on_along_it():
@@ -36,7 +42,8 @@ def test_who_is_in_the_very_middle_is_put_out_upwards():
 
 
 def test_a_course_into_a_sphere_is_turned_aside():
-    # one metre beside the middle, which is a second ahead; 2 m and the distance of 1 m are to be kept: 2·(3 − 1)/1²
+    # one metre beside the middle, which is a second ahead; 2 m and the distance of 1 m are to be kept: 2·(3 −
+    # 1)/1²
     aside = evasion(BALL, np.array([[1.0, 0, 0]]), np.array([[0.0, 0, 10]]), 1.0)
     np.testing.assert_allclose(aside, [[4, 0, 0]])
 

@@ -17,7 +17,9 @@ def brute(position, forward, reach, sight_cos, count):
         seen = [
             (distance[other], other)
             for other in range(len(position))
-            if other != me and distance[other] <= reach and away[other] @ forward[me] >= sight_cos * distance[other]
+            if other != me
+            and distance[other] <= reach
+            and away[other] @ forward[me] >= sight_cos * distance[other]
         ]
         found.append([other for _, other in sorted(seen)[:count]])
     return found
@@ -28,12 +30,16 @@ def flock(members, size):
     return CHANCE.uniform(0, size, (members, 3)), forward / np.linalg.norm(forward, axis=1, keepdims=True)
 
 
-@pytest.mark.parametrize(("members", "size", "reach"), [(300, 10, 3.0), (300, 3, 5.0), (60, 100, 5.0), (1, 1, 5.0), (0, 1, 5.0)])
+@pytest.mark.parametrize(
+    ("members", "size", "reach"), [(300, 10, 3.0), (300, 3, 5.0), (60, 100, 5.0), (1, 1, 5.0), (0, 1, 5.0)]
+)
 @pytest.mark.parametrize("sight_cos", [-1.0, -0.5, 0.7])
 def test_the_nearest_in_the_field_of_view(members, size, reach, sight_cos):
     position, forward = flock(members, size)
     rows, distance = nearest_seen(position, forward, reach, sight_cos, 5)
-    assert [[other for other in row if other >= 0] for row in rows.tolist()] == brute(position, forward, reach, sight_cos, 5)
+    assert [[other for other in row if other >= 0] for row in rows.tolist()] == brute(
+        position, forward, reach, sight_cos, 5
+    )
     assert (np.isinf(distance) == (rows < 0)).all()
 
 
@@ -42,7 +48,9 @@ def test_where_to_look_first_changes_nothing(radius, monkeypatch):
     position, forward = flock(200, 6)
     monkeypatch.setattr(sight, "first_look", lambda *_: radius)
     rows, _ = nearest_seen(position, forward, 4.0, 0.0, 6)
-    assert [[other for other in row if other >= 0] for row in rows.tolist()] == brute(position, forward, 4.0, 0.0, 6)
+    assert [[other for other in row if other >= 0] for row in rows.tolist()] == brute(
+        position, forward, 4.0, 0.0, 6
+    )
 
 
 def test_of_equally_near_ones_the_lower_row_comes_first():

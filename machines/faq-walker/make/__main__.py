@@ -1,4 +1,6 @@
-"""Makes walker.glb: `python machines/faq-walker/make [target]` (needs the package and the development tools, for SciPy)."""
+"""Makes walker.glb: `python machines/faq-walker/make [target]` (needs the package and the development tools,
+for SciPy).
+"""
 
 import sys
 from pathlib import Path

@@ -23,13 +23,22 @@ class Writer:
         self.file = gl.GLTF2(asset=gl.Asset(version="2.0", generator="machines/faq-walker/make"))
         self.blob = bytearray()
 
-    def add(self, rows: NDArray[np.generic], component: int, *, target: int | None = None, bounds: bool = False) -> int:
+    def add(
+        self, rows: NDArray[np.generic], component: int, *, target: int | None = None, bounds: bool = False
+    ) -> int:
         """Append rows (N,) or (N, n) and return their accessor."""
         width = 1 if rows.ndim == 1 else rows.shape[1]
         data = np.ascontiguousarray(rows).tobytes()
-        self.file.bufferViews.append(gl.BufferView(buffer=0, byteOffset=len(self.blob), byteLength=len(data), target=target))
+        self.file.bufferViews.append(
+            gl.BufferView(buffer=0, byteOffset=len(self.blob), byteLength=len(data), target=target)
+        )
         self.blob.extend(data + b"\0" * (-len(data) % 4))
-        accessor = gl.Accessor(bufferView=len(self.file.bufferViews) - 1, componentType=component, count=len(rows), type=KINDS[width])
+        accessor = gl.Accessor(
+            bufferView=len(self.file.bufferViews) - 1,
+            componentType=component,
+            count=len(rows),
+            type=KINDS[width],
+        )
         if bounds:
             table = rows.reshape(len(rows), -1)
             accessor.min, accessor.max = [float(v) for v in table.min(0)], [float(v) for v in table.max(0)]
@@ -46,7 +55,9 @@ def _add_body(out: Writer, body: Body) -> None:
     for name, faces in body.parts.items():
         used, indices = np.unique(faces, return_inverse=True)
         (red, green, blue), rough = MATERIALS[name]
-        surface = gl.PbrMetallicRoughness(baseColorFactor=[red, green, blue, 1.0], metallicFactor=0.0, roughnessFactor=rough)
+        surface = gl.PbrMetallicRoughness(
+            baseColorFactor=[red, green, blue, 1.0], metallicFactor=0.0, roughnessFactor=rough
+        )
         out.file.materials.append(gl.Material(name=name, pbrMetallicRoughness=surface))
         attributes = gl.Attributes(
             POSITION=out.floats(body.points[used], target=34962, bounds=True),
@@ -55,10 +66,16 @@ def _add_body(out: Writer, body: Body) -> None:
             WEIGHTS_0=out.floats(body.weights[used], target=34962),
         )
         at = out.add(indices.reshape(-1).astype(np.uint16), SHORT, target=34963)
-        primitives.append(gl.Primitive(attributes=attributes, indices=at, material=len(out.file.materials) - 1))
+        primitives.append(
+            gl.Primitive(attributes=attributes, indices=at, material=len(out.file.materials) - 1)
+        )
     out.file.meshes.append(gl.Mesh(name="Body", primitives=primitives))
     matrices = np.swapaxes(inverse_bind(), 1, 2).reshape(-1, 16)
-    out.file.skins.append(gl.Skin(name="Body", joints=list(range(len(NAMES))), skeleton=0, inverseBindMatrices=out.floats(matrices)))
+    out.file.skins.append(
+        gl.Skin(
+            name="Body", joints=list(range(len(NAMES))), skeleton=0, inverseBindMatrices=out.floats(matrices)
+        )
+    )
 
 
 def _unit32(vectors: Array) -> Array:
@@ -72,7 +89,11 @@ def _add_nodes(out: Writer, rotation: Array, root: Array) -> None:
     for index, name in enumerate(NAMES):
         children = [child for child, parent in enumerate(PARENT) if parent == index]
         turn = [float(v) for v in rotation[index]]
-        out.file.nodes.append(gl.Node(name=name, translation=[float(v) for v in places[index]], rotation=turn, children=children))
+        out.file.nodes.append(
+            gl.Node(
+                name=name, translation=[float(v) for v in places[index]], rotation=turn, children=children
+            )
+        )
     out.file.nodes.append(gl.Node(name="Body", mesh=0, skin=0))
     out.file.scenes.append(gl.Scene(name="faq-walker", nodes=[0, len(NAMES)]))
     out.file.scene = 0
@@ -82,7 +103,10 @@ def _add_motion(out: Writer, motion: Motion) -> None:
     times, rotation, root = motion.frames()
     clip = gl.Animation(name=motion.name, samplers=[], channels=[])
     at = out.floats(times, bounds=True)
-    tracks = [(INDEX["Root"], "translation", root), *((joint, "rotation", rotation[:, joint]) for joint in range(len(NAMES)))]
+    tracks = [
+        (INDEX["Root"], "translation", root),
+        *((joint, "rotation", rotation[:, joint]) for joint in range(len(NAMES))),
+    ]
     for joint, path, values in tracks:
         clip.samplers.append(gl.AnimationSampler(input=at, output=out.floats(values), interpolation="LINEAR"))
         target = gl.AnimationChannelTarget(node=joint, path=path)

@@ -17,14 +17,18 @@ def constant(value: float) -> Curve:
 
 
 def through(keys: Keys, start_slope: float = 0.0, end_slope: float = 0.0) -> Curve:
-    """A twice differentiable curve through the keys with given slopes at both ends; it holds its ends outside."""
+    """A twice differentiable curve through the keys with given slopes at both ends; it holds its ends
+    outside.
+    """
     times, values = np.array(keys, float).T
     spline = CubicSpline(times, values, bc_type=((1, start_slope), (1, end_slope)))
     return lambda t: np.asarray(spline(np.clip(t, times[0], times[-1])))
 
 
 def eased(keys: Keys) -> Curve:
-    """A curve through the keys that never overshoots them and rests at the ends (Fritsch and Carlson 1980)."""
+    """A curve through the keys that never overshoots them and rests at the ends (Fritsch and Carlson
+    1980).
+    """
     times, values = np.array(keys, float).T
     lead, trail = times[0] - 1.0, times[-1] + 1.0
     spline = PchipInterpolator([lead, *times, trail], [values[0], *values, values[-1]])
@@ -46,6 +50,8 @@ def cyclic_eased(keys: Keys) -> Curve:
 
 
 def ramp(t: Array, start: float, end: float) -> Array:
-    """0 before `start`, 1 after `end`, between them the quintic that leaves and arrives without speed or acceleration."""
+    """0 before `start`, 1 after `end`, between them the quintic that leaves and arrives without speed or
+    acceleration.
+    """
     f = np.clip((t - start) / (end - start), 0.0, 1.0)
     return np.asarray(f * f * f * (f * (f * 6 - 15) + 10))

@@ -29,8 +29,18 @@ VIEWS = {
 }
 
 
-def draw(points: Array, normals: Array, faces: Indices, colours: Array, view: Array, box: tuple[float, ...], scale: float) -> Image:
-    """One picture (H, W, 3) of triangles of one colour each; `box`: left, bottom, width, height (metres); `scale`: pixels a metre."""
+def draw(
+    points: Array,
+    normals: Array,
+    faces: Indices,
+    colours: Array,
+    view: Array,
+    box: tuple[float, ...],
+    scale: float,
+) -> Image:
+    """One picture (H, W, 3) of triangles of one colour each; `box`: left, bottom, width, height (metres);
+    `scale`: pixels a metre.
+    """
     width, height = int(box[2] * scale), int(box[3] * scale)
     seen = points @ view.T
     xy = np.stack([(seen[:, 0] - box[0]) * scale, height - (seen[:, 1] - box[1]) * scale], axis=-1)
@@ -49,9 +59,15 @@ def draw(points: Array, normals: Array, faces: Indices, colours: Array, view: Ar
 
 
 def _fill(corners: Array, near: Array, size: tuple[int, int]) -> tuple[Indices, Array]:
-    """Nearest triangle (P,) or -1 at every pixel's centre, and the shares (P, 3) of its corners; offset by offset of the boxes."""
+    """Nearest triangle (P,) or -1 at every pixel's centre, and the shares (P, 3) of its corners; offset by
+    offset of the boxes.
+    """
     width, height = size
-    depth, picked, share = np.full(height * width, -np.inf), np.full(height * width, -1), np.zeros((height * width, 3))
+    depth, picked, share = (
+        np.full(height * width, -np.inf),
+        np.full(height * width, -1),
+        np.zeros((height * width, 3)),
+    )
     low = np.floor(corners.min(1)).astype(int)
     span = (np.ceil(corners.max(1)).astype(int) - low).max(1)
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
@@ -65,7 +81,12 @@ def _fill(corners: Array, near: Array, size: tuple[int, int]) -> tuple[Indices, 
         ok = (weights >= -0.01).all(1) & (pixel >= 0).all(1) & (pixel < (width, height)).all(1)
         z = (near[some] * weights).sum(1)[ok]
         order = np.argsort(z)
-        flat, chosen, z, weights = (pixel[ok, 1] * width + pixel[ok, 0])[order], some[ok][order], z[order], weights[ok][order]
+        flat, chosen, z, weights = (
+            (pixel[ok, 1] * width + pixel[ok, 0])[order],
+            some[ok][order],
+            z[order],
+            weights[ok][order],
+        )
         better = z > depth[flat]
         flat = flat[better]
         depth[flat], picked[flat], share[flat] = z[better], chosen[better], weights[better]
@@ -82,5 +103,8 @@ def save(path: Path, image: Image) -> None:
     rows = b"".join(b"\0" + row.tobytes() for row in pixels)
     head = struct.pack(">IIBBBBB", pixels.shape[1], pixels.shape[0], 8, 2, 0, 0, 0)
     chunks = ((b"IHDR", head), (b"IDAT", zlib.compress(rows, 9)), (b"IEND", b""))
-    body = b"".join(struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)) for kind, data in chunks)
+    body = b"".join(
+        struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        for kind, data in chunks
+    )
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + body)

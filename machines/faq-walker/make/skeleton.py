@@ -1,4 +1,6 @@
-"""The FAQ's 20-bone mammal (Q11, misprints corrected) in human proportions: metres, +Y up, facing +Z, left is +X."""
+"""The FAQ's 20-bone mammal (Q11, misprints corrected) in human proportions: metres, +Y up, facing +Z, left is
++X.
+"""
 
 import numpy as np
 from numpy.typing import NDArray

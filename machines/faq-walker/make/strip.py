@@ -1,4 +1,6 @@
-"""Film strips from three sides: `python machines/faq-walker/make/strip.py walk walk.png [pictures]`, or `jump+fly+land` in a row."""
+"""Film strips from three sides: `python machines/faq-walker/make/strip.py walk walk.png [pictures]`, or
+`jump+fly+land` in a row.
+"""
 
 import sys
 from pathlib import Path
@@ -41,7 +43,10 @@ def skinned(body: Body, matrices: Array) -> tuple[Array, Array]:
 
 def surface_of(body: Body) -> tuple[NDArray[np.int64], Array]:
     """All triangles (T, 3) and their colours (T, 3) as for a screen."""
-    colours = [np.tile(np.array(MATERIALS[name][0]) ** (1 / 2.2), (len(faces), 1)) for name, faces in body.parts.items()]
+    colours = [
+        np.tile(np.array(MATERIALS[name][0]) ** (1 / 2.2), (len(faces), 1))
+        for name, faces in body.parts.items()
+    ]
     return np.concatenate(list(body.parts.values())), np.concatenate(colours)
 
 
@@ -54,15 +59,24 @@ def strip(body: Body, motion: Motion, times: Array, view: str) -> film.Image:
         points, normals = skinned(body, world_matrices(turn, place))
         height = 2.3 if motion.name in TALL else 1.90
         box = (-0.62, -0.5, 1.24, 1.0) if view == "above" else (-0.62, -0.06, 1.24, height)
-        pictures.append(film.draw(points - place * (1, 0, 1), normals, faces, colours, film.VIEWS[view], box, SCALE))
+        pictures.append(
+            film.draw(points - place * (1, 0, 1), normals, faces, colours, film.VIEWS[view], box, SCALE)
+        )
     return np.concatenate(pictures, axis=1)
 
 
-def sheet(body: Body, motions: list[Motion], count: int = 11, views: tuple[str, ...] = ("side", "front", "above")) -> film.Image:
+def sheet(
+    body: Body, motions: list[Motion], count: int = 11, views: tuple[str, ...] = ("side", "front", "above")
+) -> film.Image:
     """Strips of motions that follow each other, evenly in time, one view under the other."""
     whole = sum(motion.duration for motion in motions)
-    times = [(m, np.linspace(0, m.duration, max(2, round(count * m.duration / whole)), endpoint=m is motions[-1])) for m in motions]
-    return np.concatenate([np.concatenate([strip(body, m, t, view) for m, t in times], axis=1) for view in views])
+    times = [
+        (m, np.linspace(0, m.duration, max(2, round(count * m.duration / whole)), endpoint=m is motions[-1]))
+        for m in motions
+    ]
+    return np.concatenate(
+        [np.concatenate([strip(body, m, t, view) for m, t in times], axis=1) for view in views]
+    )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,6 @@
-"""Makes walker.glb, the FAQ's walker with a run and gestures: `python machines/walker-layers/make [target]` (as faq-walker's)."""
+"""Makes walker.glb, the FAQ's walker with a run and gestures: `python machines/walker-layers/make [target]`
+(as faq-walker's).
+"""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,7 @@
-"""What the upper body does beside walking: the right arm waves, the head nods. Both begin and end as one stands."""
+"""What the upper body does beside walking: the right arm waves, the head nods.
+
+Both begin and end as one stands.
+"""
 
 import numpy as np
 from curves import Array, Curve, eased
@@ -12,7 +15,9 @@ SWINGS = 3
 
 
 def _rise(name: str, peak: float, early: float = 0.0) -> Curve:
-    """From where the arm hangs to `peak` and back, with a little anticipation; parts that lead come `early` seconds before."""
+    """From where the arm hangs to `peak` and back, with a little anticipation; parts that lead come `early`
+    seconds before.
+    """
     rest = value(STAND_POSE, f"Right.{name}", 0.0)
     over = peak + 0.06 * (peak - rest)
     keys = [
@@ -29,7 +34,9 @@ def _rise(name: str, peak: float, early: float = 0.0) -> Curve:
 
 def _to_and_fro(size: float, lag: float) -> Curve:
     """Degrees to either side while the arm is up."""
-    share = eased([(0.0, 0.0), (UP - 0.2, 0.0), (UP + 0.12, 1.0), (DOWN - 0.12, 1.0), (DOWN + 0.25, 0.0), (WAVE, 0.0)])
+    share = eased(
+        [(0.0, 0.0), (UP - 0.2, 0.0), (UP + 0.12, 1.0), (DOWN - 0.12, 1.0), (DOWN + 0.25, 0.0), (WAVE, 0.0)]
+    )
 
     def curve(t: Array) -> Array:
         part = (t - lag - UP) / (DOWN - UP)
@@ -54,7 +61,11 @@ ARM = {
     "Right.wrist": _rise("wrist", -4.0, -0.04),
     "Right.wrist_side": _sum(_rise("wrist_side", 0.0), _to_and_fro(-12.0, 0.09)),
 }
-LOOK = {"head_pitch": eased([(0.0, 0.0), (0.14, -1.0), (0.36, 13.0), (0.58, 2.0), (0.78, 9.0), (NOD - 0.1, 0.0), (NOD, 0.0)])}
+LOOK = {
+    "head_pitch": eased(
+        [(0.0, 0.0), (0.14, -1.0), (0.36, 13.0), (0.58, 2.0), (0.78, 9.0), (NOD - 0.1, 0.0), (NOD, 0.0)]
+    )
+}
 
 GESTURES = [
     Motion("wave", WAVE, replaced(STAND_POSE, ARM), stand_feet(), rate=30),

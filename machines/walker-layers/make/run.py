@@ -18,9 +18,27 @@ MIDDLE = OFF / 2  # of the stance, where the pelvis is lowest
 
 # toes up +, degrees
 PITCH = cyclic_eased(
-    [(0.0, 7), (0.05, 0), (0.17, 0), (0.24, -10), (0.31, -34), (0.38, -60), (0.47, -78), (0.57, -76), (0.70, -34), (0.83, 2), (0.93, 9)]
+    [
+        (0.0, 7),
+        (0.05, 0),
+        (0.17, 0),
+        (0.24, -10),
+        (0.31, -34),
+        (0.38, -60),
+        (0.47, -78),
+        (0.57, -76),
+        (0.70, -34),
+        (0.83, 2),
+        (0.93, 9),
+    ]
 )
-SWING = [Arc(0.14, 0.075, 0.36), Arc(0.28, 0.235, 0.45), Arc(0.47, 0.48, 0.43), Arc(0.70, 0.815, 0.275), Arc(0.88, 0.975, 0.17)]
+SWING = [
+    Arc(0.14, 0.075, 0.36),
+    Arc(0.28, 0.235, 0.45),
+    Arc(0.47, 0.48, 0.43),
+    Arc(0.70, 0.815, 0.275),
+    Arc(0.88, 0.975, 0.17),
+]
 
 
 def run_body(t: Array) -> dict[str, Array]:
@@ -52,7 +70,9 @@ def run_body(t: Array) -> dict[str, Array]:
 
 
 def _arm(side: str, p: Array, size: float) -> dict[str, Array]:
-    """An arm swings against its leg; the elbow opens behind and closes in front, the hand comes towards the middle."""
+    """An arm swings against its leg; the elbow opens behind and closes in front, the hand comes towards the
+    middle.
+    """
     ahead = -np.cos(2 * np.pi * p - 0.25) + 0.12 * np.cos(4 * np.pi * p)  # -1 behind, +1 in front
     follows = -np.cos(2 * np.pi * p - 0.65)
     handles = {

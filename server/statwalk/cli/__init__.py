@@ -1,10 +1,12 @@
-"""The command `statwalk`: one file per verb, imported only when it is asked for."""
+"""The command `statwalk`: one file per verb; only the file of the verb that runs is imported."""
 
 from __future__ import annotations
 
+import ast
 import sys
 from importlib import import_module
 from importlib.metadata import version as installed_version
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -12,12 +14,16 @@ from rich.console import Console
 from rich.markup import escape
 
 from statwalk.errors import StatwalkError
+from statwalk.maths.prepare import prepare, prepare_once
 
 VERBS = ("serve", "play", "verify", "new", "pose")
 
 
-def command(wanted: list[str]) -> typer.Typer:
-    """The command with the verbs `wanted`; each module has a function of its verb's name and its EXAMPLES."""
+def command(verb: str | None) -> typer.Typer:
+    """Returns the command with one verb, or (None) with the names and summaries of all verbs.
+
+    The module of a verb holds a function with the verb's name, and its EXAMPLES.
+    """
     app = typer.Typer(
         no_args_is_help=True,
         add_completion=False,
@@ -25,14 +31,28 @@ def command(wanted: list[str]) -> typer.Typer:
         rich_markup_mode="rich",
         invoke_without_command=True,
     )
-    app.callback()(about)  # keeps the verb a word of its own where only one is registered
-    for verb in wanted:
+    app.callback()(_about)  # with one verb and no callback, typer would drop the verb from the command line
+    if verb:
         module = import_module(f"statwalk.cli.{verb}")
         app.command(verb, epilog=module.EXAMPLES)(getattr(module, verb))
+    else:
+        for name in VERBS:
+            app.command(name, help=_summary(name))(lambda: None)
     return app
 
 
-def about(version: Annotated[bool, typer.Option("--version", is_eager=True, help="Print the version and exit.")] = False) -> None:
+def _summary(verb: str) -> str:
+    """Returns the docstring of a verb's function, without importing the verb's module."""
+    module = ast.parse(Path(__file__).with_name(f"{verb}.py").read_text(encoding="utf-8"))
+    functions = {node.name: node for node in module.body if isinstance(node, ast.FunctionDef)}
+    return ast.get_docstring(functions[verb]) or ""
+
+
+def _about(
+    version: Annotated[
+        bool, typer.Option("--version", is_eager=True, help="Print the version and exit.")
+    ] = False,
+) -> None:
     """Animates characters from state tables: proved, streamed to a browser, tested without one."""
     if version:
         Console(highlight=False).print(f"statwalk {installed_version('statwalk')}")
@@ -40,10 +60,14 @@ def about(version: Annotated[bool, typer.Option("--version", is_eager=True, help
 
 
 def main() -> None:
-    """Runs the verb that was asked for; what a user's input can cause ends with one line and status 2."""
-    asked = sys.argv[1:2]
+    """Runs the verb of the command line; an error that a user's input causes prints one line, status 2."""
+    verb = sys.argv[1] if sys.argv[1:2] and sys.argv[1] in VERBS else None
     try:
-        command(asked if asked and asked[0] in VERBS else list(VERBS))()
+        if verb:
+            prepare() if verb == "serve" else prepare_once()
+        command(verb)()
     except (StatwalkError, OSError) as error:
-        Console(stderr=True, highlight=False).print(f"[bold red]statwalk:[/] {escape(str(error))}", soft_wrap=True)
+        Console(stderr=True, highlight=False).print(
+            f"[bold red]statwalk:[/] {escape(str(error))}", soft_wrap=True
+        )
         sys.exit(2)

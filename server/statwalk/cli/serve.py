@@ -10,10 +10,10 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from statwalk.files.scenefile import FILE_NAME as SCENE_FILE
-from statwalk.loading import shipped_scenes
+from statwalk.files.scene import FILE_NAME as SCENE_FILE
+from statwalk.services.library.load import shipped_scenes
 from statwalk.web.app import create_app
-from statwalk.web.listen import listening_socket, run
+from statwalk.web.server import listening_socket, run
 from statwalk.web.settings import Settings, data_folder
 
 EXAMPLES = """Examples:
@@ -32,8 +32,8 @@ console = Console(highlight=False)
 errors = Console(stderr=True, highlight=False)
 
 
-def is_loopback(host: str) -> bool:
-    """Whether only this machine can reach the address."""
+def _is_loopback(host: str) -> bool:
+    """Returns whether only this computer can reach the address."""
     if host == "localhost":
         return True
     try:
@@ -42,37 +42,46 @@ def is_loopback(host: str) -> bool:
         return False
 
 
-def fail(reason: str) -> typer.Exit:
-    """Says why, and ends with status 2."""
+def _fail(reason: str) -> typer.Exit:
     errors.print(f"[bold red]statwalk serve:[/] {escape(reason)}", soft_wrap=True)
     return typer.Exit(2)
 
 
 def serve(
     folders: Annotated[
-        list[Path] | None, typer.Argument(help="Machine or scene folders to add, or a shipped scene; the page opens on the first.")
+        list[Path] | None,
+        typer.Argument(
+            help="Machine or scene folders to add, or a shipped scene; the page opens on the first."
+        ),
     ] = None,
     port: Annotated[int, typer.Option(help="TCP port; 0 takes a free one.", min=0, max=65535)] = 8000,
     data: Annotated[
-        Path | None, typer.Option(help="The folder that keeps uploads; by default your data folder.", show_default=False)
+        Path | None,
+        typer.Option(help="The folder that keeps uploads; by default your data folder.", show_default=False),
     ] = None,
-    watch: Annotated[bool, typer.Option(help="A machine.yaml that is saved counts at once, on all stages.")] = False,
+    watch: Annotated[
+        bool, typer.Option(help="Play a machine.yaml on all stages as soon as you save it.")
+    ] = False,
     host: Annotated[str, typer.Option(help="A loopback address; others are refused.")] = "127.0.0.1",
 ) -> None:
-    """Serves the API and the viewer on this machine, until it is stopped (Ctrl+C)."""
-    if not is_loopback(host):
-        raise fail(f"other machines can reach {host}, and nobody is asked for a password. Use 127.0.0.1, ::1 or localhost.")
+    """Serves the API and the viewer on this computer, until you press Ctrl+C."""
+    if not _is_loopback(host):
+        raise _fail(
+            f"other computers can reach {host}, and the server asks for no password. Use 127.0.0.1, ::1 or "
+            "localhost."
+        )
     try:
         listener = listening_socket("127.0.0.1" if host == "localhost" else host, port)
     except OSError as error:
-        raise fail(
-            f"cannot listen on {host} port {port}: {error.strerror}. Another port: --port {port + 1 if port < 65535 else 8000}"
+        raise _fail(
+            f"cannot listen on {host} port {port}: {error.strerror}. Use another port: --port "
+            f"{port + 1 if port < 65535 else 8000}"
         ) from None
-    given = tuple(folders or ())
-    own = tuple(folder for folder in given if folder.is_dir() or str(folder) not in shipped_scenes())
-    scene = given[0].name if given and (given[0] not in own or (given[0] / SCENE_FILE).is_file()) else ""
+    first = folders[0] if folders else None
+    own = tuple(folder for folder in folders or () if folder.is_dir() or str(folder) not in shipped_scenes())
+    scene = first.name if first and (first not in own or (first / SCENE_FILE).is_file()) else ""
     app = create_app(Settings(folders=own, data=data or data_folder(), scene=scene, watch=watch))
     name = f"[{host}]" if ":" in host else host
     address = escape(f"http://{name}:{listener.getsockname()[1]}/")
-    console.print(f"statwalk: [bold]{address}[/]   (stop: Ctrl+C)", soft_wrap=True)
+    console.print(f"statwalk: [bold]{address}[/]   (Ctrl+C stops it)", soft_wrap=True)
     run(app, listener)

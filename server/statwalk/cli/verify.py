@@ -1,4 +1,4 @@
-"""`statwalk verify`: what is wrong with a machine's table, and what was proved of it."""
+"""`statwalk verify`: what is wrong with a machine's table, and what is proved about it."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
+from statwalk.character.role import facts_of
 from statwalk.errors import UnknownNameError
-from statwalk.files.machinefile import load_machine
-from statwalk.loading import character_path, load_character_file, machine_folders
-from statwalk.machine.built.build import MotionFacts
-from statwalk.machine.checking.findings import Finding
-from statwalk.machine.checking.verify import verify as find
+from statwalk.files.machine_yaml.machine_file import load_machine
+from statwalk.machine.lint.findings import Finding
+from statwalk.machine.verify import verify as find
+from statwalk.services.library.load import character_path, load_character_file, machine_folders
 
 EXAMPLES = """Examples:
 
@@ -25,35 +25,38 @@ EXAMPLES = """Examples:
 
   statwalk verify my-robot --json
 
-The exit status is 0 where there is no error, 1 where there is one, 2 where the files cannot be read.
+The exit status is 0 without errors, 1 with errors in the table, 2 if a file cannot be read.
 """
 COLOURS = {"error": "bold red", "warning": "yellow", "info": "green"}
 console = Console(highlight=False)
 
 
-def folder_of(machine: str) -> Path:
-    """The folder of a machine; raises UnknownNameError where there is none."""
+def _folder_of(machine: str) -> Path:
     if Path(machine).is_dir():
         return Path(machine)
-    known = machine_folders()
-    if machine not in known:
-        raise UnknownNameError("machine folder or shipped machine", machine, sorted(known))
-    return known[machine]
+    shipped_folders = machine_folders()
+    if machine not in shipped_folders:
+        raise UnknownNameError("machine folder or shipped machine", machine, sorted(shipped_folders))
+    return shipped_folders[machine]
 
 
-def findings_of(folder: Path) -> list[Finding]:
-    """All findings about the machine of a folder, with the motions of its character; raises ContentError where a file cannot be read."""
+def _findings_of(folder: Path) -> list[Finding]:
+    """Returns all findings about the machine in a folder, checked against the motions of its character.
+
+    :raises ContentError: when a file cannot be read.
+    """
     file = load_machine(folder)
     character = load_character_file(character_path(file))
     file.check_root(character.skeleton.names)
-    return find(file.definition, {name: MotionFacts(clip.duration, clip.loop, clip.markers) for name, clip in character.clips.items()})
+    return find(file.definition, facts_of(character))
 
 
 def shown(findings: list[Finding]) -> Table:
-    """The findings as a table."""
+    """Returns the findings as a table to print."""
     table = Table("", "line", "kind", "finding", box=None, pad_edge=False)
-    for one in findings:
-        table.add_row(f"[{COLOURS[one.severity]}]{one.severity}[/]", str(one.line or ""), one.kind, escape(one.message))
+    for finding in findings:
+        severity = f"[{COLOURS[finding.severity]}]{finding.severity}[/]"
+        table.add_row(severity, str(finding.line or ""), finding.kind, escape(finding.message))
     return table
 
 
@@ -62,11 +65,16 @@ def verify(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON, for programs.")] = False,
 ) -> None:
     """Finds what is wrong with a machine's table, without running it, and proves its properties."""
-    findings = findings_of(folder_of(machine))
-    errors = sum(one.severity == "error" for one in findings)
-    warnings = sum(one.severity == "warning" for one in findings)
+    findings = _findings_of(_folder_of(machine))
+    errors = sum(finding.severity == "error" for finding in findings)
+    warnings = sum(finding.severity == "warning" for finding in findings)
     if as_json:
-        typer.echo(orjson.dumps({"machine": machine, "findings": [asdict(one) for one in findings]}, option=orjson.OPT_INDENT_2))
+        typer.echo(
+            orjson.dumps(
+                {"machine": machine, "findings": [asdict(finding) for finding in findings]},
+                option=orjson.OPT_INDENT_2,
+            )
+        )
     else:
         if findings:
             console.print(shown(findings))

@@ -1,1 +1,1 @@
-"""Set by its owner."""
+"""Readers and writers of files: glTF models, machine folders, scenes, characters in text, zip archives."""

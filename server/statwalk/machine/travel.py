@@ -1,7 +1,9 @@
-"""The way to a state: which events lead there soonest, by the time that motions, markers and windows make one wait.
+"""Plans the path to a state: the events that lead to it soonest, by the expected time until each takes
+effect.
 
-A state is thought to be entered at the beginning of its motion. A cell with several outcomes takes as many tries as its chance says;
-a condition is thought to hold some time, and an event that only the world raises (a sense, a touch) to come some time.
+A plan expects every state to be entered at the beginning of its motion. A cell with weights takes as many
+tries as its weights imply, a condition takes CONDITION_S to become true, and an event of the world (a sense,
+a touch) takes WORLD_S to come.
 """
 
 from __future__ import annotations
@@ -13,20 +15,22 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.machine.built.runform import Machine
-from statwalk.machine.built.runparts import AT_END, AT_MARKER, IN_WINDOW, Outcome
+from statwalk.machine.compile.alternatives import AT_END, AT_MARKER, IN_WINDOW, Outcome
+from statwalk.machine.compile.machine import Machine
 
 AT_ONCE_S = 1 / 60
-"""what an event costs that is taken now"""
+"""seconds until an event that is sent now takes effect"""
 CONDITION_S = 1.0
-"""what it costs to hope for a condition"""
+"""seconds until a condition is expected to be true"""
 WORLD_S = 5.0
-"""what it costs to wait for an event of the world"""
+"""seconds until an event of the world is expected"""
 NEVER = np.inf
 
 
-class Step(NamedTuple):
-    """In `state`, `event` is sent (END: the motion's end is waited for); `seconds` until it fires, as expected."""
+class TravelStep(NamedTuple):
+    """Send `event` in `state` (END: wait for the motion's end); `seconds` is the expected time until it
+    fires.
+    """
 
     state: str
     event: str
@@ -34,15 +38,15 @@ class Step(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """A way to `goal`, and how long it is expected to take."""
+    """A path to `goal`, and its expected seconds."""
 
-    steps: tuple[Step, ...]
+    steps: tuple[TravelStep, ...]
     seconds: float
     goal: str
 
 
 class Edge(NamedTuple):
-    """From one state to another by a cell; `seconds` as expected."""
+    """A transition from one state to another by a cell; `seconds` is its expected time."""
 
     here: int
     event: int
@@ -51,43 +55,49 @@ class Edge(NamedTuple):
 
 
 def plan(machine: Machine, here: int, goal: int) -> Plan | None:
-    """The shortest way of the base layer from state `here` to state `goal`, by expected time; None where there is none."""
-    first = first_edges(machine, goal)
-    steps: list[Step] = []
+    """Returns the shortest path of the base layer from state `here` to state `goal`, by expected time; None
+    if no path exists.
+    """
+    first = _first_edges(machine, goal)
+    steps: list[TravelStep] = []
     while here != goal:
         edge = first.get(here)
         if edge is None:
             return None
-        steps.append(Step(machine.states[here], machine.events[edge.event], edge.seconds))
+        steps.append(TravelStep(machine.states[here], machine.events[edge.event], edge.seconds))
         here = edge.there
     return Plan(tuple(steps), sum(step.seconds for step in steps), machine.states[goal])
 
 
 def events_towards(machine: Machine, goal: int) -> NDArray[np.int16]:
-    """(S,) the event of the first step from each state to `goal`; -1 where there is no way, or one is there."""
+    """Returns (S,) the event of the first step from each state to `goal`; -1 for the goal and for states
+    without a path to it.
+    """
     events = np.full(len(machine.states), -1, np.int16)
-    for here, edge in first_edges(machine, goal).items():
+    for here, edge in _first_edges(machine, goal).items():
         events[here] = edge.event
     return events
 
 
 def reachable(machine: Machine, here: int) -> list[str]:
-    """The states that can be reached from `here`, in the order of the table."""
-    found, queue = {here}, [here]
+    """Returns the names of the states that can be reached from state `here`, in the order of the table."""
+    reached, queue = {here}, [here]
     following: dict[int, list[int]] = {}
-    for edge in edges(machine):
+    for edge in _edges(machine):
         following.setdefault(edge.here, []).append(edge.there)
     while queue:
-        new = [state for state in following.get(queue.pop(), ()) if state not in found]
-        found.update(new)
+        new = [state for state in following.get(queue.pop(), ()) if state not in reached]
+        reached.update(new)
         queue.extend(new)
-    return [machine.states[state] for state in sorted(found)]
+    return [machine.states[state] for state in sorted(reached)]
 
 
-def first_edges(machine: Machine, goal: int) -> dict[int, Edge]:
-    """The first step from each state that has a way to `goal` (Dijkstra, from the goal back); the table's order decides between equals."""
+def _first_edges(machine: Machine, goal: int) -> dict[int, Edge]:
+    """The first step from each state that has a path to `goal` (Dijkstra, from the goal back); the table's
+    order decides between equals.
+    """
     into: dict[int, list[Edge]] = {}
-    for edge in edges(machine):
+    for edge in _edges(machine):
         into.setdefault(edge.there, []).append(edge)
     first: dict[int, Edge] = {}
     done: set[int] = set()
@@ -105,29 +115,30 @@ def first_edges(machine: Machine, goal: int) -> dict[int, Edge]:
     return first
 
 
-def edges(machine: Machine) -> Iterator[Edge]:
-    """What every cell of the base can lead to, and how long that is expected to take."""
+def _edges(machine: Machine) -> Iterator[Edge]:
     world = {sense.event for sense in machine.senses} | {touch.event for touch in machine.touches}
     for (here, event), outcomes in sorted(machine.outcomes.items()):
-        wait = waiting(machine, here, event)
+        wait = _wait(machine, here, event)
         if machine.layer_of[here] != 0 or wait == NEVER:
             continue
         wait += WORLD_S if event in world else 0.0
         total = sum(outcome.weight or 0.0 for outcome in outcomes)
         for outcome in outcomes:
             if outcome.target >= 0 and outcome.target != here:
-                yield Edge(here, event, outcome.target, tried(outcome, wait, total))
+                yield Edge(here, event, outcome.target, _expected(outcome, wait, total))
 
 
-def tried(outcome: Outcome, seconds: float, total: float) -> float:
-    """The time until one of a cell's outcomes comes about, each try taking `seconds`."""
+def _expected(outcome: Outcome, seconds: float, total: float) -> float:
+    """Seconds until a cell leads to one of its alternatives, each try taking `seconds`."""
     if outcome.weight is not None:
         return seconds * total / outcome.weight if outcome.weight > 0 else NEVER
     return seconds + (CONDITION_S if outcome.condition else 0.0)
 
 
-def waiting(machine: Machine, state: int, event: int) -> float:
-    """Seconds from the beginning of a motion until its cell fires: its own moment, and that at which the event comes."""
+def _wait(machine: Machine, state: int, event: int) -> float:
+    """Seconds from the beginning of a motion until its cell fires: its own moment, or the arrival of the
+    event if it is later.
+    """
     factor = float(machine.speed[state])
     duration, when = float(machine.duration[state]), int(machine.when[state, event])
     markers = dict(machine.markers[state])
@@ -136,7 +147,9 @@ def waiting(machine: Machine, state: int, event: int) -> float:
     if when == AT_END:
         comes = duration
     elif when == AT_MARKER:
-        comes = max(comes, markers[moment.marker] * duration) if moment and moment.marker in markers else NEVER
+        comes = (
+            max(comes, markers[moment.marker] * duration) if moment and moment.marker in markers else NEVER
+        )
     elif when == IN_WINDOW and moment:
         comes = max(comes, moment.first * duration)
     return max(comes / factor, AT_ONCE_S) if factor > 0 else (AT_ONCE_S if comes == 0 else NEVER)

@@ -1,1 +1,3 @@
-"""Set by its owner."""
+"""Arrays, rotations, transforms, curves, formulas and compiled kernels; nothing here depends on characters or
+machines.
+"""

@@ -1,4 +1,6 @@
-"""Names for the kinds of arrays; shapes and units stand in the docstring of whoever takes them."""
+"""Names for the types of arrays; shapes and units are in the docstring of the function that takes
+the array.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +15,6 @@ Bools = NDArray[np.bool_]
 
 
 def floats(values: ArrayLike) -> Floats:
-    """The values as an array of floats: float32 and float64 stay what they are, all else becomes float64."""
+    """Returns the values as an array of floats: float32 and float64 stay, all else becomes float64."""
     array = np.asarray(values)
     return array if array.dtype.kind == "f" else array.astype(np.float64)

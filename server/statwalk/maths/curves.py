@@ -1,7 +1,10 @@
-"""Curves through and near keys (FAQ Q17), over any leading axes; float32 and float64 stay what they are. KF3, KF5, KF7.
+"""Curves through and near keys (FAQ Q17), over any leading axes; float32 and float64 stay.
 
-A B-spline segment takes four controls and runs between the two in the middle, f = 0…1. `ends` gives the first and the last
-segment of a clip the controls they lack; `bspline_through` and `rotations_through` find the controls whose curve meets the keys.
+KF3, KF5, KF7.
+
+A B-spline segment has four controls and runs between the two in the middle, f = 0…1. `ends` adds the missing
+controls of a clip's first and last segment; `bspline_through` and `rotations_through` find controls whose
+curve passes through the keys.
 """
 
 from __future__ import annotations
@@ -13,50 +16,64 @@ from statwalk.errors import ContentError
 from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
 
-# The error of the controls shrinks at least by half a round (the curve's matrix has eigenvalues 1/3…1): 56 rounds reach float64.
+# The error of the controls at least halves in each round (the curve's matrix has eigenvalues 1/3…1): 56
+# rounds reach float64.
 _ROUNDS = 56
 _STEP = 1.5
 _LARGEST_MISS = 1e-9
 
 
 def lerp(a: Floats, b: Floats, f: ArrayLike) -> Floats:
-    """a·(1−f) + b·f on every component (…, n); f (…). FAQ Q17; exactly `a` at 0 and `b` at 1."""
+    """Returns a·(1−f) + b·f on every component (…, n); f (…). FAQ Q17; exactly `a` at 0 and `b` at 1."""
     part = np.asarray(f, a.dtype)[..., None]
     return a * (1 - part) + b * part
 
 
 def step(a: Floats, b: Floats, f: ArrayLike) -> Floats:
-    """`a` before the half-way point, `b` from there on (…, n); f (…). RTCA Listing 2, KF7."""
+    """Returns `a` before f = ½ and `b` from f = ½ on (…, n); f (…). RTCA Listing 2, KF7."""
     return np.where(np.asarray(f)[..., None] < 0.5, a, b)
 
 
 def cubic_hermite(p0: Floats, m0: Floats, p1: Floats, m1: Floats, f: ArrayLike, dt: ArrayLike) -> Floats:
-    """From `p0` to `p1` (…, n) with tangents `m0`, `m1` per second, over `dt` seconds; f, dt (…). glTF 2.0 appendix C.5."""
+    """Returns the cubic from `p0` to `p1` (…, n) with tangents `m0`, `m1` per second, over `dt` seconds; f,
+    dt (…). glTF 2.0 appendix C.5.
+    """
     part, seconds = np.asarray(f, p0.dtype)[..., None], np.asarray(dt, p0.dtype)[..., None]
     square = part * part
     cube = square * part
     to_end = 3 * square - 2 * cube
-    return (1 - to_end) * p0 + seconds * (cube - 2 * square + part) * m0 + to_end * p1 + seconds * (cube - square) * m1
+    return (
+        (1 - to_end) * p0
+        + seconds * (cube - 2 * square + part) * m0
+        + to_end * p1
+        + seconds * (cube - square) * m1
+    )
 
 
 def bspline_basis(f: ArrayLike, dtype: np.typing.DTypeLike = np.float64) -> Floats:
-    """The weights (…, 4) of four controls of a uniform cubic B-spline at f (…) in 0…1; they sum to 1."""
+    """Returns the weights (…, 4) of four controls of a uniform cubic B-spline at f (…) in 0…1; they
+    sum to 1.
+    """
     part = np.asarray(f, dtype)
     rest, square, cube = 1 - part, part * part, part * part * part
-    return np.stack([rest * rest * rest, 3 * cube - 6 * square + 4, 3 * (part + square - cube) + 1, cube], -1) / 6
+    return (
+        np.stack([rest * rest * rest, 3 * cube - 6 * square + 4, 3 * (part + square - cube) + 1, cube], -1)
+        / 6
+    )
 
 
 def bspline(controls: Floats, f: ArrayLike) -> Floats:
-    """The point (…, n) at f (…) of the segment with `controls` (…, 4, n)."""
+    """Returns the point (…, n) at f (…) of the segment with `controls` (…, 4, n)."""
     terms = controls * bspline_basis(f, controls.dtype)[..., None]
     return terms[..., 0, :] + terms[..., 1, :] + terms[..., 2, :] + terms[..., 3, :]
 
 
 def ends(keys: Floats, loop: bool = False) -> Floats:
-    """Controls (K+2, …, n) for K keys (K, …, n): one more at each end, so that the curve begins and ends on the end keys.
+    """Returns controls (K+2, …, n) for K keys (K, …, n): one more at each end, so that the curve begins and
+    ends at the end keys.
 
-    With `loop` the last key is the first one again (as in a cycle whose duration is its last key), or the first one a lap further
-    on (as the way of a walk), and the curve goes on into the next lap smoothly.
+    With `loop` the curve continues smoothly into the next lap: the last key is the first key again (a cycle
+    whose duration is its last key), or the first key one lap further on (the root motion of a walk).
     """
     if loop:
         lap = keys[-1:] - keys[:1]
@@ -65,7 +82,7 @@ def ends(keys: Floats, loop: bool = False) -> Floats:
 
 
 def bspline_through(keys: Floats, loop: bool = False) -> Floats:
-    """Controls (K+2, …, n) of the uniform cubic B-spline that passes through K keys (K, …, n)."""
+    """Returns controls (K+2, …, n) of the uniform cubic B-spline through K keys (K, …, n)."""
     wanted = keys.astype(np.float64)
     inner: Floats = wanted
     for _ in range(_ROUNDS):
@@ -75,17 +92,21 @@ def bspline_through(keys: Floats, loop: bool = False) -> Floats:
 
 
 def bspline_rotation(controls: Floats, f: ArrayLike) -> Floats:
-    """The rotation (…, 4) at f (…) of the cumulative B-spline with control quaternions (…, 4, 4) (Kim, Kim and Shin 1995)."""
+    """Returns the rotation (…, 4) at f (…) of the cumulative B-spline with control quaternions (…, 4, 4)
+    (Kim, Kim and Shin 1995).
+    """
     return bspline_turn(controls[..., 0, :], turns_between(controls), f)
 
 
 def turns_between(controls: Floats) -> Floats:
-    """The rotation vectors (…, 3, 3) from each of four control quaternions (…, 4, 4) to the next: all of a segment but its start."""
+    """Returns the rotation vectors (…, 3, 3) from each of four control quaternions (…, 4, 4) to the next."""
     return quat.to_rotation_vector(quat.mul(quat.conjugate(controls[..., :-1, :]), controls[..., 1:, :]))
 
 
 def bspline_turn(start: Floats, turns: Floats, f: ArrayLike) -> Floats:
-    """`bspline_rotation` for the first control (…, 4) and the `turns_between` the four (…, 3, 3), which are worked out once."""
+    """Returns `bspline_rotation` from the first control (…, 4) and the precomputed `turns_between` the four
+    (…, 3, 3).
+    """
     weights = bspline_basis(f, start.dtype)
     third = weights[..., 3]
     second = third + weights[..., 2]
@@ -96,7 +117,7 @@ def bspline_turn(start: Floats, turns: Floats, f: ArrayLike) -> Floats:
 
 
 def rotation_ends(keys: Floats, loop: bool = False) -> Floats:
-    """`ends` for quaternions (K, …, 4): the turn of the first and of the last segment is carried on."""
+    """Returns `ends` for quaternions (K, …, 4): the turns of the first and last segment continue."""
     if loop:
         return np.concatenate([keys[-2:-1], keys, keys[1:2]])
     first = quat.mul(keys[:1], quat.mul(quat.conjugate(keys[1:2]), keys[:1]))
@@ -105,10 +126,13 @@ def rotation_ends(keys: Floats, loop: bool = False) -> Floats:
 
 
 def rotations_through(keys: Floats, loop: bool = False) -> Floats:
-    """Controls (K+2, …, 4) of the cumulative B-spline that passes through K quaternions (K, …, 4), found step by step.
+    """Returns controls (K+2, …, 4) of the cumulative B-spline through K quaternions (K, …, 4), found by
+    iteration.
 
-    Controls swing up to three times as far as their keys and no further than half a turn, so neighbouring keys may differ by 60°
-    (more, where they do not swing to and fro). Raises ContentError where the curve cannot meet the keys.
+    Controls swing up to three times as far as their keys and no further than half a turn, so neighbouring
+    keys may differ by 60° (more if they do not swing to and fro).
+
+    :raises ContentError: when the curve cannot pass through the keys.
     """
     wanted = keys.astype(np.float64)
     inner: Floats = wanted
@@ -116,17 +140,22 @@ def rotations_through(keys: Floats, loop: bool = False) -> Floats:
         inner = quat.normalize(quat.mul(inner, quat.from_rotation_vector(_STEP * _miss(inner, wanted, loop))))
     if np.abs(_miss(inner, wanted, loop)).max(initial=0) > _LARGEST_MISS:
         raise ContentError(
-            "a B-spline cannot pass through these rotations: neighbouring keys should differ by at most 60 degrees; add keys"
+            "a B-spline cannot pass through these rotations: neighbouring keys should differ by at most 60 "
+            "degrees; add keys"
         )
     return rotation_ends(inner, loop).astype(keys.dtype)
 
 
 def _miss(inner: Floats, wanted: Floats, loop: bool) -> Floats:
     """The rotation vectors (K, …, 3) from the curve of the controls to the keys."""
-    return quat.to_rotation_vector(quat.mul(quat.conjugate(_rotation_at_keys(rotation_ends(inner, loop))), wanted))
+    return quat.to_rotation_vector(
+        quat.mul(quat.conjugate(_rotation_at_keys(rotation_ends(inner, loop))), wanted)
+    )
 
 
 def _rotation_at_keys(controls: Floats) -> Floats:
-    """Where the rotation B-spline with `controls` (K+2, …, 4) is at its K keys: f = 0, where the last control has no say."""
+    """The rotations of the B-spline with `controls` (K+2, …, 4) at its K keys: f = 0, where the last control
+    has no effect.
+    """
     windows = np.stack([controls[:-2], controls[1:-1], controls[2:], controls[2:]], -2)
     return bspline_rotation(windows, np.zeros(windows.shape[:-2]))

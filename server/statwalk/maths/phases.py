@@ -1,7 +1,8 @@
-"""Phases of motions that are in step: where one foot of a walk is down, so it should be in the run that is blended with it.
+"""Matches the phases of two motions: when a foot of the walk is down, it should be down in the run that is
+blended with it.
 
-Motions are matched at their sync markers, pairs (name, phase 0…1). Between the markers that both have phases correspond in a
-straight line, round the circle; of a motion that does not loop the ends correspond as well.
+Motions are matched at their sync markers, pairs (name, phase 0…1). Between common markers phases correspond
+linearly, round the circle; for motions that do not loop the ends correspond as well.
 """
 
 from __future__ import annotations
@@ -19,40 +20,43 @@ Marks = Sequence[tuple[str, float]]
 
 @dataclass(frozen=True, eq=False)
 class Warp:
-    """From the phases of one motion to those of another: straight between the knots, counted from a common mark."""
+    """Maps the phases of one motion to the phases of another: linear between the knots, counted from a common
+    marker.
+    """
 
     origin: tuple[float, float]
-    """phases of the mark where both circles are cut open"""
+    """phases of the marker at which both circles are cut open"""
     here: Floats
-    """(K,) 0…1 from there, rising"""
+    """(K,) knots 0…1 from the origin on, rising, in the old motion"""
     there: Floats
-    """(K,) the same of the other motion"""
+    """(K,) the same knots in the new motion"""
 
     @property
     def is_identity(self) -> bool:
-        """Whether phases stay what they are."""
+        """Returns whether phases stay the same."""
         return self.origin[0] == self.origin[1] and bool((self.here == self.there).all())
 
     def lift(self, phase: ArrayLike) -> Floats:
-        """The other motion's phases for `phase` (…) with whole laps: a lap more for a lap more."""
-        given = floats(phase).astype(np.float64)
+        """Returns the new motion's phases for `phase` (…) with whole laps: each lap adds a lap."""
+        phases = floats(phase).astype(np.float64)
         if self.is_identity:
-            return given
-        since = given - self.origin[0]
+            return phases
+        since = phases - self.origin[0]
         laps = np.floor(since)
         part = since - laps
         row = (self.here.searchsorted(part, "right") - 1).clip(0, len(self.here) - 2)
         first, length = self.here[row], self.here[row + 1] - self.here[row]
-        way = self.there[row] + (self.there[row + 1] - self.there[row]) * ((part - first) / length)
-        lifted: Floats = self.origin[1] + laps + way
+        beyond = self.there[row] + (self.there[row + 1] - self.there[row]) * ((part - first) / length)
+        lifted: Floats = self.origin[1] + laps + beyond
         return lifted
 
 
 def warp(old_marks: Marks, new_marks: Marks, loop: bool = True) -> Warp:
-    """How the phases of a motion with `old_marks` correspond to those of one with `new_marks`.
+    """Returns the warp from the phases of a motion with `old_marks` to the phases of a motion with
+    `new_marks`.
 
-    Marks belong together by name, and by their order where a name is repeated. Without a common name, and of motions that do not
-    `loop` at their ends, phases are the same.
+    Markers correspond by name, and by their order if a name is repeated. Without a common name, and at the
+    ends of motions that do not `loop`, phases are the same.
     """
     pairs = _pairs(old_marks, new_marks)
     origin = pairs[0] if pairs and loop else (0.0, 0.0)
@@ -65,15 +69,22 @@ def warp(old_marks: Marks, new_marks: Marks, loop: bool = True) -> Warp:
 
 
 def match(old_marks: Marks, new_marks: Marks, phase: ArrayLike, loop: bool = True) -> Floats:
-    """The phases (…) 0…1 of a motion with `new_marks` that correspond to `phase` (…) of one with `old_marks`."""
+    """Returns the phases (…) 0…1 of a motion with `new_marks` that correspond to `phase` (…) of a motion with
+    `old_marks`.
+    """
     lifted = warp(old_marks, new_marks, loop).lift(phase)
     return lifted - np.floor(lifted) if loop else lifted
 
 
 def _pairs(old_marks: Marks, new_marks: Marks) -> list[tuple[float, float]]:
-    """(old, new) phases of the marks that belong together, the first one where the counting of repeated names begins."""
+    """(old, new) phases of corresponding markers; the first pair is the origin for counting
+    repeated names.
+    """
     old, new = _by_name(old_marks), _by_name(new_marks)
-    common = sorted((name for name in old if name in new), key=lambda name: (len(old[name]) > 1 or len(new[name]) > 1, old[name][0], name))
+    common = sorted(
+        (name for name in old if name in new),
+        key=lambda name: (len(old[name]) > 1 or len(new[name]) > 1, old[name][0], name),
+    )
     if not common:
         return []
     origin = old[common[0]][0], new[common[0]][0]
@@ -81,13 +92,16 @@ def _pairs(old_marks: Marks, new_marks: Marks) -> list[tuple[float, float]]:
     for name in common:
         ours = sorted((phase - origin[0]) % 1 for phase in old[name])
         theirs = sorted((phase - origin[1]) % 1 for phase in new[name])
-        pairs += [(origin[0] + one, origin[1] + other) for one, other in zip(ours, theirs, strict=False)]
-    return list(dict.fromkeys((one % 1, other % 1) for one, other in pairs))
+        pairs += [
+            (origin[0] + old_phase, origin[1] + new_phase)
+            for old_phase, new_phase in zip(ours, theirs, strict=False)
+        ]
+    return list(dict.fromkeys((old_phase % 1, new_phase % 1) for old_phase, new_phase in pairs))
 
 
 def _by_name(marks: Marks) -> dict[str, list[float]]:
     """The phases of each name, rising."""
-    found: dict[str, list[float]] = {}
+    phases: dict[str, list[float]] = {}
     for name, phase in sorted(marks, key=lambda mark: mark[1]):
-        found.setdefault(name, []).append(float(phase))
-    return found
+        phases.setdefault(name, []).append(float(phase))
+    return phases

@@ -12,7 +12,9 @@ from statwalk.maths.arrays import Floats
 
 
 class Pose(NamedTuple):
-    """Local transforms T·R·S of J joints, over any leading axes (none, or one for the actors of a cast), and W morph weights."""
+    """Local transforms T·R·S of J joints, over any leading axes (none, or one for the actors of a cast), and
+    W morph weights.
+    """
 
     translation: Floats
     """(…, J, 3) metres, from the parent joint"""
@@ -24,15 +26,19 @@ class Pose(NamedTuple):
     """(…, W)"""
 
     def copy(self) -> Pose:
-        """The same pose in arrays of its own."""
+        """Returns a copy of the pose."""
         return Pose(*(array.copy() for array in self))
 
     def take(self, rows: Any) -> Pose:
-        """The poses of some actors: every array indexed along its leading axis."""
+        """Returns the poses of some actors: every array indexed along its leading axis."""
         return Pose(*(array[rows] for array in self))
 
     def blend(self, other: Pose, weight: ArrayLike) -> Pose:
-        """This pose at weight 0, `other` at 1: straight, and along the shorter arc for rotations (slerp). `weight` has the leading axes."""
+        """Returns this pose at weight 0, `other` at 1: linear, and along the shorter arc for rotations
+        (slerp).
+
+        `weight` has the leading axes.
+        """
         part = np.asarray(weight, self.translation.dtype)
         by_joint, by_axis = part[..., None], part[..., None, None]
         return Pose(
@@ -44,6 +50,11 @@ class Pose(NamedTuple):
 
 
 def rest(joints: int, weights: int = 0) -> Pose:
-    """The pose of `joints` joints that lie on their parents, unturned, at full size; float32."""
+    """Returns the pose of `joints` joints at their parents, without rotation, at scale 1; float32."""
     rotation = np.broadcast_to(quat.IDENTITY, (joints, 4)).astype(np.float32)
-    return Pose(np.zeros((joints, 3), np.float32), rotation, np.ones((joints, 3), np.float32), np.zeros(weights, np.float32))
+    return Pose(
+        np.zeros((joints, 3), np.float32),
+        rotation,
+        np.ones((joints, 3), np.float32),
+        np.zeros(weights, np.float32),
+    )

@@ -1,4 +1,5 @@
-"""Affine transforms (…, 3, 4): the rows [R | t] of a matrix that acts on column vectors, over any leading axes.
+"""Affine transforms (…, 3, 4): the rows [R | t] of a matrix that acts on column vectors, over any leading
+axes.
 
 `mul(a, b)` is b first, then a: world(child) = mul(world(parent), local(child)).
 """
@@ -12,7 +13,9 @@ from statwalk.maths.arrays import Floats
 
 
 def from_trs(translation: Floats, rotation: Floats, scale: Floats) -> Floats:
-    """T · R · S (glTF 3.5.3) from translation (…, 3), rotation (…, 4) xyzw and scale (…, 3), all with the same leading axes."""
+    """Returns T · R · S (glTF 3.5.3) from translation (…, 3), rotation (…, 4) xyzw and scale (…, 3), all with
+    the same leading axes.
+    """
     linear = quat.to_matrix(rotation)
     columns = np.empty((4, 3, *linear.shape[:-2][::-1]), linear.dtype)  # as to_matrix: long rows for a crowd
     np.multiply(linear.T, scale.T[:, None], out=columns[:3])
@@ -21,7 +24,7 @@ def from_trs(translation: Floats, rotation: Floats, scale: Floats) -> Floats:
 
 
 def mul(a: Floats, b: Floats) -> Floats:
-    """The transform that does `b` first, then `a`."""
+    """Returns the transform that applies `b` first, then `a`."""
     product = a[..., :, 0, None] * b[..., None, 0, :]
     product += a[..., :, 1, None] * b[..., None, 1, :]
     product += a[..., :, 2, None] * b[..., None, 2, :]
@@ -30,18 +33,18 @@ def mul(a: Floats, b: Floats) -> Floats:
 
 
 def apply_vector(a: Floats, vectors: Floats) -> Floats:
-    """Directions (…, 3) under the linear part of `a`: not moved, only turned and scaled."""
+    """Returns directions (…, 3) under the linear part of `a`: not moved, only rotated and scaled."""
     x, y, z = vectors[..., 0:1], vectors[..., 1:2], vectors[..., 2:3]
     return a[..., 0] * x + a[..., 1] * y + a[..., 2] * z
 
 
 def apply(a: Floats, points: Floats) -> Floats:
-    """Points (…, 3) under `a`; a transform for many points needs a[..., None, :, :]."""
+    """Returns points (…, 3) under `a`; one transform for many points needs a[..., None, :, :]."""
     return apply_vector(a, points) + a[..., 3]
 
 
 def invert(a: Floats) -> Floats:
-    """The inverse of `a`; its linear part must not be singular."""
+    """Returns the inverse of `a`; its linear part must not be singular."""
     x, y, z = a[..., 0], a[..., 1], a[..., 2]
     rows = np.stack([vector.cross(y, z), vector.cross(z, x), vector.cross(x, y)], -2)
     linear = rows / vector.dot(x, rows[..., 0, :])[..., None, None]
@@ -50,7 +53,7 @@ def invert(a: Floats) -> Floats:
 
 
 def to_matrix4(a: Floats) -> Floats:
-    """The same as matrices (…, 4, 4) with the last row 0 0 0 1."""
+    """Returns the transforms as matrices (…, 4, 4) with the last row 0 0 0 1."""
     matrix = np.zeros((*a.shape[:-2], 4, 4), a.dtype)
     matrix[..., :3, :] = a
     matrix[..., 3, 3] = 1
@@ -58,5 +61,5 @@ def to_matrix4(a: Floats) -> Floats:
 
 
 def from_matrix4(matrix: Floats) -> Floats:
-    """The upper three rows of matrices (…, 4, 4) whose last row is 0 0 0 1."""
+    """Returns the upper three rows of matrices (…, 4, 4) whose last row is 0 0 0 1."""
     return matrix[..., :3, :]

@@ -1,1 +1,1 @@
-"""Clips of key frames, how they are sampled, and what keeps one from jumping into the next."""
+"""Clips of key frames, their sampling, and the offsets that make transitions continuous."""

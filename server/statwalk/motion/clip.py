@@ -9,12 +9,15 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
-from statwalk.motion.bundle import Bundle, bundles_of
-from statwalk.motion.channel import Channel, Marker, duration_of
-from statwalk.motion.keytable import KeyTable
-from statwalk.motion.sample import sample, wrap
-from statwalk.motion.track import Track, tracks_of
+from statwalk.motion.keys.channel import Channel, Marker, duration_of
+from statwalk.motion.keys.channel_table import ClipChannels
+from statwalk.motion.keys.key_set import KeySet, key_sets_of
+from statwalk.motion.keys.packed_keys import Track, tracks_of
+from statwalk.motion.sampling.poses import poses_at
+from statwalk.motion.tables.build import Alone, tables_of
+from statwalk.motion.tables.motion_tables import MotionTables
 
 __all__ = ["Channel", "Clip", "Marker", "duration_of"]
 
@@ -23,7 +26,7 @@ __all__ = ["Channel", "Clip", "Marker", "duration_of"]
 class Clip:
     """Keyed channels over the pose they rest on. Immutable; the packed form is made on first use.
 
-    pose = clip.sample(0.3)                  # Pose of one moment
+    pose = clip.sample(0.3)                  # one pose
     poses = clip.sample([0.0, 0.1, 0.2])     # a leading axis of three
     """
 
@@ -32,36 +35,50 @@ class Clip:
     duration: float
     """seconds: time runs from 0 to the last key of all channels"""
     rest: Pose
-    """unbatched: the pose of all that has no channel"""
+    """unbatched: the pose of all properties without a channel"""
     markers: tuple[Marker, ...] = ()
     loop: bool = False
-    """whether it is made to be repeated; B-splines whose ends meet then have no seam"""
+    """whether the clip repeats; a B-spline whose ends meet then has no seam"""
 
     def sample(self, time: ArrayLike, loop: bool = False) -> Pose:
-        """The pose at `time` seconds, float32; a leading axis where `time` is an array (N,).
+        """Returns the pose at `time` seconds, float32; with a leading axis if `time` is an array (N,).
 
-        Outside 0…duration the ends hold; with `loop` time is taken modulo the duration.
-        STEP, LINEAR and CUBICSPLINE are those of glTF 2.0, appendix C.
+        Outside 0…duration the ends hold; with `loop` time is taken modulo the duration. STEP, LINEAR and
+        CUBICSPLINE follow glTF 2.0, appendix C.
         """
         times = np.asarray(time, np.float64)
-        flat = wrap(times, self.duration).reshape(-1) if loop else times.reshape(-1)
-        poses = sample(self.tracks, self.base, flat)
+        flat = _wrap(times, self.duration).reshape(-1) if loop else times.reshape(-1)
+        poses = poses_at(self.tables, self.rest, flat)
         return poses if times.ndim else poses.take(0)
 
     @cached_property
-    def tracks(self) -> tuple[Track, ...]:
-        """The channels that change, packed for sampling."""
-        return self.channels.tracks() if isinstance(self.channels, KeyTable) else tracks_of(self.bundles, self.loop)
+    def tables(self) -> MotionTables:
+        """Returns the tables of this clip alone, for sampling."""
+        return tables_of((Alone(self),), self.rest)
 
     @cached_property
-    def bundles(self) -> tuple[Bundle, ...]:
-        """The channels by kind, where they do not come in a table."""
-        return bundles_of(self.channels)
+    def tracks(self) -> tuple[Track, ...]:
+        """Returns the channels that change, packed for sampling."""
+        return (
+            self.channels.tracks()
+            if isinstance(self.channels, ClipChannels)
+            else tracks_of(self.key_sets, self.loop)
+        )
+
+    @cached_property
+    def key_sets(self) -> tuple[KeySet, ...]:
+        """Returns the channels by kind, for clips without a channel table."""
+        return key_sets_of(self.channels)
 
     @cached_property
     def base(self) -> Pose:
-        """The rest pose with the values of all channels that never change, float32."""
+        """Returns the rest pose with the values of all constant channels, float32."""
         pose = Pose(*(array.astype(np.float32) for array in self.rest))
-        for part in (self.channels,) if isinstance(self.channels, KeyTable) else self.bundles:
+        for part in (self.channels,) if isinstance(self.channels, ClipChannels) else self.key_sets:
             part.lay(pose)
         return pose
+
+
+def _wrap(times: Floats, duration: float) -> Floats:
+    """Times modulo the duration; 0 for a motion without duration."""
+    return np.mod(times, duration) if duration > 0 else np.zeros_like(times)

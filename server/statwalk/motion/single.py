@@ -1,46 +1,73 @@
-"""A motion of one clip, played in place, and the way it goes: what a state is tied to unless it blends."""
+"""A motion of one clip, played in place, and its root motion: the motion of a state that does not blend."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 
 from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.phases import Warp, warp
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Clip
-from statwalk.motion.root import RootTrack
+from statwalk.motion.root_track import RootTrack
+from statwalk.motion.sampling.poses import poses_at, ways_gone
+from statwalk.motion.tables.build import tables_of
+from statwalk.motion.tables.motion_tables import MotionTables
 
 
 @dataclass(frozen=True, eq=False)
 class Single:
-    """One clip in place, and its root motion. It takes no notice of parameters (N, P)."""
+    """One clip in place, and its root motion. It ignores parameters (N, P)."""
 
     clip: Clip
     root: RootTrack
 
+    places: ClassVar[Floats] = np.zeros((1, 0))
+    columns: ClassVar[tuple[int, ...]] = ()
+    warps: ClassVar[tuple[Warp, ...]] = (warp((), ()),)
+
+    @property
+    def members(self) -> tuple[Single, ...]:
+        """Returns this motion as the only member."""
+        return (self,)
+
+    @property
+    def loop(self) -> bool:
+        """Returns whether the clip repeats."""
+        return self.clip.loop
+
     @property
     def rest(self) -> Pose:
-        """The unbatched pose of all that is not keyed."""
+        """Returns the rest pose (unbatched) that stands in for channels without keys."""
         return self.clip.rest
 
     @property
     def travels(self) -> bool:
-        """Whether it moves the root."""
+        """Returns whether the motion moves the root."""
         return len(self.root.times) > 1
 
-    def pose(self, times: Floats, parameters: Floats) -> Pose:  # noqa: ARG002 - every motion is asked alike
-        """Poses (N, …) at `times` (N,) seconds."""
-        return self.clip.sample(times)
+    @cached_property
+    def tables(self) -> MotionTables:
+        """Returns the tables of this motion alone."""
+        return tables_of((self,), self.rest)
+
+    def pose(self, times: Floats, parameters: Floats) -> Pose:  # noqa: ARG002 - all motions have one interface
+        """Returns the poses (N, …) at `times` (N,) seconds."""
+        return poses_at(self.tables, self.rest, times)
 
     def first(self, parameters: Floats) -> Pose:
-        """The poses (N, …) that it begins with."""
-        return self.clip.sample(np.zeros(len(parameters)))
+        """Returns the poses (N, …) at the start of the motion."""
+        return poses_at(self.tables, self.rest, np.zeros(len(parameters)), start=True)
 
     def rate(self, times: Floats, seconds: Floats, parameters: Floats) -> Floats:  # noqa: ARG002 - as above
-        """(N,) factor of time."""
+        """Returns (N,) the factor of time, always 1."""
         return np.ones(len(times))
 
-    def way(self, start: Floats, end: Floats, wraps: Ints, parameters: Floats) -> Floats:  # noqa: ARG002 - as above
-        """x, z, yaw (N, 3) from `start` to `end` (N,) seconds through `wraps` (N,) repeats, in the frame of the actor at `start`."""
-        return self.root.displacement(start, end, wraps)
+    def way(self, start: Floats, end: Floats, wraps: Ints, parameters: Floats) -> Floats:
+        """Returns the root motion x, z, yaw (N, 3) from `start` to `end` (N,) seconds through `wraps` (N,)
+        repeats, in the frame of the actor at `start`.
+        """
+        return ways_gone(self.tables, start, end, wraps, parameters)

@@ -1,1 +1,1 @@
-"""Set by its owner."""
+"""Skeletons: joints and bones, and the evaluation of their transforms."""

@@ -1,4 +1,5 @@
-"""The skeleton: names and parents of joints in a flat array, parents first, so that evaluation is one pass without recursion.
+"""The skeleton: names and parents of joints in flat arrays, parents first, so that evaluation is one pass
+without recursion.
 
 SK1; FAQ Q2 and Q11; RTCA Listing 10.
 """
@@ -19,22 +20,30 @@ from statwalk.maths.arrays import Ints
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
-    """J joints, every one after its parent; `Skeleton.sorted` brings rows of any order into this one."""
+    """J joints, each after its parent; `Skeleton.sorted` sorts rows of any order."""
 
     names: tuple[str, ...]
     parent: NDArray[np.int32]
     """(J,) index of the parent; -1 for a root"""
 
     @classmethod
-    def sorted(cls, names: Sequence[str], parents: Sequence[str | None], places: Sequence[str] | None = None) -> tuple[Skeleton, Ints]:
-        """The skeleton of rows (name, parent's name or None) in any order, and for each of its joints the row it came from.
+    def sorted(
+        cls, names: Sequence[str], parents: Sequence[str | None], places: Sequence[str] | None = None
+    ) -> tuple[Skeleton, Ints]:
+        """Returns the skeleton of rows (name, parent's name or None) in any order, and the row of each of its
+        joints.
 
-        Rows keep their order as far as parents-first allows. Raises TextError, with the row's place (`places`, else "row 3"), for a
-        name that occurs twice, a parent that is not there, and joints that hang on each other in a circle.
+        Rows keep their order as far as parents-first allows. `places` names the rows in errors (default "row
+        3").
+
+        :raises TextError: when a name occurs twice, a parent does not exist, or joints are each other's
+            ancestors; with the row's place.
         """
         where = places or [f"row {row + 1}" for row in range(len(names))]
         row_of = _rows_by_name(names, where)
-        parent_row = np.array([_parent_row(parent, row_of, where[row]) for row, parent in enumerate(parents)], np.int64)
+        parent_row = np.array(
+            [_parent_row(parent, row_of, where[row]) for row, parent in enumerate(parents)], np.int64
+        )
         order = _parents_first(parent_row)
         if len(order) < len(names):
             _refuse_cycle(names, parent_row, set(order), where)
@@ -52,14 +61,17 @@ class Skeleton:
         return {name: joint for joint, name in reversed(tuple(enumerate(self.names)))}
 
     def index(self, name: str) -> int:
-        """The joint of that name (the first, where a file names several alike). Raises UnknownNameError."""
+        """Returns the joint of that name (the first, if a file repeats a name).
+
+        :raises UnknownNameError: when the skeleton has no joint of that name.
+        """
         if name not in self._index:
             raise UnknownNameError("joint", name, self.names)
         return self._index[name]
 
     @cached_property
     def levels(self) -> tuple[tuple[Ints, Ints], ...]:
-        """By depth, roots first: (joints of that depth, their parents)."""
+        """Returns the levels, roots first: (joints of that depth, their parents)."""
         depth = np.zeros(len(self), np.int64)
         for joint, parent in enumerate(self.parent.tolist()):
             depth[joint] = depth[parent] + 1 if parent >= 0 else 0
@@ -72,7 +84,9 @@ def _rows_by_name(names: Sequence[str], where: Sequence[str]) -> dict[str, int]:
     rows: dict[str, int] = {}
     for row, name in enumerate(names):
         if name in rows:
-            raise TextError(f"{name} is there twice, first at {where[rows[name]]}; names must differ", place=where[row])
+            raise TextError(
+                f"{name} is defined twice, first at {where[rows[name]]}; names must differ", place=where[row]
+            )
         rows[name] = row
     return rows
 
@@ -86,7 +100,7 @@ def _parent_row(parent: str | None, row_of: dict[str, int], place: str) -> int:
 
 
 def _parents_first(parent_row: Ints) -> list[int]:
-    """Rows so that each stands after its parent; rows of a cycle, and what hangs on them, are left out."""
+    """Rows, each after its parent; rows of a cycle, and their descendants, are left out."""
     waiting: dict[int, list[int]] = {}
     for row, parent in enumerate(parent_row.tolist()):
         waiting.setdefault(parent, []).append(row)
@@ -99,8 +113,10 @@ def _parents_first(parent_row: Ints) -> list[int]:
     return order
 
 
-def _refuse_cycle(names: Sequence[str], parent_row: Ints, sorted_rows: set[int], where: Sequence[str]) -> NoReturn:
-    """Walk up from a row that was not reached until a row comes again, and name the circle."""
+def _refuse_cycle(
+    names: Sequence[str], parent_row: Ints, sorted_rows: set[int], where: Sequence[str]
+) -> NoReturn:
+    """Names the cycle: follows the parents of an unsorted row until a row repeats."""
     row = next(row for row in range(len(names)) if row not in sorted_rows)
     path: list[int] = []
     seen: set[int] = set()
@@ -110,4 +126,4 @@ def _refuse_cycle(names: Sequence[str], parent_row: Ints, sorted_rows: set[int],
         row = int(parent_row[row])
     circle = path[path.index(row) :]
     chain = " -> ".join(names[member] for member in [*circle, row])
-    raise TextError(f"bones hang on each other in a circle: {chain}", place=where[min(circle)])
+    raise TextError(f"bones form a cycle: {chain}", place=where[min(circle)])

@@ -1,1 +1,1 @@
-"""Vertices follow bones: rigid parts, rigid and soft skin, morph targets, normals."""
+"""Vertices that follow bones: rigid parts, rigid and soft skin, morph targets, normals."""

@@ -1,7 +1,8 @@
-"""Vertices as the compiled kernels want them: in blocks of sixteen, each with as many influences as its neediest vertex.
+"""Vertices in blocks of sixteen for the kernels, each block with as many influences as its vertex with the
+most.
 
-Neighbours in a file are mostly neighbours on the body, so a block wastes little, and vertices keep their order. Every part starts a
-block of its own; the last one repeats its last vertex until it is full.
+Neighbours in a file are mostly neighbours on the body, so a block wastes little, and vertices keep their
+order. Every part starts a new block; a part's last block is filled up with its last vertex.
 """
 
 from __future__ import annotations
@@ -13,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats
-from statwalk.maths.kernels import aligned
-from statwalk.maths.kernels.choose import Kernels
+from statwalk.maths.kernels import morphing, skinning
+from statwalk.maths.simd import aligned
 from statwalk.skin.morph import Morph
 from statwalk.skin.soft import Palette
 
@@ -22,7 +23,10 @@ BLOCK, XYZ, MATRIX, SCRATCH = 16, 48, 16, 1024
 
 
 class Blocks:
-    """The run form of a surface for compiled kernels, and the memory that they work in. Safe to use from several threads."""
+    """A surface prepared for the kernels, and the memory that they work in.
+
+    Safe to use from several threads.
+    """
 
     def __init__(
         self,
@@ -31,18 +35,23 @@ class Blocks:
         palette: Palette,
         influences: tuple[NDArray[np.intp], NDArray[np.float32]],
     ) -> None:
-        """For parts at `spans`; positions and normals; the palette; bones and weights (V,I) of all vertices.
+        """Prepares parts at `spans`: positions and normals, the palette, bones and weights (V,I) of all
+        vertices.
 
-        :raises IndexError: if a vertex follows a bone that is not in the palette; kernels do not look.
+        :raises IndexError: when a vertex follows a bone that is not in the palette; kernels do not check.
         """
         bones, weights = influences
         if bones.max(initial=0) >= max(1, len(palette.joints)):
             raise IndexError(f"a vertex follows bone {bones.max()} of {len(palette.joints)}")
-        counts = influence_counts(spans, weights)
+        counts = _influence_counts(spans, weights)
         mask = np.arange(weights.shape[1]) < np.repeat(counts, BLOCK)[:, None]
         source = sources(spans)
-        self.spans = np.array([(span.start, span.stop - span.start) for span in spans], np.int64).reshape(-1, 2)
-        self.table = np.ascontiguousarray(np.stack([np.cumsum(BLOCK * counts) - BLOCK * counts, counts], axis=1))
+        self.spans = np.array([(span.start, span.stop - span.start) for span in spans], np.int64).reshape(
+            -1, 2
+        )
+        self.table = np.ascontiguousarray(
+            np.stack([np.cumsum(BLOCK * counts) - BLOCK * counts, counts], axis=1)
+        )
         self.bones = (bones[source][mask] * MATRIX).astype(np.int32)
         self.weights = aligned.copy(weights[source][mask])
         self.vertices = vertices
@@ -54,68 +63,111 @@ class Blocks:
         self.lock = threading.Lock()
 
     def pose(
-        self, kernels: Kernels, world: Floats, weights: Floats, positions: NDArray[np.float32], normals: NDArray[np.float32], bounds: Floats
+        self,
+        world: Floats,
+        weights: Floats,
+        positions: NDArray[np.float32],
+        normals: NDArray[np.float32],
+        bounds: Floats,
     ) -> None:
         """Writes positions, normals and bounds; see `Surface.pose_into`.
 
-        :raises ValueError: if an array is too small; kernels do not look.
+        :raises ValueError: when an array is too small; kernels do not check.
         """
         joints, floats, limits = self.needs
-        if world.shape[1:] != (3, 4) or len(world) < joints or positions.size != floats or normals.size != floats or bounds.size != limits:
-            raise ValueError(f"{world.shape}, {positions.shape}, {normals.shape}, {bounds.shape} do not fit this surface")
+        if (
+            world.shape[1:] != (3, 4)
+            or len(world) < joints
+            or positions.size != floats
+            or normals.size != floats
+            or bounds.size != limits
+        ):
+            raise ValueError(
+                f"{world.shape}, {positions.shape}, {normals.shape}, {bounds.shape} do not fit this surface"
+            )
         with self.lock:
-            kernels.palette(np.ascontiguousarray(world, np.float32), self.joints, self.inverse_bind, self.palette)
-            rest, rest_normals = self.vertices[0].posed(kernels, weights), self.vertices[1].posed(kernels, weights)
-            kernels.skinned(
-                self.palette, self.spans, self.table, self.bones, self.weights, rest, rest_normals, positions, normals, bounds, self.scratch
+            skinning.palette(
+                np.ascontiguousarray(world, np.float32), self.joints, self.inverse_bind, self.palette
+            )
+            rest, rest_normals = self.vertices[0].posed(weights), self.vertices[1].posed(weights)
+            skinning.skinned(
+                self.palette,
+                self.spans,
+                self.table,
+                self.bones,
+                self.weights,
+                rest,
+                rest_normals,
+                positions,
+                normals,
+                bounds,
+                self.scratch,
             )
 
 
 class MorphedBlocks:
-    """Positions or normals by blocks, and their morph targets: (first float, column of the weights, displacements (M,n) flat)."""
+    """Positions or normals in blocks, and their morph targets: (first float, column of the weights,
+    displacements (M,n) flat).
+    """
 
     def __init__(self, spans: Sequence[slice], rest: NDArray[np.float32], morphs: Sequence[Morph]) -> None:
-        """For parts at `spans`, points at rest (3,V), and the targets of some of the parts."""
-        self.rest = aligned.copy(by_blocks(rest[:, sources(spans)]))
+        """Prepares parts at `spans`: points at rest (3,V), and the targets of some of the parts."""
+        self.rest = aligned.copy(_by_blocks(rest[:, sources(spans)]))
         self.morphed = aligned.copy(self.rest) if morphs else self.rest
-        first_block = dict(zip((span.start for span in spans), np.cumsum([0, *block_counts(spans)]).tolist(), strict=False))
-        self.targets = [target_blocks(morph, XYZ * first_block[morph.span.start]) for morph in morphs]
+        first_block = dict(
+            zip((span.start for span in spans), np.cumsum([0, *_block_counts(spans)]).tolist(), strict=False)
+        )
+        self.targets = [_target_blocks(morph, XYZ * first_block[morph.span.start]) for morph in morphs]
 
-    def posed(self, kernels: Kernels, weights: Floats) -> NDArray[np.float32]:
-        """The blocks under morph weights (W,), valid until the next call. Targets without weight cost nothing."""
+    def posed(self, weights: Floats) -> NDArray[np.float32]:
+        """Returns the blocks under morph weights (W,), valid until the next call.
+
+        Targets of weight 0 cost nothing.
+        """
         for span, first, targets, displacements in self.targets:
             own = weights[first : first + targets]
             used = np.flatnonzero(own)
             floats = span.stop - span.start
-            kernels.morphed(self.rest[span], displacements, own[used].astype(np.float32), used * floats, self.morphed[span])
+            morphing.morphed(
+                self.rest[span],
+                displacements,
+                own[used].astype(np.float32),
+                used * floats,
+                self.morphed[span],
+            )
         return self.morphed
 
 
-def target_blocks(morph: Morph, start: int) -> tuple[slice, int, int, NDArray[np.float32]]:
-    """The targets of one part by blocks: the floats they move, their first weight, how many they are, and the displacements."""
+def _target_blocks(morph: Morph, start: int) -> tuple[slice, int, int, NDArray[np.float32]]:
+    """The targets of one part in blocks: the floats that they move, their first weight, their number, and the
+    displacements.
+    """
     own = slice(0, morph.span.stop - morph.span.start)
-    listed = np.stack([by_blocks(row[:, sources([own])]) for row in morph.displacements])
+    listed = np.stack([_by_blocks(row[:, sources([own])]) for row in morph.displacements])
     return slice(start, start + listed.shape[1]), morph.first, len(listed), aligned.copy(listed)
 
 
-def block_counts(spans: Sequence[slice]) -> list[int]:
-    """How many blocks each part has."""
+def _block_counts(spans: Sequence[slice]) -> list[int]:
+    """The number of blocks of each part."""
     return [-((span.start - span.stop) // BLOCK) for span in spans]
 
 
 def sources(spans: Sequence[slice]) -> NDArray[np.intp]:
-    """(16·B,) the vertex in each place of all blocks."""
-    counts = block_counts(spans)
-    listed = [np.minimum(span.start + np.arange(BLOCK * count), span.stop - 1) for span, count in zip(spans, counts, strict=True)]
+    """Returns (16·B,) the vertex in each lane of all blocks."""
+    counts = _block_counts(spans)
+    listed = [
+        np.minimum(span.start + np.arange(BLOCK * count), span.stop - 1)
+        for span, count in zip(spans, counts, strict=True)
+    ]
     return np.concatenate([np.zeros(0, np.intp), *listed])
 
 
-def by_blocks(xyz: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Points (3,16·B) as 16 x, 16 y, 16 z, and again, flat."""
+def _by_blocks(xyz: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Points (3,16·B) flat as 16 x, 16 y, 16 z for each block."""
     return xyz.reshape(3, -1, BLOCK).transpose(1, 0, 2).reshape(-1)
 
 
-def influence_counts(spans: Sequence[slice], weights: NDArray[np.float32]) -> NDArray[np.int64]:
-    """(B,) how many of the columns of weights (V,I) the vertices of each block need; one at the least."""
+def _influence_counts(spans: Sequence[slice], weights: NDArray[np.float32]) -> NDArray[np.int64]:
+    """(B,) the number of columns of weights (V,I) that the vertices of each block need, at least 1."""
     numbers = np.where(weights != 0, np.arange(1, weights.shape[1] + 1), 1).max(axis=1, initial=1)
     return np.asarray(numbers[sources(spans)].reshape(-1, BLOCK).max(axis=1, initial=1), np.int64)

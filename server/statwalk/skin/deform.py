@@ -1,4 +1,6 @@
-"""All primitives of a character in their run form: one list of vertices, one palette of bones; posed in a few array operations."""
+"""All primitives of a character as one surface: one list of vertices, one palette of bones, posed by compiled
+kernels.
+"""
 
 from __future__ import annotations
 
@@ -10,21 +12,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats
-from statwalk.maths.kernels.choose import kernels
-from statwalk.skin import rows as affine
 from statwalk.skin.blocks import Blocks, MorphedBlocks
-from statwalk.skin.morph import Morph, morphed
+from statwalk.skin.morph import Morph
 from statwalk.skin.primitive import Part, Primitive, Skin
-from statwalk.skin.soft import Influence, Palette, blended_rows, influences
+from statwalk.skin.soft import Palette
 
 IDENTITY = np.eye(4, dtype=np.float32)[:3]
 
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """V vertices of all parts, one part after the other: `spans` says which are whose.
+    """V vertices of all parts, one part after the other; `spans` are the vertices of each part.
 
-    positions and normals (3,V) at rest; morphs of either; the palette; bones of the palette and weights (V,I) of all vertices.
+    positions and normals (3,V) at rest; morphs of both; the palette; bones of the palette and weights (V,I)
+    of all vertices.
     """
 
     parts: tuple[Primitive, ...]
@@ -38,81 +39,79 @@ class Surface:
     weights: NDArray[np.float32]
 
     def pose_into(
-        self, world: Floats, weights: Floats, positions: NDArray[np.float32], normals: NDArray[np.float32], bounds: NDArray[np.float32]
+        self,
+        world: Floats,
+        weights: Floats,
+        positions: NDArray[np.float32],
+        normals: NDArray[np.float32],
+        bounds: NDArray[np.float32],
     ) -> None:
-        """Writes positions and unit normals (V,3), flat, for world matrices (J,3,4) and morph weights (W,), and each part's bounds (P,6).
+        """Writes positions and unit normals (V,3), flat, for world matrices (J,3,4) and morph weights (W,),
+        and the bounds (P,6) of each part.
 
-        A skinned mesh is placed by its joints alone, not by the node that carries it (glTF 2.0, 3.7.3.1). Whatever the matrices are,
-        what is written is finite. The three arrays must be contiguous.
+        A skinned mesh is placed by its joints alone, not by the node that carries it (glTF 2.0, 3.7.3.1). The
+        result is finite for all matrices. The three arrays must be contiguous.
+
+        :raises ValueError: when an array is too small.
         """
-        if not self.parts:
-            return
-        compiled = kernels()
-        if compiled is not None:
-            self.blocks.pose(compiled, world, weights, positions, normals, bounds)
-            return
-        moved, turned = self.posed(world, weights)
-        positions.reshape(-1, 3)[:], normals.reshape(-1, 3)[:] = moved.T, turned.T
-        for row, span in zip(bounds, self.spans, strict=True):
-            row[:3], row[3:] = moved[:, span].min(axis=1), moved[:, span].max(axis=1)
-
-    def posed(self, world: Floats, weights: Floats) -> tuple[Floats, Floats]:
-        """The same as (3,V), in NumPy."""
-        with np.errstate(over="ignore", invalid="ignore"):
-            rows = blended_rows(self.palette.rows(world), self.influences)
-            positions = affine.points(rows, morphed(self.positions, self.position_morphs, weights))
-            return affine.finite(positions), affine.normals(rows, morphed(self.normals, self.normal_morphs, weights))
+        if self.parts:
+            self.blocks.pose(world, weights, positions, normals, bounds)
 
     def posed_parts(self, world: Floats, weights: Floats) -> list[Part]:
-        """The parts in one pose, named by their indices in the file."""
+        """Returns the parts in one pose, named by their indices in the file."""
         flat = np.empty((2, self.positions.size), np.float32)
         self.pose_into(world, weights, flat[0], flat[1], np.empty((len(self.parts), 6), np.float32))
         positions, normals = flat.reshape(2, -1, 3)
         return [
-            Part(part.node, part.mesh, part.primitive, positions[span], None if part.normals is None else normals[span])
+            Part(
+                part.node,
+                part.mesh,
+                part.primitive,
+                positions[span],
+                None if part.normals is None else normals[span],
+            )
             for part, span in zip(self.parts, self.spans, strict=True)
         ]
 
     @cached_property
-    def influences(self) -> tuple[Influence, ...]:
-        """Bones and weights as NumPy goes through them, made on first use."""
-        return influences(self.bones, self.weights)
-
-    @cached_property
     def blocks(self) -> Blocks:
-        """The vertices as compiled kernels go through them, made on first use."""
+        """Returns the vertices in blocks for the kernels, made on first use."""
         shown = [(self.positions, self.position_morphs), (self.normals, self.normal_morphs)]
         points, normals = (MorphedBlocks(self.spans, rest, morphs) for rest, morphs in shown)
         return Blocks(self.spans, (points, normals), self.palette, (self.bones, self.weights))
 
 
 def surface(parts: Sequence[Primitive], skins: Sequence[Skin]) -> Surface:
-    """The run form of a character's primitives."""
+    """Returns the surface of a character's primitives."""
     ends = np.cumsum([len(part.positions) for part in parts]).tolist()
     spans = tuple(slice(end - len(part.positions), end) for part, end in zip(parts, ends, strict=True))
     first_bone = np.cumsum([0, *(len(skin.joints) for skin in skins)]).tolist()
-    bones, weights = influence_table(parts, spans, first_bone)
+    bones, weights = _influence_table(parts, spans, first_bone)
     rigid = np.array([part.joint for part in parts], np.int32)
     return Surface(
         parts=tuple(parts),
         spans=spans,
-        positions=joined([part.positions for part in parts]),
-        normals=joined([upright(part) if part.normals is None else part.normals for part in parts]),
+        positions=_joined([part.positions for part in parts]),
+        normals=_joined([_upright(part) if part.normals is None else part.normals for part in parts]),
         position_morphs=tuple(morphs(parts, spans, "target_positions")),
         normal_morphs=tuple(morphs(parts, spans, "target_normals")),
         palette=Palette(
             np.concatenate([*(skin.joints for skin in skins), rigid]).astype(np.int32),
-            np.concatenate([*(skin.inverse_bind for skin in skins), np.broadcast_to(IDENTITY, (len(parts), 3, 4))]).astype(np.float32),
+            np.concatenate(
+                [*(skin.inverse_bind for skin in skins), np.broadcast_to(IDENTITY, (len(parts), 3, 4))]
+            ).astype(np.float32),
         ),
         bones=bones,
         weights=weights,
     )
 
 
-def influence_table(
+def _influence_table(
     parts: Sequence[Primitive], spans: Sequence[slice], first_bone: Sequence[int]
 ) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
-    """Bones of the palette and weights (V,I) of all vertices; a rigid part follows a bone of its own, after those of the skins."""
+    """Bones of the palette and weights (V,I) of all vertices; a rigid part follows its own bone, after the
+    bones of the skins.
+    """
     count = spans[-1].stop if spans else 0
     width = max([1, *(part.joints.shape[1] for part in parts if part.joints is not None)])
     bones, weights = np.zeros((count, width), np.intp), np.zeros((count, width), np.float32)
@@ -126,17 +125,23 @@ def influence_table(
 
 
 def morphs(parts: Sequence[Primitive], spans: Sequence[slice], name: str) -> list[Morph]:
-    """The morph targets of those parts that have any, of positions or of normals."""
-    found = [(part.weight_first, span, getattr(part, name)) for part, span in zip(parts, spans, strict=True)]
-    return [Morph(span, first, np.ascontiguousarray(rows.swapaxes(1, 2))) for first, span, rows in found if rows is not None]
+    """Returns the morph targets, of positions or of normals, of the parts that have any."""
+    targets = [
+        (part.weight_first, span, getattr(part, name)) for part, span in zip(parts, spans, strict=True)
+    ]
+    return [
+        Morph(span, first, np.ascontiguousarray(rows.swapaxes(1, 2)))
+        for first, span, rows in targets
+        if rows is not None
+    ]
 
 
-def joined(arrays: Sequence[NDArray[np.float32]]) -> NDArray[np.float32]:
+def _joined(arrays: Sequence[NDArray[np.float32]]) -> NDArray[np.float32]:
     """Arrays (V,3) one after the other, as (3,V)."""
     whole = np.concatenate([np.zeros((0, 3), np.float32), *arrays])
     return np.ascontiguousarray(whole.T)
 
 
-def upright(part: Primitive) -> NDArray[np.float32]:
-    """(V,3) of +Z: the place of normals that a primitive does not have."""
+def _upright(part: Primitive) -> NDArray[np.float32]:
+    """(V,3) of +Z, for a primitive without normals."""
     return np.broadcast_to(np.array([0, 0, 1], np.float32), part.positions.shape)

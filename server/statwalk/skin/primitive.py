@@ -1,4 +1,4 @@
-"""What is drawn: primitives of meshes at rest, the skins that bend them, and the same primitives posed."""
+"""Drawable primitives of meshes at rest, the skins that bend them, and primitives in a pose."""
 
 from __future__ import annotations
 
@@ -14,7 +14,9 @@ TRIANGLES = 4
 
 @dataclass(frozen=True, eq=False)
 class Skin:
-    """The joints that bend a mesh: `joints` (K,) indices into the skeleton, `inverse_bind` (K,3,4) row-major (glTF 2.0, 3.7.3)."""
+    """The joints that bend a mesh: `joints` (K,) indices into the skeleton, `inverse_bind` (K,3,4) row-major
+    (glTF 2.0, 3.7.3).
+    """
 
     name: str
     joints: NDArray[np.int32]
@@ -30,10 +32,12 @@ class Primitive:
     positions, normals       (V,3); normals None for points and lines
     indices, mode            (N,) vertex numbers, None to draw all in order; mode 4 = triangles, as in glTF
     material                 index into the character's materials, or None
-    skin, joints, weights    index into the character's skins; (V,I) indices into the skin's joints; (V,I) weights that sum to 1
-    target_positions         (M,V,3) displacements of morph targets; target_normals the same for normals, or None
+    skin, joints, weights    index into the character's skins; (V,I) indices into the skin's joints; (V,I)
+                             weights that sum to 1
+    target_positions         (M,V,3) displacements of morph targets; target_normals the same for normals, or
+                             None
     weight_first             the first of this mesh's M columns in a pose's weights
-    attributes               what no pose changes, by glTF's names: TEXCOORD_n (V,2), COLOR_n (V,4)
+    attributes               independent of the pose, by glTF's names: TEXCOORD_n (V,2), COLOR_n (V,4)
     """
 
     joint: int
@@ -55,7 +59,9 @@ class Primitive:
 
 
 class Part(NamedTuple):
-    """A primitive in a pose: `positions` and unit `normals` (V,3) in the character's space (no normals for points and lines)."""
+    """A primitive in a pose: `positions` and unit `normals` (V,3) in the character's space (None for points
+    and lines).
+    """
 
     node: int
     mesh: int

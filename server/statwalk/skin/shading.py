@@ -1,4 +1,4 @@
-"""Normals for meshes that come without: smooth, each face counted by its area."""
+"""Smooth normals for meshes without normals, each face weighted by its area."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MOST_AT_ONCE = 1 << 18
 
 
 def triangles(indices: Ints, mode: int) -> Ints:
-    """(T,3) vertex numbers of a triangle list, strip or fan (glTF modes 4, 5, 6)."""
+    """Returns (T,3) the vertex numbers of a triangle list, strip or fan (glTF modes 4, 5, 6)."""
     if mode == STRIP:
         rows = np.stack([indices[:-2], indices[1:-1], indices[2:]], axis=1)
         rows[1::2] = rows[1::2, [1, 0, 2]]
@@ -24,15 +24,15 @@ def triangles(indices: Ints, mode: int) -> Ints:
 
 
 def smooth_normals(positions: Floats, faces: Ints) -> NDArray[np.float32]:
-    """Unit normals (V,3) of positions (V,3) under faces (T,3); vertices that no face uses get +Z."""
+    """Returns unit normals (V,3) of positions (V,3) under faces (T,3); vertices without a face get +Z."""
     total = np.zeros(positions.shape)
     for start in range(0, len(faces), MOST_AT_ONCE):
-        add_areas(total, positions, faces[start : start + MOST_AT_ONCE])
+        _add_areas(total, positions, faces[start : start + MOST_AT_ONCE])
     return np.ascontiguousarray(unit(total.T, np.zeros((3, 1))).T, np.float32)
 
 
-def add_areas(total: Floats, positions: NDArray[np.float32], faces: Ints) -> None:
-    """Add twice each face's area, along its normal, to its corners in `total` (V,3)."""
+def _add_areas(total: Floats, positions: NDArray[np.float32], faces: Ints) -> None:
+    """Adds twice each face's area, along its normal, to its corners in `total` (V,3)."""
     corner = positions[faces].astype(np.float64)
     area = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     for k in range(3):

@@ -1,1 +1,1 @@
-"""Stages: actors in casts, the tick, and the log that everything follows from."""
+"""Stages: actors in casts, the tick, and the log from which all states follow."""

@@ -1,4 +1,4 @@
-"""An actor, as one asks for it by name: its state, pose and place at the tick that its stage shows."""
+"""An actor as a caller sees it: state, pose and place at the tick that its stage shows."""
 
 from __future__ import annotations
 
@@ -7,34 +7,47 @@ from typing import NamedTuple
 
 import numpy as np
 
+from statwalk.character.role import Role
 from statwalk.maths import quat, transform
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
 from statwalk.skin.primitive import Part
-from statwalk.stage.cast import Cast
-from statwalk.stage.hash import text
-from statwalk.stage.role import Role
+from statwalk.stage.state.cast import Cast
+from statwalk.stage.state.hashing import text
 
 _UP = np.array([0.0, 1.0, 0.0])
 
 
 class Place(NamedTuple):
-    """Where an actor stands: `position` (3,) metres float64, `heading` radians about +Y (0 looks along +Z, left is positive)."""
+    """The place of an actor: `position` (3,) metres float64, `heading` radians about +Y (0 faces +Z, left is
+    positive).
+    """
 
     position: Floats
     heading: float
 
 
+class Found(NamedTuple):
+    """An actor at the tick that its stage shows: its cast, its row there, its name."""
+
+    cast: Cast
+    row: int
+    name: str
+
+
 def _moved(part: Part, matrix: Floats) -> Part:
-    """The part in the space that `matrix` (3, 4), a rigid motion, leads to."""
+    """The part transformed by `matrix` (3, 4), a rigid motion."""
     normals = None if part.normals is None else transform.apply_vector(matrix, part.normals)
     return part._replace(positions=transform.apply(matrix, part.positions), normals=normals)
 
 
 class Actor:
-    """A view of one actor; it follows the playhead. Raises UnknownNameError at ticks where the actor is not there."""
+    """A view of one actor; it follows the playhead.
 
-    def __init__(self, actor: int, find: Callable[[int], tuple[Cast, int]]) -> None:
+    :raises UnknownNameError: from every member, when the actor does not exist at the tick that is shown.
+    """
+
+    def __init__(self, actor: int, find: Callable[[int], Found]) -> None:
         self.id = actor
         self._find = find
 
@@ -49,65 +62,64 @@ class Actor:
 
     @property
     def name(self) -> str:
-        """What it was called when it came."""
-        cast, row = self._find(self.id)
-        return cast.names[row]
+        """The name that the actor was added with."""
+        return self._find(self.id).name
 
     @property
     def role(self) -> Role:
-        """Its character and machine."""
-        return self._find(self.id)[0].role
+        """The role, in the version in force: character and machine."""
+        return self._find(self.id).cast.role
 
     @property
     def state(self) -> str:
-        """The machine's state (of the base layer)."""
+        """The state of the base layer."""
         return self.states[0]
 
     @property
     def states(self) -> tuple[str, ...]:
-        """The machine's state in each layer."""
-        cast, row = self._find(self.id)
+        """The state of each layer."""
+        cast, row, _ = self._find(self.id)
         return tuple(cast.role.machine.states[state] for state in cast.machine.state[row])
 
     @property
     def time(self) -> float:
-        """Seconds into the motion (of the base layer)."""
-        cast, row = self._find(self.id)
+        """Seconds into the motion of the base layer."""
+        cast, row, _ = self._find(self.id)
         return float(cast.machine.time[row, 0])
 
     @property
     def pose(self) -> Pose:
-        """Local transforms (J, …) and morph weights; without the root's place."""
-        cast, row = self._find(self.id)
-        return cast.shown.take(row)
+        """Local transforms (J, …) and morph weights, without the place on the stage."""
+        cast, row, _ = self._find(self.id)
+        return cast.shown.actor(row)
 
     @property
     def root(self) -> Place:
-        """Its place on the stage."""
-        cast, row = self._find(self.id)
+        """The place on the stage."""
+        cast, row, _ = self._find(self.id)
         return Place(cast.position[row].copy(), float(cast.heading[row]))
 
     @property
     def matrix(self) -> Floats:
-        """(3, 4) float64: from the character's space to the stage's."""
+        """(3, 4) float64: from character space to stage space."""
         place = self.root
         return transform.from_trs(place.position, quat.from_axis_angle(_UP, place.heading), np.ones(3))
 
     @property
     def world(self) -> Floats:
-        """(J, 4, 4) float64: the joints in the stage's space."""
-        cast, _ = self._find(self.id)
+        """(J, 4, 4) float64: the joints in stage space."""
+        cast = self._find(self.id).cast
         joints = transform.from_matrix4(cast.role.character.world(self.pose).astype(np.float64))
         return transform.to_matrix4(transform.mul(self.matrix, joints))
 
     def vertices(self) -> list[Part]:
-        """Every drawn primitive, positions and normals (V, 3) in the stage's space."""
-        cast, _ = self._find(self.id)
+        """Returns every drawn primitive, positions and normals (V, 3) in stage space."""
+        cast = self._find(self.id).cast
         matrix = self.matrix
         return [_moved(part, matrix) for part in cast.role.character.vertices(self.pose)]
 
     @property
     def hash(self) -> str:
-        """16 hexadecimal digits over all its states since it came; the same alone and in a crowd."""
-        cast, row = self._find(self.id)
+        """16 hexadecimal digits over all states since the actor was added; the same alone and in a crowd."""
+        cast, row, _ = self._find(self.id)
         return text(int(cast.hash[row]))

@@ -1,11 +1,13 @@
-"""Which steps are due. The clock is told the time; it never reads one and never sleeps."""
+"""The clock of a stage: which steps are due. The caller passes the time; the clock never reads the time and
+never sleeps.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 
 LARGEST_CATCH_UP_S = 0.25
-"""After a stall of more than this the rest is let go, so that a slow machine does not run ever further behind."""
+"""The most time that is caught up after a stall, so that a slow machine does not fall ever further behind."""
 NEVER_S = 3600.0
 
 
@@ -24,7 +26,9 @@ class Clock:
     _owed: float = field(default=0.0, init=False)
 
     def due(self, now: float) -> int:
-        """Steps to take at `now` seconds (any origin, never backwards); time that passed in a pause does not count."""
+        """Returns the number of steps to take at `now` seconds (any origin, never backwards); time in a pause
+        does not count.
+        """
         passed = 0.0 if self._last is None else min(max(now - self._last, 0.0), LARGEST_CATCH_UP_S)
         self._last = now
         if self.paused:
@@ -35,7 +39,9 @@ class Clock:
         return steps
 
     def wait(self, now: float) -> float:
-        """Seconds from `now` until the next step is due; 0 when it is, NEVER_S while paused."""
+        """Returns the seconds from `now` until the next step is due; 0 if a step is due, NEVER_S while
+        paused.
+        """
         if self.paused or self.speed <= 0:
             return NEVER_S
         passed = 0.0 if self._last is None else now - self._last

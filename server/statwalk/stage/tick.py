@@ -1,41 +1,143 @@
-"""One tick: what statwalk does, on one page. Pure: no clock, no file, no chance; the same state and events give the same bits.
+"""One tick of a cast: what statwalk does, on one page.
 
-The numbers are those of the design. What has no step yet (expressions, limits, reach) has no line; 10 sense is for the whole stage (fold).
+No clock, no file, no global random state: the same state and events give the same bits.
+
+Python calls compiled code twice: for the machines, then for the poses. (If the machines have more effects
+than the tick's memory holds, they go on with twice the room: one more call for each doubling.) The step
+numbers are the design's; step 10, sense, is for the whole stage (`advance`).
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from typing import Any
 
-import numpy as np
+from numba import types
 
-from statwalk.machine.ticking.step import Inputs, StepResult, step
-from statwalk.motion.root import compose
-from statwalk.stage.cast import Cast
-from statwalk.stage.moving.posing import composite
-from statwalk.stage.moving.rootway import way_gone
-from statwalk.stage.moving.surroundings import surroundings
-from statwalk.stage.moving.turning import faded, turned
+from statwalk.character.pose_tables import POSES
+from statwalk.machine.compile.program import PROGRAM
+from statwalk.machine.runtime.effects import EFFECTS
+from statwalk.machine.runtime.result import StepResult, result_of
+from statwalk.machine.runtime.state import STATE
+from statwalk.machine.runtime.surroundings import Inputs
+from statwalk.maths.arrays import Ints
+from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
+from statwalk.maths.packed import ADDRESSES, opened
+from statwalk.motion.layer_lanes import MASKS
+from statwalk.motion.tables.motion_tables import MOTIONS
+from statwalk.rig.hierarchy_lanes import model_block
+from statwalk.stage.state.cast import Cast
+from statwalk.stage.state.pose_offsets import OFFSETS
+from statwalk.stage.steps._kernels import (
+    LANES,
+    hash_actor,
+    keep_block,
+    move_root,
+    note_transitions,
+    root_motion,
+    sample_layers,
+)
+from statwalk.stage.steps.hash_lanes import hash_block
+from statwalk.stage.steps.memory import MEMORY, Memory, memory_of
+from statwalk.stage.steps.offset_apart import begin_transitions
+from statwalk.stage.steps.offset_begin import begins_here
+from statwalk.stage.steps.offset_clocks import advance_clocks, blend_root_delta, release_slots
+from statwalk.stage.steps.offset_lanes import add_block
+from statwalk.stage.steps.step_machines import NOT_MEASURED, MeasuredFrom, step_machines
+
+DOUBLE = types.float64
+_program, _motions, _poses, _masks, _state = (
+    opened(PROGRAM),
+    opened(MOTIONS),
+    opened(POSES),
+    opened(MASKS),
+    opened(STATE),
+)
+_offsets, _effects, _memory = opened(OFFSETS), opened(EFFECTS), opened(MEMORY)
 
 
-def tick(cast: Cast, inputs: Inputs, dt: float, now: int, seed: int) -> tuple[Cast, StepResult]:
-    """The cast one step of `dt` seconds later, as tick `now`, and what its machines did."""
-    # 1 advance: motions move on; 2 decide: every event is looked up in the table, END last
-    done = step(cast.role.machine, cast.machine, dt, now, inputs, surroundings(cast, dt, seed))
+def tick(
+    cast: Cast, inputs: Inputs, dt: float, now: int, seed: int, is_looked_at: bool = False
+) -> tuple[Cast, StepResult]:
+    """Returns the cast one step of `dt` seconds later, as tick `now`, and the result of its machines; if
+    `is_looked_at`, with the joints of its colliders in model space.
 
-    # 3 sample: the local pose of each actor's motions at their times, those of upper layers over those of lower ones
-    pose = composite(cast.role, done.state)
+    Takes the cast over.
+    """
+    memory = memory_of(cast.role, len(cast.ids))
+    memory.poses.values.old_state[:] = cast.machine.state
+    result = decide(cast, memory, inputs, dt, now, seed)
+    return pose(cast, memory, result.changes.actor, dt, is_looked_at), result
 
-    # 4 blend: what would jump becomes an offset of the pose that was shown, and dies out; the root's velocity goes over into the new one
-    turns = turned(done.changes, len(cast.role.machine.layers))
-    fading = faded(cast, done.state, pose, turns, dt).advanced(dt)
-    shown = fading.on(pose)
-    way = fading.blended_way(way_gone(cast, done, turns.of_base))
-    place = compose(np.stack([cast.position[:, 0], cast.position[:, 2], cast.heading], -1), way)
-    position = np.stack([place[:, 0], cast.position[:, 1], place[:, 1]], -1)
 
-    # 7 world and 9 skin are worked out for those who look (Actor.world, Actor.vertices, the web floor's frames)
-    after = replace(
-        cast, machine=done.state, shown=shown, before=cast.shown, fading=fading, position=position, heading=place[:, 2], way=way
+def decide(cast: Cast, memory: Memory, inputs: Inputs, dt: float, now: int, seed: int) -> StepResult:
+    """Runs steps 1 time and 2 decide: measures how actors move, if a machine reads it; advances clip times,
+    finds the markers and END that they cross, and looks up the events of every actor.
+    """
+    role, machine, measured_from = cast.role, memory.machine(cast.machine), NOT_MEASURED
+    memory.key(cast.ids, seed)
+    if role.measures:
+        tables = role.packed.motions.argument, role.packed.poses.argument, memory.poses.argument
+        measured_from = MeasuredFrom(*tables, cast.shown.values, cast.position, cast.root_delta)
+    around, effects = memory.surroundings, memory.effects
+    memory.effects = step_machines(
+        role.packed.program, machine, dt, now, inputs, around, effects, measured_from
     )
-    return after.rehashed(), done
+    return result_of(cast.machine, memory.effects.values)
+
+
+def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: bool) -> Cast:
+    """Runs steps 3 sample, 4 blend and 7 world, for sixteen actors at a time; `changed`: the rows of the
+    actors whose state has changed.
+    """
+    offsets = cast.offsets.with_room(changed) if len(changed) else cast.offsets
+    work = memory.offsets(offsets).argument, memory.effects.argument, memory.poses.argument
+    places = cast.position, cast.heading, cast.root_delta, cast.hash
+    buffers, machine = (cast.previous.values, cast.shown.values), memory.machine(cast.machine).argument
+    _pose_blocks(
+        *cast.role.packed.arguments, machine, *work, *buffers, *places, cast.shown.used, dt, is_looked_at
+    )
+    model = memory.model if is_looked_at else None
+    return Cast(
+        cast.ids, cast.machine, cast.previous, cast.shown, offsets, *places, role=cast.role, model=model
+    )
+
+
+@kernel(
+    ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, write(FLOAT, 3),
+    read(FLOAT, 3), write(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 2), write(types.uint64, 1), LONG,
+    DOUBLE, types.boolean,
+)  # fmt: skip
+def _pose_blocks(
+    program: Any, motions: Any, poses: Any, moved: Any, machine: Any, offsets: Any, effects: Any, memory: Any,
+    previous: Any, shown: Any, position: Any, heading: Any, root_delta: Any, hashes: Any, used: int,
+    dt: float, is_looked_at: bool,
+) -> None:  # fmt: skip
+    """Writes the poses of all blocks into `previous`; `offsets` has room for all transitions that begin."""
+    p, m, t, masks = _program(program), _motions(motions), _poses(poses), _masks(moved)
+    s, o, done, mem = _state(machine), _offsets(offsets), _effects(effects), _memory(memory)
+    note_transitions(t, s, done, mem)
+    for block in range(shown.shape[0]):
+        # 3 sample: the local poses of the motions, upper layers over lower layers
+        sample_layers(m, t, s, masks, mem, s.state, s.time, mem.coming, block)
+        # 4 blend: the jump of a pose becomes an offset that decays; the root motion goes over into its new
+        # velocity
+        if begins_here(mem, block):
+            begin_transitions(p, m, t, s, o, masks, done, mem, previous, shown, block, root_delta, dt)
+        for row in range(LANES * block, min(LANES * (block + 1), s.state.shape[0])):
+            advance_clocks(o, row, dt)
+            root_delta[row, 0], root_delta[row, 1], root_delta[row, 2] = root_motion(p, m, s, mem, done, row)
+            blend_root_delta(o, row, root_delta)
+            move_root(position, heading, root_delta, row)
+            # a running hash of everything that can influence a later tick
+            hashes[row] = hash_actor(hashes[row], s, o, position, heading, root_delta, row)
+        add_block(o, masks, mem.coming, 0, block, 0.0, mem.scratch)
+        release_slots(o, block)
+        # 5 express, 6 limit: not yet; they will change `mem.coming` here
+        keep_block(mem.coming, previous, block)
+        # 7 world: the joints that colliders ride on, in model space, once for all readers
+        # (`Cast.model`: touches, flocks); the matrices of all joints are computed when they are read
+        # (`Actor.world`, the server's frames)
+        if is_looked_at:
+            model_block(t.model_joints, t.model_parents, previous, mem.model, block)
+        # 8 reach: not yet; it will read `mem.model`, and change what is kept
+        hash_block(hashes, previous, used, o, block, mem.scratch)

@@ -1,1 +1,1 @@
-"""The web floor, the only one that knows FastAPI, pydantic and sockets: the app and its door here; `api`, `streaming`, `keeping` beside."""
+"""The REST interface and the WebSocket; no other package imports FastAPI or pydantic."""

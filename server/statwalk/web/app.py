@@ -1,91 +1,124 @@
-"""The application: the routes, what they share, and the door around everything."""
+"""The ASGI application: the routes, the state they share, and the guard around them."""
 
 from __future__ import annotations
 
 import asyncio
-import threading
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
 
-from anyio import to_thread
+from anyio import CapacityLimiter, to_thread
 from fastapi import FastAPI
 from starlette.types import ASGIApp
 
-from statwalk.maths.kernels.choose import kernels
-from statwalk.web import page, problem
-from statwalk.web.api import actors, characters, editing, explain, history, machines, making, scenes, stages, uploads
-from statwalk.web.guard import Guard
-from statwalk.web.keeping.catalogue import Catalogue
-from statwalk.web.keeping.depot import Depot
-from statwalk.web.keeping.registry import Registry
-from statwalk.web.keeping.watching import Watch
-from statwalk.web.schemas import ProblemView
+from statwalk.services.hosting.file_watch import FileWatch
+from statwalk.services.hosting.registry import Registry
+from statwalk.services.hosting.stage_messages import Status
+from statwalk.services.hosting.ticker import Ticker
+from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.model_store import ModelStore
+from statwalk.web import errors, openapi, page
+from statwalk.web.long_work import LongWork
+from statwalk.web.routes import (
+    actors,
+    characters,
+    edits,
+    explain,
+    history,
+    machines,
+    new_machines,
+    scenes,
+    stages,
+    uploads,
+)
+from statwalk.web.security import Guard
 from statwalk.web.settings import Settings
-from statwalk.web.streaming import messages, stream
-from statwalk.web.streaming.pacer import Pacer
+from statwalk.web.socket import messages, stream
 
+MOST_PAST_WORK = 4
+"""how many threads compute past ticks for viewers at once"""
 DESCRIPTION = "Animates characters from state tables. Errors are application/problem+json (RFC 9457)."
-ROOMS = tuple(room.router for room in (characters, uploads, machines, making, editing, stages, scenes, history, actors, explain, stream))
+ROUTES = (
+    characters,
+    uploads,
+    machines,
+    new_machines,
+    edits,
+    stages,
+    scenes,
+    history,
+    actors,
+    explain,
+    stream,
+)
 
 
 def create_app(settings: Settings | None = None) -> ASGIApp:
-    """The server as an ASGI application; machine files are read now, models when they are first needed.
+    """Returns the server as an ASGI application; it reads machine files now, and models on first use.
 
-    :raises ContentError: if a machine folder must be refused.
+    :raises ContentError: when a machine folder is refused.
     """
-    return Guard(rooms(settings or Settings()), (settings or Settings()).hosts)
+    return Guard(_routes(settings or Settings()), (settings or Settings()).hosts)
 
 
-def rooms(settings: Settings) -> FastAPI:
-    """The application inside the door."""
-    registry = Registry(Catalogue(settings.folders, Depot(settings.data) if settings.data else None), settings)
-    errors: dict[int | str, dict[str, Any]] = {
-        status: {"model": ProblemView, "content": {problem.MEDIA_TYPE: {}}} for status in (400, 404, 409, 413, 415, 422)
-    }
+def _routes(settings: Settings) -> FastAPI:
+    """Returns the application inside the guard."""
+    catalogue = Catalogue(settings.folders, ModelStore(settings.data) if settings.data else None)
+    registry = Registry(catalogue, messages.fact, settings.limits)
     app = FastAPI(
         title="statwalk",
         description=DESCRIPTION,
         openapi_url="/api/openapi.json",
-        docs_url=None,  # both documentation pages fetch their scripts from a foreign server, which the page's policy forbids
+        # both documentation pages load scripts from another server, which our content security policy forbids
+        docs_url=None,
         redoc_url=None,
         lifespan=lifespan,
     )
     app.state.registry = registry
-    for room in ROOMS:
-        app.include_router(room, responses=errors)
-    problem.install(app)
+    app.state.long_work = LongWork()
+    app.state.past_limiter = CapacityLimiter(MOST_PAST_WORK)
+    app.state.file_watch = FileWatch(registry.versions) if settings.watch else None
+    for route in ROUTES:
+        app.include_router(route.router, responses=openapi.REFUSALS)
+    errors.install(app)
+    openapi.install(app)
     page.install(app, settings.page)
     if settings.main_stage:
-        registry.open_main()
+        registry.open_main(settings.scene)
     return app
+
+
+def openapi_document() -> dict[str, Any]:
+    """Returns the OpenAPI document of `/api/openapi.json` without starting a server."""
+    return _routes(Settings(folders=(), main_stage=False)).openapi()
 
 
 @asynccontextmanager
 async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-    """While the server runs: the pacer's thread, and once a second the housekeeping."""
+    """Runs the ticker and the housekeeping while the server runs."""
     registry: Registry = app.state.registry
-    pacer = Pacer(registry.all)
-    registry.wake = pacer.wake
-    pacer.start()
-    threading.Thread(target=kernels, name="kernels").start()  # so that nobody waits for them who asks for vertices
-    housekeeper = asyncio.ensure_future(keep_house(registry, Watch(registry.editions) if registry.settings.watch else None))
+    ticker = Ticker(registry.all)
+    registry.wake = ticker.wake
+    ticker.start()
+    housekeeping = asyncio.ensure_future(_housekeeping(registry, app.state.file_watch))
     try:
         yield
     finally:
-        housekeeper.cancel()
-        pacer.stop()
+        housekeeping.cancel()
+        ticker.stop()
 
 
-async def keep_house(registry: Registry, watch: Watch | None) -> None:
-    """Tells viewers where their stage is, cuts off those that do not acknowledge, lets go of stages that nobody uses, follows files."""
+async def _housekeeping(registry: Registry, watch: FileWatch | None) -> None:
+    """Once a second: sends each stage's status to its viewers, disconnects viewers that do not acknowledge
+    frames, closes idle stages, and reads saved machine files.
+    """
     while True:
         await asyncio.sleep(1.0)
-        for hosted in registry.all():
-            hosted.broadcast.cut_overdue(time.monotonic())
-            if hosted.broadcast.mailboxes:
-                hosted.broadcast.tell(messages.status(hosted.status()))
+        for host in registry.all():
+            host.fanout.cut_overdue(time.monotonic())
+            if host.fanout.outboxes:
+                host.fanout.tell(messages.fact(host.handle(Status())))
         registry.drop_idle()
         if watch:
             await to_thread.run_sync(watch.look)

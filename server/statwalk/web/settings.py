@@ -1,4 +1,4 @@
-"""What the server is told when it starts, and the limits it keeps."""
+"""The settings of a server, and the largest size of a request's body."""
 
 from __future__ import annotations
 
@@ -6,48 +6,48 @@ import os
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from statwalk.services.limits import Limits
+
 PACKAGE = Path(__file__).resolve().parent.parent
 LOOPBACK_HOSTS = ("127.0.0.1", "localhost", "[::1]")
 
 LARGEST_BODY_BYTES = 256 << 10
 LARGEST_UPLOAD_BYTES = 64 << 20
-MOST_UPLOADS = 200
 LARGEST_MESSAGE_BYTES = 64 << 10
-MOST_STAGES = 64
-MOST_ACTORS = 2_000
-MOST_TICKS = 36_000
-MOST_VIEWERS = 256
-IDLE_SECONDS = 600.0
 
 
-def page_folder() -> Path:
-    """Where the built viewer is: in the wheel, or in the checkout of an editable install."""
+def _page_folder() -> Path:
+    """Returns the folder of the built viewer: in the wheel, or in the checkout of an editable install."""
     inside = PACKAGE / "static"
     return inside if inside.is_dir() else PACKAGE.parent.parent / "static" / "dist"
 
 
 def data_folder() -> Path:
-    """Where a user's data are kept (XDG Base Directory Specification): $XDG_DATA_HOME/statwalk, else ~/.local/share/statwalk."""
-    given = os.environ.get("XDG_DATA_HOME", "")
-    return (Path(given) if Path(given).is_absolute() else Path.home() / ".local" / "share") / "statwalk"
+    """Returns the folder of the user's data (XDG Base Directory Specification): $XDG_DATA_HOME/statwalk, else
+    ~/.local/share/statwalk.
+    """
+    home = os.environ.get("XDG_DATA_HOME", "")
+    return (Path(home) if Path(home).is_absolute() else Path.home() / ".local" / "share") / "statwalk"
 
 
 @dataclass(frozen=True)
 class Settings:
-    """`folders`: machine folders beside the shipped ones, the first is the default; `hosts`: names this server answers to.
+    """The settings of a server.
 
-    `data`: the folder that keeps uploaded characters and the machines made of them; without one nothing can be uploaded.
+    `folders`: machine folders besides the shipped ones; the first is the default machine. `hosts`: the names
+    of the server. `page`: the folder of the built viewer. `main_stage`: whether the server opens the stage
+    that the page shows first.
 
-    `scene`: the one that the page opens on. `watch`: a machine file that is saved counts at once.
+    `data`: the folder for uploaded characters and the machines made from them; None: the server refuses
+    uploads. `scene`: the scene that the page shows first; empty: the default machine. `watch`: whether stages
+    play a machine file as soon as it is saved.
     """
 
     folders: tuple[Path, ...] = ()
     hosts: tuple[str, ...] = LOOPBACK_HOSTS
-    page: Path = field(default_factory=page_folder)
+    page: Path = field(default_factory=_page_folder)
     main_stage: bool = True
     data: Path | None = None
     scene: str = ""
     watch: bool = False
-    most_stages: int = MOST_STAGES
-    most_actors: int = MOST_ACTORS
-    idle_seconds: float = IDLE_SECONDS
+    limits: Limits = field(default_factory=Limits)

@@ -1,1 +1,1 @@
-"""What lies between actors: the grid that finds who is near, collisions, flocks. Arrays in, arrays out."""
+"""Relations between actors: the grid that finds neighbours, collisions, flocks. Arrays in, arrays out."""

@@ -1,6 +1,8 @@
-"""Flocks and swarms (FL1, FAQ Q34): particles that see their nearest neighbours, hold a preferred distance and go for a goal.
+"""Flocks and swarms (FL1, FAQ Q34): particles that see their nearest neighbours, keep a preferred distance
+and fly to a goal.
 
-One flock is N members as arrays; metres, seconds. A member's flight depends on what it sees, not on how the work is divided.
+One flock is N members as arrays; metres, seconds. A member's flight depends on what it sees, not on how the
+work is divided.
 """
 
 from __future__ import annotations
@@ -16,51 +18,59 @@ from statwalk.world.obstacles import Obstacles, evasion, pushed_out, repulsion
 from statwalk.world.sight import nearest_seen
 
 SETTLING_S = 0.7
-"""seconds in which a member comes to the speed, or to the place, that it would like"""
+"""seconds in which a member reaches its wanted speed or position"""
 RESPONSE_S = 0.35
-"""the same for the speed in a formation, where others follow who follow others"""
+"""seconds in which a member of a formation reaches its wanted speed; shorter, as followers follow
+followers
+"""
 LEADING = 0.75
-"""of the greatest speed: whoever leads flies so fast at most, that the others can keep up"""
+"""the leader's top speed as a part of the greatest speed, so that followers can keep up"""
 CLOSEST = 0.05
-"""of the preferred distance: nearer than this the force grows no more"""
+"""part of the preferred distance below which the force stays constant"""
 
 
 @dataclass(frozen=True)
 class Rules:
-    """What the members of a flock keep to."""
+    """The rules that members of a flock follow."""
 
     distance: float = 1.0
-    """metres that a member would like to have to those it sees"""
+    """metres: wanted distance to the neighbours that a member sees"""
     reach: float = 5.0
-    """metres beyond which it sees nobody"""
+    """metres: range of sight"""
     sight_cos: float = -1.0
     """cosine of half the field of view; −1: all round"""
     nearest: int = 7
-    """only so many are looked at: near ones hide far ones"""
+    """number of neighbours that a member looks at; near neighbours hide far ones"""
     strength: float = 4.0
     """metres per second squared: scales the forces"""
     min_speed: float = 0.0
     max_speed: float = 5.0
     max_acceleration: float = 10.0
     wander: float = 0.0
-    """metres per second squared of chance"""
+    """metres per second squared of random acceleration"""
     follow: float = 0.0
-    """0…1: how much of the speed of those it sees a member takes over (beyond the FAQ)"""
+    """0…1: the part of its neighbours' velocity that a member takes over (beyond the FAQ)"""
     formation: tuple[float, float] | None = None
-    """metres beside and behind the one ahead: the first leads, the others fly in two arms behind it"""
+    """metres beside and behind the member ahead: the first leads, the others fly in two arms behind it"""
 
 
 class Members(NamedTuple):
-    """Where they are, how they fly, which way they look: (N, 3) each; `forward` has unit length."""
+    """Positions, velocities and directions of the members: (N, 3) each; `forward` has unit length."""
 
     position: Floats
     velocity: Floats
     forward: Floats
 
 
-def flown(members: Members, rules: Rules, goal: Floats | None, obstacles: Obstacles, chance: Floats, dt: float) -> Members:
-    """The flock `dt` seconds later. `goal` (3,): where it would like to be; `chance` (N, 3) −1…1."""
-    wish = _forces(members, rules, chance) + repulsion(obstacles, members.position, rules.distance, rules.strength)
+def flown(
+    members: Members, rules: Rules, goal: Floats | None, obstacles: Obstacles, chance: Floats, dt: float
+) -> Members:
+    """Returns the flock `dt` seconds later. `goal` (3,): the wanted position; `chance` (N, 3): random numbers
+    −1…1.
+    """
+    wish = _forces(members, rules, chance) + repulsion(
+        obstacles, members.position, rules.distance, rules.strength
+    )
     wish += evasion(obstacles, members.position, members.velocity, rules.distance)
     wish += _desires(members, rules, goal)
     velocity = members.velocity + _limited(wish, rules.max_acceleration) * dt
@@ -72,29 +82,42 @@ def flown(members: Members, rules: Rules, goal: Floats | None, obstacles: Obstac
 
 
 def _forces(members: Members, rules: Rules, chance: Floats) -> Floats:
-    """Accelerations (N, 3): the sum over those seen, the nearest first; too far attracts and too near repels, by the inverse square.
+    """Accelerations (N, 3): the sum over the visible neighbours, the nearest first; far neighbours attract
+    and near ones repel.
 
-    (r − d)·d/r² along the direction to the other: the distance that is wanting, scaled by the inverse square of the distance.
+    (r − d)·d/r² along the direction to the neighbour: the difference from the wanted distance, times the
+    inverse square of the distance.
     """
     total = chance * rules.wander
-    seen, distance = nearest_seen(members.position, members.forward, rules.reach, rules.sight_cos, rules.nearest)
+    seen, distance = nearest_seen(
+        members.position, members.forward, rules.reach, rules.sight_cos, rules.nearest
+    )
     for row in range(seen.shape[1]):
         is_seen = np.isfinite(distance[:, row])
-        other = np.where(is_seen, seen[:, row], 0)
+        neighbour = np.where(is_seen, seen[:, row], 0)
         gap = np.where(is_seen, distance[:, row], 1)
-        away = np.where((gap > 0)[:, None], (members.position[other] - members.position) / np.where(gap > 0, gap, 1)[:, None], chance)
+        away = np.where(
+            (gap > 0)[:, None],
+            (members.position[neighbour] - members.position) / np.where(gap > 0, gap, 1)[:, None],
+            chance,
+        )
         near = np.maximum(gap, CLOSEST * rules.distance)
         force = rules.strength * rules.distance * (near - rules.distance) / (near * near)
         total += np.where(is_seen[:, None], away * force[:, None], 0)
         if rules.follow > 0:
             total += np.where(
-                is_seen[:, None], (members.velocity[other] - members.velocity) * (rules.follow / rules.nearest / SETTLING_S), 0
+                is_seen[:, None],
+                (members.velocity[neighbour] - members.velocity)
+                * (rules.follow / rules.nearest / SETTLING_S),
+                0,
             )
     return total
 
 
 def _desires(members: Members, rules: Rules, goal: Floats | None) -> Floats:
-    """Accelerations (N, 3) towards the goal, and in a formation (all but the first) towards the place beside and behind the one ahead."""
+    """Accelerations (N, 3) towards the goal, and in a formation (all but the first) towards the place beside
+    and behind the member ahead.
+    """
     in_formation = rules.formation is not None
     wish = np.zeros_like(members.position)
     if goal is not None:
@@ -104,14 +127,21 @@ def _desires(members: Members, rules: Rules, goal: Floats | None) -> Floats:
         return wish
     rank = np.arange(1, len(wish))
     ahead = np.maximum(rank - 2, 0)
-    missing = members.position[ahead] + _beside(members.forward[:1], rank % 2 == 1, rules.formation) - members.position[1:]
+    missing = (
+        members.position[ahead]
+        + _beside(members.forward[:1], rank % 2 == 1, rules.formation)
+        - members.position[1:]
+    )
     wanted = _limited(members.velocity[ahead] + missing / SETTLING_S, rules.max_speed)
     wish[1:] = (wanted - members.velocity[1:]) / RESPONSE_S
     return wish
 
 
 def _beside(forward: Floats, is_left: Bools, formation: tuple[float, float]) -> Floats:
-    """From a member to the place beside and behind it, on the level: (n, 3). All look where the first does, so that arms are straight."""
+    """From a member to the place beside and behind it, on the level: (n, 3).
+
+    All members use the first member's direction, so that arms are straight.
+    """
     beside, behind = formation
     level = vector.unit(forward * np.array([1.0, 0, 1]))
     left = np.stack([level[:, 2], np.zeros(len(level)), -level[:, 0]], -1)
@@ -126,7 +156,9 @@ def _limited(vectors: Floats, most: float) -> Floats:
 
 
 def _at_least(velocity: Floats, least: float, forward: Floats) -> Floats:
-    """The velocities, none slower than `least`; who stands goes on forward."""
+    """The velocities, none slower than `least`; a member that stands still starts forward."""
     size = vector.length(velocity)
-    faster = np.where((size > 0)[:, None], velocity * (least / np.where(size > 0, size, 1))[:, None], forward * least)
+    faster = np.where(
+        (size > 0)[:, None], velocity * (least / np.where(size > 0, size, 1))[:, None], forward * least
+    )
     return np.where((size < least)[:, None], faster, velocity)

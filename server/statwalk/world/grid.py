@@ -1,6 +1,7 @@
-"""Who is near whom: a uniform grid, so that the work grows with the number of neighbours and not with the square of the crowd.
+"""A uniform grid that finds neighbours, so that the work grows with the number of neighbours and not with the
+square of the crowd.
 
-The order of what is found follows from places and rows alone.
+The order of the results depends on positions and rows alone.
 """
 
 from __future__ import annotations
@@ -14,13 +15,15 @@ import numpy as np
 from statwalk.maths.arrays import Bools, Floats, Ints
 
 BLOCK = 1 << 18
-"""candidates looked at together"""
+"""candidates tested together"""
 MOST_PAIRS = 50_000
-"""that are told of; in a heap of thousands everybody touches everybody"""
+"""most pairs to report; in a heap of thousands every member touches every other"""
 
 _FARTHEST = (1 << 20) - 2
-"""columns or slices from the origin: what lies beyond shares the outermost ones, which costs time but finds the same"""
-_ROUNDING = 1 + 1e-9
+"""columns or slices from the origin; points beyond share the outermost ones, which costs time but gives the
+same results
+"""
+ROUNDING = 1 + 1e-9
 _ROW = 2 * _FARTHEST + 3
 _SLICES = 8
 _COLUMNS = np.array([[x, y] for x in range(3) for y in range(3)])
@@ -44,24 +47,29 @@ class Grid:
         self.keys = keys[self.order]
 
     def around(self, points: Floats, radius: Floats | float) -> Iterator[Pairs]:
-        """For each of `points` (M, 3), in their order, those of the grid that may lie within `radius` (M,), at most `size`, of it.
+        """Yields, for each of `points` (M, 3) in their order, the grid's points that may lie within `radius`
+        (M,), at most `size`.
 
-        None that does is missing: they come as (row of `points`, grid's row), in blocks of whole rows, which bounds the memory.
+        No point within the radius is missing. The pairs are (row of `points`, row of the grid), in blocks of
+        whole rows, which bounds the memory.
         """
         x, y = self._cells(points)
-        reach = np.broadcast_to(radius, len(points)) * _ROUNDING
-        across = _outside(points[:, 0], x, self.size)[:, _COLUMNS[:, 0]] + _outside(points[:, 1], y, self.size)[:, _COLUMNS[:, 1]]
+        reach = np.broadcast_to(radius, len(points)) * ROUNDING
+        across = (
+            _outside(points[:, 0], x, self.size)[:, _COLUMNS[:, 0]]
+            + _outside(points[:, 1], y, self.size)[:, _COLUMNS[:, 1]]
+        )
         left = (reach * reach)[:, None] - across
         along = np.sqrt(np.maximum(left, 0))
         columns = x[:, None] + (_COLUMNS[:, 0] - 1), y[:, None] + (_COLUMNS[:, 1] - 1)
         start = self.keys.searchsorted(_keys(*columns, self._slices(points[:, 2, None] - along)), "left")
         end = self.keys.searchsorted(_keys(*columns, self._slices(points[:, 2, None] + along)), "right")
         count = np.where(left >= 0, end - start, 0)
-        found = count.sum(-1)
-        block = (found.cumsum() - found) // BLOCK
+        candidates = count.sum(-1)
+        block = (candidates.cumsum() - candidates) // BLOCK
         ends = np.append(np.flatnonzero(np.diff(block)) + 1, len(points))
         for begin, stop in pairwise((0, *ends.tolist())):
-            rows = np.arange(begin, stop).repeat(found[begin:stop])
+            rows = np.arange(begin, stop).repeat(candidates[begin:stop])
             yield Pairs(rows, self.order[_ranges(start[begin:stop].ravel(), count[begin:stop].ravel())])
 
     def _cells(self, points: Floats) -> tuple[Ints, Ints]:
@@ -75,7 +83,9 @@ class Grid:
 
 
 def _outside(place: Floats, cell: Ints, size: float) -> Floats:
-    """Squares (M, 3) of the distances from a point's place on an axis to the cell before its own, to its own (0), and to the next."""
+    """Squares (M, 3) of the distances on one axis from a point to the cell before its own, to its own (0),
+    and to the next.
+    """
     into = place - cell * size
     squares: Floats = np.stack([np.maximum(into, 0), np.zeros_like(into), np.maximum(size - into, 0)], -1)
     return squares * squares
@@ -95,36 +105,40 @@ def _keys(x: Ints, y: Ints, z: Ints) -> Ints:
 
 
 def overlapping(centers: Floats, reach: Floats, most: int = MOST_PAIRS) -> Pairs:
-    """Pairs of balls (N, 3), (N,) that overlap, first < second, sorted. Balls of very different sizes lie in grids of their own.
+    """Returns the pairs of balls (N, 3), (N,) that overlap, first < second, sorted.
 
-    Where thousands lie in one heap it stops looking after `most` pairs.
+    Balls of very different sizes are in separate grids.
+
+    The search stops after `most` pairs.
     """
-    found = [np.zeros((2, 0), np.int64)]
+    blocks = [np.zeros((2, 0), np.int64)]
     for pairs in _candidates(centers, reach):
         first, second = np.minimum(*pairs), np.maximum(*pairs)
-        found.append(np.stack([first, second])[:, _overlap(centers, reach, first, second)])
-        if sum(one.shape[1] for one in found) >= most:
+        blocks.append(np.stack([first, second])[:, _overlap(centers, reach, first, second)])
+        if sum(block.shape[1] for block in blocks) >= most:
             break
-    first, second = np.concatenate(found, 1)[:, :most]
+    first, second = np.concatenate(blocks, 1)[:, :most]
     order = (first * len(centers) + second).argsort(kind="stable")
     return Pairs(first[order], second[order])
 
 
 def _candidates(centers: Floats, reach: Floats) -> Iterator[Pairs]:
-    """Each pair of balls once whose cubes lie side by side."""
+    """Each pair of balls with adjacent cubes, once."""
     level = (np.frexp(np.maximum(2 * reach, 1e-9))[1] + 1) // 2  # cubes of 4^level metres hold a ball
-    for one in np.unique(level):
-        rows = (level == one).nonzero()[0]
-        smaller = (level <= one).nonzero()[0]
+    for size_level in np.unique(level):
+        rows = (level == size_level).nonzero()[0]
+        smaller = (level <= size_level).nonzero()[0]
         widest = reach[rows].max()
-        for near in Grid(centers[rows], 4.0**one).around(centers[smaller], np.minimum(reach[smaller] + widest, 4.0**one)):
+        for near in Grid(centers[rows], 4.0**size_level).around(
+            centers[smaller], np.minimum(reach[smaller] + widest, 4.0**size_level)
+        ):
             first, second = smaller[near.first], rows[near.second]
-            fresh = (level[first] < one) | (first < second)
-            yield Pairs(first[fresh], second[fresh])
+            is_new = (level[first] < size_level) | (first < second)
+            yield Pairs(first[is_new], second[is_new])
 
 
 def _overlap(centers: Floats, reach: Floats, first: Ints, second: Ints) -> Bools:
-    """Whether the balls of each pair overlap; those that miss each other by a rounding error count."""
+    """Whether the balls of each pair overlap; balls apart by a rounding error count."""
     x, y, z = (axis[second] - axis[first] for axis in np.ascontiguousarray(centers.T))
-    both = (reach[first] + reach[second]) * _ROUNDING
+    both = (reach[first] + reach[second]) * ROUNDING
     return np.asarray(x * x + y * y + z * z <= both * both)

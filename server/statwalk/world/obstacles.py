@@ -1,4 +1,4 @@
-"""What a flock flies around: spheres and planes with a field of force, and a surface that nobody goes through."""
+"""Obstacles of a flock: spheres and planes with a repelling force, and a surface that no member passes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from statwalk.maths.intersect import plane_value
 
 
 class Obstacles(NamedTuple):
-    """O obstacles; of a plane, all that lies behind it is forbidden."""
+    """O obstacles; the space behind a plane is forbidden."""
 
     center: Floats
     """(O, 3) metres"""
@@ -25,14 +25,16 @@ class Obstacles(NamedTuple):
 
 
 AHEAD_S, SOONEST_S = 2.0, 0.3
-"""seconds that one looks ahead; less than that left, one does what would be enough then"""
+"""seconds that a member looks ahead; the shortest time to a collision that its evasion assumes"""
 HEAD_ON = 1e-6
 
 NO_OBSTACLES = Obstacles(np.zeros((0, 3)), np.zeros(0), np.zeros((0, 3)), np.zeros(0, bool))
 
 
 def repulsion(obstacles: Obstacles, position: Floats, distance: float, strength: float) -> Floats:
-    """Accelerations (N, 3) away from near surfaces, by the inverse square: `strength` at `distance`, 0 at twice that."""
+    """Returns accelerations (N, 3) away from near surfaces, by the inverse square: `strength` at `distance`,
+    0 at twice the distance.
+    """
     total = np.zeros_like(position)
     for row in range(len(obstacles.radius)):
         gap, outwards = _surface(obstacles, row, position)
@@ -44,7 +46,9 @@ def repulsion(obstacles: Obstacles, position: Floats, distance: float, strength:
 
 
 def evasion(obstacles: Obstacles, position: Floats, velocity: Floats, distance: float) -> Floats:
-    """Accelerations (N, 3) to the side, for those whose course leads into a sphere: what just takes them past it at `distance`."""
+    """Returns accelerations (N, 3) to the side for members whose course leads into a sphere: just enough to
+    pass it at `distance`.
+    """
     total = np.zeros_like(position)
     speed = vector.length(velocity)
     course = velocity / np.where(speed > 0, speed, 1)[:, None]
@@ -56,13 +60,17 @@ def evasion(obstacles: Obstacles, position: Floats, velocity: Floats, distance: 
         wide = obstacles.radius[row] + distance
         seconds = np.maximum(ahead / np.where(speed > 0, speed, 1), SOONEST_S)
         meets = (speed > 0) & (ahead > 0) & (missed < wide) & (seconds < AHEAD_S)
-        side = np.where((missed > HEAD_ON * wide)[:, None], vector.unit(nearest), vector.perpendicular(course))
+        side = np.where(
+            (missed > HEAD_ON * wide)[:, None], vector.unit(nearest), vector.perpendicular(course)
+        )
         total += np.where(meets[:, None], side * (2 * (wide - missed) / (seconds * seconds))[:, None], 0)
     return total
 
 
 def pushed_out(obstacles: Obstacles, position: Floats, velocity: Floats) -> tuple[Floats, Floats]:
-    """Places (N, 3) outside all obstacles, one after the other, and velocities (N, 3) that do not lead into those that were met."""
+    """Returns positions (N, 3) outside all obstacles, one obstacle after the other, and velocities (N, 3)
+    that do not lead into an obstacle they touched.
+    """
     for row in range(len(obstacles.radius)):
         gap, outwards = _surface(obstacles, row, position)
         inside = (gap < 0)[:, None]
@@ -73,11 +81,15 @@ def pushed_out(obstacles: Obstacles, position: Floats, velocity: Floats) -> tupl
 
 
 def _surface(obstacles: Obstacles, row: int, position: Floats) -> tuple[Floats, Floats]:
-    """Metres (N,) to an obstacle's surface, negative inside it, and the unit direction (N, 3) away from it."""
+    """Metres (N,) to an obstacle's surface, negative inside it, and the unit direction (N, 3) away
+    from it.
+    """
     if obstacles.is_plane[row]:
         normal = np.broadcast_to(obstacles.normal[row], position.shape)
         return plane_value(normal, obstacles.center[row], position), normal
     away = position - obstacles.center[row]
     size = vector.length(away)
-    outwards = np.where((size > 0)[:, None], away / np.where(size > 0, size, 1)[:, None], np.array([0.0, 1, 0]))
+    outwards = np.where(
+        (size > 0)[:, None], away / np.where(size > 0, size, 1)[:, None], np.array([0.0, 1, 0])
+    )
     return size - obstacles.radius[row], outwards

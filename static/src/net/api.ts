@@ -1,93 +1,124 @@
-/** The REST interface, as far as the page uses it; a refusal becomes an Error with the server's own words. */
+/** Calls the REST interface; a refusal becomes an ApiError with the server's words. */
 
-import type { CharacterSummary, Edited, Edition, Finding, LogEntry, MachineInfo, MachineSummary, Mapping, SceneSummary, StageInfo, StateHistory } from "./protocol";
+import type { Finding, LogHeader, LogLine, NewCell, Problem } from "./protocol";
+import type { Answer, Extras, Method, Places, Route } from "./types/routes";
 
 export class ApiError extends Error {
   constructor(
     readonly status: number,
     message: string,
-    /** Which member or which place of a file is wrong, and why. */
+    /** The wrong members of the request or places of a file, each with its reason. */
     readonly places: readonly { field: string; message: string }[] = [],
-    /** What the verifier has against an edit. */
+    /** The verifier's findings about a refused edit. */
     readonly findings: readonly Finding[] = [],
   ) {
     super(message);
   }
 }
 
-/** The server's problem+json in words: detail, else title, else the status. */
+/** Makes an error of a problem+json body: its words are the detail, else the title, else the status. */
 export function problemOf(status: number, body: unknown): ApiError {
-  const { detail, title, errors, findings } = (body ?? {}) as Record<"detail" | "title" | "errors" | "findings", unknown>;
-  const words = [detail, title].find((text) => typeof text === "string" && text);
-  const places = Array.isArray(errors) ? (errors as { field: string; message: string }[]) : [];
-  return new ApiError(status, typeof words === "string" ? words : `the server answered ${status}`, places, Array.isArray(findings) ? (findings as Finding[]) : []);
+  // Whatever stands between the page and the server may answer too: nothing of a problem is sure to be there.
+  const { detail, title, errors, findings } = (body ?? {}) as Partial<Problem>;
+  return new ApiError(
+    status,
+    detail || title || `the server answered ${status}`,
+    errors ?? [],
+    findings ?? [],
+  );
 }
 
-/** `version`: the one of a machine that an edit is based on. */
-export async function call(method: string, path: string, body?: object, version?: number): Promise<Response> {
+/** Fills the braces of a path: `/api/stages/{stage_id}` -> `/api/stages/main`. */
+function filled(path: string, places: object, query: object): URL {
+  const values = new Map(
+    Object.entries(places).map(([name, value]) => [name, encodeURIComponent(String(value))]),
+  );
+  const url = new URL(
+    path.slice(1).replace(/\{(\w+)\}/g, (_, name: string) => values.get(name) ?? ""),
+    document.baseURI,
+  );
+  for (const [name, value] of Object.entries(query)) url.searchParams.set(name, String(value));
+  return url;
+}
+
+async function send(
+  method: Method,
+  url: URL,
+  body: object | undefined,
+  version: number | undefined,
+): Promise<Response> {
   const headers: Record<string, string> = version === undefined ? {} : { "if-match": `"${version}"` };
-  const options: RequestInit = { method, headers };
-  if (body) Object.assign(options, { headers: { ...headers, "content-type": "application/json" }, body: JSON.stringify(body) });
-  const reply = await fetch(new URL(`api/${path}`, document.baseURI), options);
+  const options: RequestInit = { method: method.toUpperCase(), headers };
+  if (body)
+    Object.assign(options, {
+      headers: { ...headers, "content-type": "application/json" },
+      body: JSON.stringify(body),
+    });
+  const reply = await fetch(url, options);
   if (!reply.ok) throw problemOf(reply.status, await reply.json().catch(() => ({})));
   return reply;
 }
 
-export async function read<T>(path: string): Promise<T> {
-  return (await (await call("GET", path)).json()) as T;
+/** Sends a request to a route; returns its JSON. */
+export async function ask<M extends Method, P extends Route<M>>(
+  method: M,
+  path: P,
+  places: Places<M, P>,
+  extras: Extras<M, P> = {},
+): Promise<Answer<M, P>> {
+  const reply = await send(
+    method,
+    filled(path, places as object, (extras.query ?? {}) as object),
+    extras.body as object | undefined,
+    extras.version,
+  );
+  return (reply.status === 204 ? undefined : await reply.json()) as Answer<M, P>;
 }
 
-export const id = encodeURIComponent;
-
-/** What a cell is to say, as one writes it in the table; empty: blank. */
-export interface NewCell {
-  layer: string;
-  state: string;
-  event: string;
-  text: string;
-}
-
-/** JSON lines or one JSON value with the entries in it. */
-export function parseLog(text: string): LogEntry[] {
+/** Reads a log: JSON lines, or one JSON array. */
+export function parseLog(text: string): LogLine[] {
   const lines = text.trim().split("\n").filter(Boolean);
-  const values: unknown[] = lines.flatMap((line) => {
-    const value = JSON.parse(line) as unknown;
-    return Array.isArray(value) ? value : [value];
-  });
-  return values.filter((value): value is LogEntry => typeof (value as LogEntry).tick === "number" && "kind" in (value as LogEntry));
+  const values = lines.map((line) => JSON.parse(line) as LogHeader | LogLine);
+  return values.filter((value) => "kind" in value);
 }
 
-export const machines = (): Promise<MachineSummary[]> => read("machines");
-export const scenes = (): Promise<SceneSummary[]> => read("scenes");
-export const machine = (name: string): Promise<MachineInfo> => read(`machines/${id(name)}`);
-export const verify = (name: string): Promise<{ findings: Finding[] }> => read(`machines/${id(name)}/verify`);
-export const versions = (name: string): Promise<Edition[]> => read(`machines/${id(name)}/versions`);
-/** Changes a cell of a machine whose `version` was seen last; `dry`: only what would be said. */
-export const patchCell = async (name: string, version: number, cell: NewCell, dry: boolean): Promise<Edited> =>
-  (await (await call("PATCH", `machines/${id(name)}/cells${dry ? "?dry=true" : ""}`, cell, version)).json()) as Edited;
-export const undo = async (name: string, version: number): Promise<Edited> => (await (await call("POST", `machines/${id(name)}/undo`, undefined, version)).json()) as Edited;
-export const characters = (): Promise<CharacterSummary[]> => read("characters");
-export const mapping = (character: string): Promise<Mapping> => read(`characters/${id(character)}/mapping`);
-export const removeCharacter = (name: string): Promise<Response> => call("DELETE", `characters/${id(name)}`);
-/** A machine of an uploaded character; clips whose state is empty are left out. */
-export const makeMachine = (name: string, character: string, states: Record<string, string>): Promise<Response> =>
-  call("POST", "machines", { name, character, mapping: states });
-export const stage = (stageId: string): Promise<StageInfo> => read(`stages/${id(stageId)}`);
-export const history = (stageId: string): Promise<StateHistory> => read(`stages/${id(stageId)}/history`);
-export const log = async (stageId: string): Promise<LogEntry[]> => parseLog(await (await call("GET", `stages/${id(stageId)}/log`)).text());
+export const machines = () => ask("get", "/api/machines", {});
+export const scenes = () => ask("get", "/api/scenes", {});
+export const machine = (name: string) => ask("get", "/api/machines/{name}", { name });
+export const verify = (name: string) => ask("get", "/api/machines/{name}/verify", { name });
+export const versions = (name: string) => ask("get", "/api/machines/{name}/versions", { name });
+/** Changes a cell, if the machine is still at `version`; `dry`: only verifies the change. */
+export const patchCell = (name: string, version: number, body: NewCell, dry: boolean) =>
+  ask("patch", "/api/machines/{name}/cells", { name }, { body, version, ...(dry && { query: { dry } }) });
+export const undo = (name: string, version: number) =>
+  ask("post", "/api/machines/{name}/undo", { name }, { version });
+export const characters = () => ask("get", "/api/characters", {});
+export const mapping = (name: string) => ask("get", "/api/characters/{name}/mapping", { name });
+export const removeCharacter = (name: string) => ask("delete", "/api/characters/{name}", { name });
+/** Makes a machine for an uploaded character; a clip with an empty state is left out. */
+export const makeMachine = (name: string, character: string, states: Record<string, string>) =>
+  ask("post", "/api/machines", {}, { body: { name, character, mapping: states } });
+export const stage = (stage_id: string) => ask("get", "/api/stages/{stage_id}", { stage_id });
+export const history = (stage_id: string) => ask("get", "/api/stages/{stage_id}/history", { stage_id });
+export const log = async (stageId: string): Promise<LogLine[]> =>
+  parseLog(
+    await (
+      await send("get", filled("/api/stages/{stage_id}/log", { stage_id: stageId }, {}), undefined, undefined)
+    ).text(),
+  );
 
-/** A real-time stage with one actor of `machineName`; gives the new stage's id. */
-export async function newStage(machineName: string): Promise<string> {
-  const reply = await call("POST", "stages", { clock: "real", actors: [{ machine: machineName }] });
-  return ((await reply.json()) as { id: string }).id;
-}
+/** Makes a real-time stage with one actor of a machine; returns the stage's id. */
+export const newStage = async (machineName: string): Promise<string> =>
+  (await ask("post", "/api/stages", {}, { body: { clock: "real", actors: [{ machine: machineName }] } })).id;
 
-/** A real-time stage furnished as a scene; gives the new stage's id. */
-export async function newScene(scene: string): Promise<string> {
-  return ((await (await call("POST", "stages", { clock: "real", scene })).json()) as { id: string }).id;
-}
+/** Makes a real-time stage from a scene; returns the stage's id. */
+export const newScene = async (scene: string): Promise<string> =>
+  (await ask("post", "/api/stages", {}, { body: { clock: "real", scene } })).id;
 
-export const pause = (stageId: string, paused: boolean): Promise<Response> => call("POST", `stages/${id(stageId)}/pause`, { paused });
-export const speed = (stageId: string, value: number): Promise<Response> => call("POST", `stages/${id(stageId)}/speed`, { speed: value });
-export const step = (stageId: string, ticks: number): Promise<Response> => call("POST", `stages/${id(stageId)}/step`, { ticks });
-export const remove = (stageId: string): Promise<Response> => call("DELETE", `stages/${id(stageId)}`);
+export const pause = (stage_id: string, paused: boolean) =>
+  ask("post", "/api/stages/{stage_id}/pause", { stage_id }, { body: { paused } });
+export const speed = (stage_id: string, value: number) =>
+  ask("post", "/api/stages/{stage_id}/speed", { stage_id }, { body: { speed: value } });
+export const step = (stage_id: string, ticks: number) =>
+  ask("post", "/api/stages/{stage_id}/step", { stage_id }, { body: { ticks } });
+export const remove = (stage_id: string) => ask("delete", "/api/stages/{stage_id}", { stage_id });

@@ -1,15 +1,15 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { Connection, type Handlers, pauseBefore } from "./connection";
-import type { Line } from "./workersocket";
+import type { FrameSocket } from "./workerSocket";
 
 /** A socket whose other end is the test. */
-class FakeLine implements Line {
+class FakeLine implements FrameSocket {
   static opened: FakeLine[] = [];
   open = true;
   sent: string[] = [];
-  ontext: Line["ontext"] = null;
-  onframe: Line["onframe"] = null;
-  onclose: Line["onclose"] = null;
+  ontext: FrameSocket["ontext"] = null;
+  onframe: FrameSocket["onframe"] = null;
+  onclose: FrameSocket["onclose"] = null;
 
   constructor(
     readonly url: string,
@@ -54,7 +54,10 @@ afterEach(() => vi.useRealTimers());
 describe("Connection", () => {
   it("asks for the stage's stream with the subprotocol, relative to the page", () => {
     const { line } = connected();
-    expect([line.url, line.protocol]).toEqual(["wss://example.test/view/api/stages/main/stream?frames=pose", "statwalk.v1"]);
+    expect([line.url, line.protocol]).toEqual([
+      "wss://example.test/view/api/stages/main/stream?frames=pose",
+      "statwalk.v1",
+    ]);
   });
 
   it("is live after a hello of its version", () => {

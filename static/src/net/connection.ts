@@ -1,48 +1,60 @@
-/** The line to a stage: opens, checks the version, and comes back by itself with growing pauses. */
+/** Connects to a stage: opens the socket, checks the version, retries with growing pauses. */
 
-import { type ClientMessage, type FrameKind, type ServerMessage, SUBPROTOCOL, parseMessage } from "./protocol";
-import type { Handed } from "./relay";
-import { type Line, WorkerSocket } from "./workersocket";
+import {
+  type ClientMessage,
+  type FrameKind,
+  type ServerMessage,
+  SUBPROTOCOL,
+  parseMessage,
+} from "./protocol";
+import type { Delivery } from "./relay";
+import { type FrameSocket, WorkerSocket } from "./workerSocket";
 
 export type Link = "connecting" | "live" | "lost" | "refused";
 
 export interface Handlers {
-  /** The state of the line; `detail` is for a person. */
+  /** The link changed its state; `detail` is for the user. */
   link(state: Link, detail: string): void;
   message(message: ServerMessage): void;
-  /** A binary message, acknowledged already. */
-  frame(handed: Handed): void;
-  /** An attempt failed before anything was said: is the stage still there? */
+  /** A frame came; it is acknowledged already. */
+  frame(delivery: Delivery): void;
+  /** An attempt failed before the hello: the stage may be gone. */
   failed(): void;
 }
 
-export type LineFactory = (url: string, protocol: string) => Line;
+export type OpenSocket = (url: string, protocol: string) => FrameSocket;
 
 const FIRST_PAUSE_MS = 250;
 const LONGEST_PAUSE_MS = 5000;
 
-/** How long to wait before attempt `n` (0, 1, …), in milliseconds. */
+/** Milliseconds to wait before attempt `n` (0, 1, …). */
 export function pauseBefore(n: number): number {
   return Math.min(LONGEST_PAUSE_MS, FIRST_PAUSE_MS * 2 ** n);
 }
 
 export class Connection {
-  private line: Line | null = null;
+  private line: FrameSocket | null = null;
   private attempts = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private heard = false;
 
   constructor(
     private readonly handlers: Handlers,
-    private readonly open: LineFactory = (url, protocol) => new WorkerSocket(url, protocol),
+    private readonly open: OpenSocket = (url, protocol) => new WorkerSocket(url, protocol),
   ) {}
 
   private url = (): string => "";
 
-  /** Leaves what was connected and connects to a stage's stream, in the kind of frames that is chosen at each attempt. */
+  /**
+   * Closes the old connection and connects to a stage; `frames` is asked for the kind of frames at each
+   * attempt.
+   */
   connect(stage: string, frames: () => FrameKind): void {
     this.url = () => {
-      const place = new URL(`api/stages/${encodeURIComponent(stage)}/stream?frames=${frames()}`, document.baseURI);
+      const place = new URL(
+        `api/stages/${encodeURIComponent(stage)}/stream?frames=${frames()}`,
+        document.baseURI,
+      );
       place.protocol = place.protocol === "https:" ? "wss:" : "ws:";
       return place.href;
     };
@@ -50,14 +62,14 @@ export class Connection {
     this.start();
   }
 
-  /** Sends `message` if the line is open; says whether it was. */
+  /** Sends `message` if the socket is open; returns whether it was sent. */
   send(message: ClientMessage): boolean {
     if (!this.line?.open) return false;
     this.line.send(JSON.stringify(message));
     return true;
   }
 
-  /** Tries again at once: the network came back, or the user asked. */
+  /** Retries at once. */
   retryNow(): void {
     if (this.timer === undefined) return;
     this.attempts = 0;
@@ -79,7 +91,7 @@ export class Connection {
     const line = this.open(this.url(), SUBPROTOCOL);
     const mine = (): boolean => this.line === line;
     line.ontext = (text) => mine() && this.receive(text);
-    line.onframe = (handed) => mine() && this.handlers.frame(handed);
+    line.onframe = (delivery) => mine() && this.handlers.frame(delivery);
     line.onclose = (code, reason) => mine() && this.closed(code, reason);
     this.line = line;
   }
@@ -93,7 +105,10 @@ export class Connection {
   private accepts(version: string): boolean {
     if (version !== SUBPROTOCOL) {
       this.close();
-      this.handlers.link("refused", `the server speaks ${version}, this page ${SUBPROTOCOL}: reload the page`);
+      this.handlers.link(
+        "refused",
+        `the server speaks ${version}, this page ${SUBPROTOCOL}: reload the page`,
+      );
       return false;
     }
     this.heard = true;

@@ -19,7 +19,9 @@ function glb(document: object, bin: Uint8Array): ArrayBuffer {
   const json = new TextEncoder().encode(text.padEnd(Math.ceil(text.length / 4) * 4));
   const buffer = new ArrayBuffer(28 + json.length + bin.length);
   const words = new DataView(buffer);
-  [0x46546c67, 2, buffer.byteLength, json.length, 0x4e4f534a].forEach((word, i) => words.setUint32(i * 4, word, true));
+  [0x46546c67, 2, buffer.byteLength, json.length, 0x4e4f534a].forEach((word, i) =>
+    words.setUint32(i * 4, word, true),
+  );
   new Uint8Array(buffer).set(json, 20);
   words.setUint32(20 + json.length, bin.length, true);
   words.setUint32(24 + json.length, 0x004e4942, true);

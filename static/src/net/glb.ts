@@ -1,11 +1,14 @@
-/** A GLB message: its two chunks, and what of its JSON the page needs. The JSON keeps its layout from frame to frame, so it is read once. */
+/**
+ * Reads GLB messages: the two chunks, and the layout that the JSON describes. The layout stays from frame to
+ * frame, so it is read once.
+ */
 
 export interface GlbChunks {
   json: Uint8Array;
   bin: Uint8Array;
 }
 
-/** One drawn primitive: where its arrays lie in the BIN chunk. */
+/** A primitive and the places of its arrays in the BIN chunk. */
 export interface PrimitiveLayout {
   node: number;
   material: number;
@@ -14,18 +17,18 @@ export interface PrimitiveLayout {
   uvs: ArraySlice | null;
   colours: ArraySlice | null;
   indices: ArraySlice | null;
-  /** glTF's primitive mode: 4 triangles, 5 strip, 6 fan; below that lines and points. */
+  /** glTF's primitive mode: 4 triangles, 5 strip, 6 fan; lower numbers are lines and points. */
   mode: number;
 }
 
 export interface ArraySlice {
   offset: number;
   count: number;
-  /** Numbers an element: 1, 2, 3, 4. */
+  /** Numbers per element: 1, 2, 3, 4. */
   size: number;
   componentType: number;
   normalized: boolean;
-  /** Bytes from element to element, 0 where they are packed. */
+  /** Bytes from element to element, 0 if the elements are packed. */
   stride: number;
 }
 
@@ -36,10 +39,26 @@ export interface GlbLayout {
 }
 
 interface GltfJson {
-  accessors?: { bufferView: number; byteOffset?: number; count: number; type: string; componentType: number; normalized?: boolean }[];
+  accessors?: {
+    bufferView: number;
+    byteOffset?: number;
+    count: number;
+    type: string;
+    componentType: number;
+    normalized?: boolean;
+  }[];
   bufferViews?: { byteOffset?: number; byteStride?: number }[];
-  meshes?: { primitives: { attributes: Record<string, number>; indices?: number; material?: number; mode?: number }[] }[];
-  nodes?: { mesh?: number; children?: number[]; translation?: number[]; rotation?: number[]; scale?: number[]; name?: string }[];
+  meshes?: {
+    primitives: { attributes: Record<string, number>; indices?: number; material?: number; mode?: number }[];
+  }[];
+  nodes?: {
+    mesh?: number;
+    children?: number[];
+    translation?: number[];
+    rotation?: number[];
+    scale?: number[];
+    name?: string;
+  }[];
   materials?: { name?: string }[];
 }
 
@@ -49,21 +68,26 @@ const SIZES: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 
 export class GlbError extends Error {}
 
-/** The JSON and BIN chunk of `buffer`, as views. */
+/** Returns the JSON chunk and the BIN chunk as views. */
 export function chunksOf(buffer: ArrayBuffer): GlbChunks {
   const view = new DataView(buffer);
-  if (buffer.byteLength < 20 || view.getUint32(8, true) !== buffer.byteLength) throw new GlbError("GLB is cut short");
+  if (buffer.byteLength < 20 || view.getUint32(8, true) !== buffer.byteLength)
+    throw new GlbError("GLB is cut short");
   const jsonLength = view.getUint32(12, true);
   const binAt = 20 + jsonLength;
-  if (view.getUint32(16, true) !== JSON_CHUNK || binAt + 8 > buffer.byteLength) throw new GlbError("GLB has no JSON chunk, or no BIN chunk");
+  if (view.getUint32(16, true) !== JSON_CHUNK || binAt + 8 > buffer.byteLength)
+    throw new GlbError("GLB has no JSON chunk, or no BIN chunk");
   if (view.getUint32(binAt + 4, true) !== BIN_CHUNK) throw new GlbError("GLB's second chunk is not BIN");
-  return { json: new Uint8Array(buffer, 20, jsonLength), bin: new Uint8Array(buffer, binAt + 8, view.getUint32(binAt, true)) };
+  return {
+    json: new Uint8Array(buffer, 20, jsonLength),
+    bin: new Uint8Array(buffer, binAt + 8, view.getUint32(binAt, true)),
+  };
 }
 
 const TICK = /"tick"\s*:\s*"?\s*0*(\d+)/;
 const ASSET_BYTES = 1024;
 
-/** The tick that the extras of the frame's asset name (it stands first), or null. */
+/** Returns the tick in the extras of the asset, which comes first in the JSON, or null. */
 export function tickOf(chunks: GlbChunks): number | null {
   const found = TICK.exec(new TextDecoder().decode(chunks.json.subarray(0, ASSET_BYTES)));
   return found ? Number(found[1]) : null;
@@ -84,30 +108,55 @@ function primitivesOf(gltf: GltfJson, node: number, mesh: number): PrimitiveLayo
     if (!positions) return [];
     const [normals, uvs] = [slice(gltf, attributes["NORMAL"]), slice(gltf, attributes["TEXCOORD_0"])];
     const colours = slice(gltf, attributes["COLOR_0"]);
-    return [{ node, material: material ?? -1, positions, normals, uvs, colours, indices: slice(gltf, indices), mode }];
+    return [
+      {
+        node,
+        material: material ?? -1,
+        positions,
+        normals,
+        uvs,
+        colours,
+        indices: slice(gltf, indices),
+        mode,
+      },
+    ];
   });
 }
 
-/** The layout that the JSON chunk describes. */
+/** Reads the layout from the JSON chunk. */
 export function layoutOf(chunks: GlbChunks): GlbLayout {
   const gltf = JSON.parse(new TextDecoder().decode(chunks.json)) as GltfJson;
   const nodes: GlbLayout["nodes"] = (gltf.nodes ?? []).map((node) => ({ ...node, parent: -1 }));
   (gltf.nodes ?? []).forEach((node, i) => node.children?.forEach((child) => (nodes[child]!.parent = i)));
-  const primitives = (gltf.nodes ?? []).flatMap((node, i) => (node.mesh === undefined ? [] : primitivesOf(gltf, i, node.mesh)));
+  const primitives = (gltf.nodes ?? []).flatMap((node, i) =>
+    node.mesh === undefined ? [] : primitivesOf(gltf, i, node.mesh),
+  );
   return { primitives, nodes, materialNames: (gltf.materials ?? []).map((material) => material.name) };
 }
 
-const ARRAYS = { 5120: Int8Array, 5121: Uint8Array, 5122: Int16Array, 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array } as const;
+const ARRAYS = {
+  5120: Int8Array,
+  5121: Uint8Array,
+  5122: Int16Array,
+  5123: Uint16Array,
+  5125: Uint32Array,
+  5126: Float32Array,
+} as const;
 
 export type GlArray = Int8Array | Uint8Array | Int16Array | Uint16Array | Uint32Array | Float32Array;
 
-/** An array in the BIN chunk: a view where it is packed, a copy where it is not. Throws GlbError on a type that glTF does not know. */
+/**
+ * Returns an array of the BIN chunk: a view if it is packed, else a copy. Throws GlbError on a component type
+ * that is not glTF's.
+ */
 export function view(bin: Uint8Array, { offset, count, size, componentType, stride }: ArraySlice): GlArray {
   const Kind = ARRAYS[componentType as keyof typeof ARRAYS];
   if (!Kind) throw new GlbError(`component type ${componentType} is not one of glTF's`);
   const element = size * Kind.BYTES_PER_ELEMENT;
-  if (!stride || stride === element) return new Kind(bin.buffer as ArrayBuffer, bin.byteOffset + offset, count * size);
+  if (!stride || stride === element)
+    return new Kind(bin.buffer as ArrayBuffer, bin.byteOffset + offset, count * size);
   const bytes = new Uint8Array(count * element);
-  for (let i = 0; i < count; i++) bytes.set(bin.subarray(offset + i * stride, offset + i * stride + element), i * element);
+  for (let i = 0; i < count; i++)
+    bytes.set(bin.subarray(offset + i * stride, offset + i * stride + element), i * element);
   return new Kind(bytes.buffer);
 }

@@ -1,4 +1,4 @@
-/** Rates over the last seconds: messages, bytes, drawn frames, and the time a question takes to be answered. */
+/** Measures rates (messages, bytes, drawn frames) over the last seconds, and round-trip times. */
 
 const WINDOW_MS = 2000;
 
@@ -8,7 +8,7 @@ export class Meter {
   private start = 0;
   total = 0;
 
-  /** One more at `now` (milliseconds), weighing `amount`. */
+  /** Counts one event at `now` (milliseconds) with its `amount`. */
   add(now: number, amount = 1): void {
     this.times.push(now);
     this.amounts.push(amount);
@@ -16,13 +16,13 @@ export class Meter {
     this.trim(now);
   }
 
-  /** How many a second in the window that ends at `now`. */
+  /** Events per second in the window that ends at `now`. */
   perSecond(now: number): number {
     this.trim(now);
     return ((this.times.length - this.start) * 1000) / WINDOW_MS;
   }
 
-  /** Their amounts a second in the window that ends at `now`. */
+  /** Amount per second in the window that ends at `now`. */
   amountPerSecond(now: number): number {
     this.trim(now);
     let sum = 0;
@@ -39,24 +39,24 @@ export class Meter {
   }
 }
 
-/** Round-trip time: `ask` gives a number to send along, `answer` takes it back. */
+/** Measures round-trip time: `ask` returns a number to send, `answer` takes it back. */
 export class RoundTrip {
-  private asked = new Map<number, number>();
+  private sentAt = new Map<number, number>();
   private next = 1;
   milliseconds: number | null = null;
 
   ask(now: number): number {
-    if (this.asked.size > 8) this.asked.clear();
-    this.asked.set(this.next, now);
+    if (this.sentAt.size > 8) this.sentAt.clear();
+    this.sentAt.set(this.next, now);
     return this.next++;
   }
 
-  /** Whether `ref` was one of ours. */
+  /** Returns whether `ref` is a number that `ask` gave. */
   answer(ref: unknown, now: number): boolean {
-    const asked = typeof ref === "number" ? this.asked.get(ref) : undefined;
-    if (asked === undefined) return false;
-    this.asked.delete(ref as number);
-    this.milliseconds = now - asked;
+    const sentAt = typeof ref === "number" ? this.sentAt.get(ref) : undefined;
+    if (sentAt === undefined) return false;
+    this.sentAt.delete(ref as number);
+    this.milliseconds = now - sentAt;
     return true;
   }
 }

@@ -1,13 +1,20 @@
 import { describe, expect, it } from "vitest";
-import { type Handed, Relay, tickOfMessage } from "./relay";
+import { type Delivery, Relay, tickOfMessage } from "./relay";
 
 function frame(tick: number): ArrayBuffer {
   return new Uint32Array([0x31575453, 1, tick, tick, 0, 0, 0, 32]).buffer;
 }
 
-function relaying(): { relay: Relay; acked: number[]; handed: Handed[] } {
-  const [acked, handed]: [number[], Handed[]] = [[], []];
-  return { relay: new Relay((tick) => acked.push(tick), (one) => handed.push(one)), acked, handed };
+function relaying(): { relay: Relay; acked: number[]; delivery: Delivery[] } {
+  const [acked, delivery]: [number[], Delivery[]] = [[], []];
+  return {
+    relay: new Relay(
+      (tick) => acked.push(tick),
+      (one) => delivery.push(one),
+    ),
+    acked,
+    delivery,
+  };
 }
 
 describe("Relay", () => {
@@ -18,20 +25,20 @@ describe("Relay", () => {
   });
 
   it("hands a busy page the newest frame when it is back, and says what it passed over", () => {
-    const { relay, handed } = relaying();
+    const { relay, delivery } = relaying();
     for (let tick = 1; tick <= 9; tick++) relay.receive(frame(tick));
     relay.taken();
-    expect(handed.map(({ frame: buffer }) => tickOfMessage(buffer))).toEqual([1, 2, 3, 4, 9]);
-    expect(handed[4]).toMatchObject({ skipped: 4, skippedBytes: 128 });
+    expect(delivery.map(({ frame: buffer }) => tickOfMessage(buffer))).toEqual([1, 2, 3, 4, 9]);
+    expect(delivery[4]).toMatchObject({ skipped: 4, skippedBytes: 128 });
   });
 
   it("hands on every frame to a page that keeps up", () => {
-    const { relay, handed } = relaying();
+    const { relay, delivery } = relaying();
     for (let tick = 1; tick <= 9; tick++) {
       relay.receive(frame(tick));
       relay.taken();
     }
-    expect(handed.map(({ skipped }) => skipped)).toEqual(Array(9).fill(0));
+    expect(delivery.map(({ skipped }) => skipped)).toEqual(Array(9).fill(0));
   });
 
   it("has no tick for what is no frame", () => expect(tickOfMessage(new ArrayBuffer(3))).toBeNull());

@@ -1,19 +1,19 @@
-/** Between the socket and the page: acknowledges every frame at once, and hands on no more than the page can take; the newest wins. */
+/** Acknowledges every frame at once, and gives the page the newest one when it is ready for it. */
 
 import { chunksOf, tickOf } from "./glb";
 import { isGlb, tickOfPose } from "./wire";
 
-/** So many frames may lie before the page unread: they are few, so that none is old. */
+/** Frames that the page has not taken yet; few, so that none of them is old. */
 const MOST_WAITING = 4;
 
-export interface Handed {
+export interface Delivery {
   frame: ArrayBuffer;
-  /** Frames and bytes that came and were passed over for this one. */
+  /** Older frames that were left out, and their bytes. */
   skipped: number;
   skippedBytes: number;
 }
 
-/** The tick of a binary message, or null if it is none of ours. */
+/** Returns the tick of a binary message, or null if it is no frame. */
 export function tickOfMessage(buffer: ArrayBuffer): number | null {
   try {
     return isGlb(buffer) ? tickOf(chunksOf(buffer)) : tickOfPose(buffer);
@@ -30,7 +30,7 @@ export class Relay {
 
   constructor(
     private readonly ack: (tick: number) => void,
-    private readonly hand: (handed: Handed) => void,
+    private readonly hand: (delivery: Delivery) => void,
   ) {}
 
   receive(buffer: ArrayBuffer): void {
@@ -44,7 +44,7 @@ export class Relay {
     this.pass();
   }
 
-  /** The page took a frame. */
+  /** Notes that the page took a frame. */
   taken(): void {
     this.waiting--;
     this.pass();
@@ -52,10 +52,10 @@ export class Relay {
 
   private pass(): void {
     if (!this.newest || this.waiting >= MOST_WAITING) return;
-    const handed = { frame: this.newest, skipped: this.skipped, skippedBytes: this.skippedBytes };
+    const delivery = { frame: this.newest, skipped: this.skipped, skippedBytes: this.skippedBytes };
     this.waiting++;
     this.newest = null;
     this.skipped = this.skippedBytes = 0;
-    this.hand(handed);
+    this.hand(delivery);
   }
 }

@@ -13,7 +13,12 @@ describe("nameFor", () => {
   });
 
   it("never leads elsewhere, and is never empty", () => {
-    expect(["../../x.glb", ".glb", "机器人.zip", "<img>.glb"].map((file) => nameFor(file, none))).toEqual(["x", "character", "character", "img"]);
+    expect(["../../x.glb", ".glb", "机器人.zip", "<img>.glb"].map((file) => nameFor(file, none))).toEqual([
+      "x",
+      "character",
+      "character",
+      "img",
+    ]);
   });
 
   it("counts where the name is in use", () => {
@@ -27,10 +32,11 @@ describe("nameFor", () => {
 
 describe("takenNames", () => {
   it("leaves out an upload that no machine was made of", () => {
+    const upload = { uploaded: true as const, sha256: "", bytes: 0, machines: [] };
     const characters = [
-      { name: "walker", machine: "faq-walker", uploaded: false },
-      { name: "fox", machine: "fox", uploaded: true },
-      { name: "left", machine: null, uploaded: true },
+      { name: "walker", machine: "faq-walker", uploaded: false as const },
+      { ...upload, name: "fox", machine: "fox" },
+      { ...upload, name: "left", machine: null },
     ];
     expect([...takenNames([{ name: "faq-walker" }], characters)]).toEqual(["faq-walker", "walker", "fox"]);
   });

@@ -1,21 +1,36 @@
-/** Bringing a model to the server: what it will be called there, and its way up with progress. */
+/** Uploads a model: finds a free name, sends the file, reports progress. */
 
 import { ApiError, problemOf } from "./api";
 import type { CharacterSummary, UploadedCharacter } from "./protocol";
 
 const LONGEST_NAME = 56;
 
-/** `Café Robot (2).glb` -> `Cafe-Robot-2`: a name that the server's files can have, and that is not among `taken`. */
+/**
+ * `Café Robot (2).glb` -> `Cafe-Robot-2`: makes a file name of ASCII letters, digits, `-` and `_` that is not
+ * in `taken`.
+ */
 export function nameFor(file: string, taken: ReadonlySet<string>): string {
-  const stem = file.replace(/\.[^.]*$/, "").normalize("NFKD").replace(/\p{M}/gu, "");
-  const plain = stem.replace(/[^A-Za-z0-9_-]+/g, "-").replace(/^[-_]+|[-_]+$/g, "").slice(0, LONGEST_NAME) || "character";
+  const stem = file
+    .replace(/\.[^.]*$/, "")
+    .normalize("NFKD")
+    .replace(/\p{M}/gu, "");
+  const plain =
+    stem
+      .replace(/[^A-Za-z0-9_-]+/g, "-")
+      .replace(/^[-_]+|[-_]+$/g, "")
+      .slice(0, LONGEST_NAME) || "character";
   let name = plain;
   for (let number = 2; taken.has(name); number++) name = `${plain}-${number}`;
   return name;
 }
 
-/** Names that are in use: machines, and characters with one. An upload that nothing came of may be replaced. */
-export function takenNames(machines: readonly { name: string }[], characters: readonly CharacterSummary[]): Set<string> {
+/**
+ * Names in use: machines, and characters that have a machine. An upload without a machine may be replaced.
+ */
+export function takenNames(
+  machines: readonly { name: string }[],
+  characters: readonly CharacterSummary[],
+): Set<string> {
   const used = characters.filter(({ uploaded, machine }) => !uploaded || machine !== null);
   return new Set([...machines, ...used].map(({ name }) => name));
 }
@@ -28,10 +43,17 @@ function bodyOf(request: XMLHttpRequest): unknown {
   }
 }
 
-/** Sends `file` as character `name`; `progress` hears the share 0…1 that is on the server. Rejects with the server's reason. */
-export function putCharacter(name: string, file: Blob, progress: (share: number) => void, signal: AbortSignal): Promise<UploadedCharacter> {
+/**
+ * Sends `file` as character `name`; `progress` gets the share sent, 0…1. Rejects with the server's reason.
+ */
+export function putCharacter(
+  name: string,
+  file: Blob,
+  progress: (share: number) => void,
+  signal: AbortSignal,
+): Promise<UploadedCharacter> {
   return new Promise((resolve, reject) => {
-    // fetch tells nothing about the way up.
+    // fetch reports no progress of an upload.
     const request = new XMLHttpRequest();
     request.open("PUT", new URL(`api/characters/${encodeURIComponent(name)}`, document.baseURI));
     request.setRequestHeader("content-type", "application/octet-stream");
@@ -41,7 +63,9 @@ export function putCharacter(name: string, file: Blob, progress: (share: number)
       if (request.status < 300) resolve(bodyOf(request) as UploadedCharacter);
       else reject(problemOf(request.status, bodyOf(request)));
     });
-    request.addEventListener("error", () => reject(new ApiError(0, "The upload was cut off: the file may be too large, or the server is gone.")));
+    request.addEventListener("error", () =>
+      reject(new ApiError(0, "The upload stopped: the file may be too large, or the server is gone.")),
+    );
     request.addEventListener("abort", () => reject(new DOMException("aborted", "AbortError")));
     signal.addEventListener("abort", () => request.abort());
     request.send(file);

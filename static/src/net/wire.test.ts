@@ -25,7 +25,15 @@ describe("readPoseFrame", () => {
 
   it("lays the arrays out in the contract's order", () => {
     const cast = readPoseFrame(handmade()).casts[0]!;
-    const firsts = [cast.translation, cast.rotation, cast.scale, cast.weights, cast.root, cast.phase, cast.blend].map((a) => a[0]);
+    const firsts = [
+      cast.translation,
+      cast.rotation,
+      cast.scale,
+      cast.weights,
+      cast.root,
+      cast.phase,
+      cast.blend,
+    ].map((a) => a[0]);
     expect(firsts).toEqual([0, 6, 14, 20, 22, 36, 38]);
     expect([...cast.state]).toEqual([4, 5]);
   });

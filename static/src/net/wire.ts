@@ -1,4 +1,4 @@
-/** Bytes to typed views, without a copy: one binary message of the pose stream. */
+/** Reads a binary message of the pose stream as typed views, without a copy. */
 
 const MAGIC = 0x31575453; // "STW1"
 const HEADER_BYTES = 32;
@@ -21,9 +21,9 @@ export interface CastFrame {
   weights: Float32Array;
   /** (n, 7) x y z and quaternion x y z w of the actor in the stage. */
   root: Float32Array;
-  /** (n, L) 0…1 through the state's motion. */
+  /** (n, L) phase of the state's motion, 0…1. */
   phase: Float32Array;
-  /** (n, L) what is left of the transition, 1…0. */
+  /** (n, L) share of the transition that remains, 1…0. */
   blend: Float32Array;
   /** (n, L) index of the state. */
   state: Uint32Array;
@@ -57,11 +57,13 @@ function castBytes(n: number, joints: number, weights: number, layers: number): 
 }
 
 function readCast(cursor: Cursor): CastFrame {
-  if (cursor.at + CAST_HEADER_BYTES > cursor.buffer.byteLength) throw new WireError("frame ends inside a cast header");
+  if (cursor.at + CAST_HEADER_BYTES > cursor.buffer.byteLength)
+    throw new WireError("frame ends inside a cast header");
   const header = new Uint32Array(cursor.buffer, cursor.at, 4);
   const [n, joints, weightCount, layers] = header as unknown as [number, number, number, number];
   cursor.at += CAST_HEADER_BYTES;
-  if (cursor.at + castBytes(n, joints, weightCount, layers) > cursor.buffer.byteLength) throw new WireError("frame ends inside a cast");
+  if (cursor.at + castBytes(n, joints, weightCount, layers) > cursor.buffer.byteLength)
+    throw new WireError("frame ends inside a cast");
   const frame: CastFrame = {
     actors: n,
     joints,
@@ -84,26 +86,36 @@ function hex32(value: number): string {
   return value.toString(16).padStart(8, "0");
 }
 
-/** Whether `buffer` starts like a GLB rather than like a pose frame. */
+/** Says whether `buffer` begins with GLB's magic number. */
 export function isGlb(buffer: ArrayBuffer): boolean {
   return buffer.byteLength >= 12 && new DataView(buffer).getUint32(0, true) === 0x46546c67;
 }
 
-/** The tick of the pose frame in `buffer`, or null where it is none. */
+/** Returns the tick of a pose frame, or null if `buffer` is no pose frame. */
 export function tickOfPose(buffer: ArrayBuffer): number | null {
   const view = new DataView(buffer);
-  return buffer.byteLength >= HEADER_BYTES && view.getUint32(0, true) === MAGIC ? view.getUint32(8, true) : null;
+  return buffer.byteLength >= HEADER_BYTES && view.getUint32(0, true) === MAGIC
+    ? view.getUint32(8, true)
+    : null;
 }
 
-/** The frame in `buffer`. Throws WireError on a wrong magic, a wrong length, or a message cut short. */
+/** Reads a pose frame. Throws WireError on a wrong magic number, a wrong length, or a message cut short. */
 export function readPoseFrame(buffer: ArrayBuffer): PoseFrame {
   if (buffer.byteLength < HEADER_BYTES) throw new WireError("frame is shorter than its header");
   const view = new DataView(buffer);
   const word = (at: number): number => view.getUint32(at, true);
   if (word(0) !== MAGIC) throw new WireError(`not a pose frame: magic ${hex32(word(0))}`);
-  if (word(28) !== buffer.byteLength) throw new WireError(`frame says ${word(28)} bytes, has ${buffer.byteLength}`);
+  if (word(28) !== buffer.byteLength)
+    throw new WireError(`frame says ${word(28)} bytes, has ${buffer.byteLength}`);
   const cursor: Cursor = { buffer, at: HEADER_BYTES };
   const casts: CastFrame[] = [];
   for (let i = 0; i < word(24); i++) casts.push(readCast(cursor));
-  return { epoch: word(4), tick: word(8), head: word(12), hash: hex32(word(20)) + hex32(word(16)), bytes: buffer.byteLength, casts };
+  return {
+    epoch: word(4),
+    tick: word(8),
+    head: word(12),
+    hash: hex32(word(20)) + hex32(word(16)),
+    bytes: buffer.byteLength,
+    casts,
+  };
 }

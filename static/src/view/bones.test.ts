@@ -3,7 +3,13 @@ import { planBones } from "./bones";
 
 describe("planBones", () => {
   it("draws every joint of a model without skins", () => {
-    expect(planBones({ nodes: [0, 1, 2], parents: [-1, 0, 0] }, new Set())).toEqual({ joints: [0, 1, 2], segments: [[0, 1], [0, 2]] });
+    expect(planBones({ nodes: [0, 1, 2], parents: [-1, 0, 0] }, new Set())).toEqual({
+      joints: [0, 1, 2],
+      segments: [
+        [0, 1],
+        [0, 2],
+      ],
+    });
   });
 
   it("leaves meshes and scene nodes out where a skin names its joints", () => {

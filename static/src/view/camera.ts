@@ -1,15 +1,15 @@
-/** The camera: frames a character, follows it softly, and leaves the user's own angle and distance alone. */
+/** Frames a character and follows it smoothly, at the angle and distance that the user has chosen. */
 
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
-/** Seconds after which two thirds of a way are caught up. */
+/** Time constant of the following, seconds. */
 const LAG_S = 0.18;
-/** In heights of the character: a longer way is a cut (a scrub), not a walk. */
+/** A move of more than this many heights is a cut, as after a scrub. */
 const CUT_HEIGHTS = 0.8;
 const AZIMUTH = 0.52;
 const ELEVATION = 0.14;
-/** Where several stand about: from behind and above, so that what lies ahead is in the picture. */
+/** With several actors: from behind and above, so that you see what lies ahead. */
 const COMPANY_AZIMUTH = Math.PI + 0.45;
 const COMPANY_ELEVATION = 0.34;
 
@@ -33,7 +33,7 @@ export class FollowCamera {
     this.controls.maxPolarAngle = Math.PI * 0.55;
   }
 
-  /** What is to be framed: the box of the character around its own root, in metres. */
+  /** Sets the box to frame: the character around its root, metres. */
   subject(box: THREE.Box3): void {
     const size = box.getSize(new THREE.Vector3());
     box.getCenter(this.centre);
@@ -45,36 +45,48 @@ export class FollowCamera {
     this.camera.far = this.radius * 80;
   }
 
-  /** Puts the whole character into the picture, from the front, a little from the side and from above; in `company` from behind. */
+  /**
+   * Frames the whole character, from the front, a little from the side and from above; in `company` from
+   * behind.
+   */
   frame(company = false): void {
     this.followed.copy(this.goal);
     const target = this.controls.target.copy(this.goal).add(this.centre);
     const half = THREE.MathUtils.degToRad(this.camera.fov / 2);
     const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
     const distance = (this.radius / Math.sin(narrow)) * 1.14;
-    const [azimuth, elevation] = company ? [COMPANY_AZIMUTH + this.heading, COMPANY_ELEVATION] : [AZIMUTH, ELEVATION];
-    const away = new THREE.Vector3(Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.cos(azimuth) * Math.cos(elevation));
+    const [azimuth, elevation] = company
+      ? [COMPANY_AZIMUTH + this.heading, COMPANY_ELEVATION]
+      : [AZIMUTH, ELEVATION];
+    const away = new THREE.Vector3(
+      Math.sin(azimuth) * Math.cos(elevation),
+      Math.sin(elevation),
+      Math.cos(azimuth) * Math.cos(elevation),
+    );
     this.camera.position.copy(target).addScaledVector(away, distance);
     this.camera.updateProjectionMatrix();
     this.controls.update();
   }
 
-  /** The root of the followed character stands at `position` and looks along `heading` (radians about +Y, 0 is +Z). */
+  /** Sets the followed root's position and heading (radians about +Y, 0 is +Z). */
   aim(position: THREE.Vector3, heading = this.heading): void {
     this.goal.copy(position);
     this.heading = heading;
   }
 
-  /** Where the followed root was said to be. */
+  /** The position of the followed root. */
   get aimed(): THREE.Vector3 {
     return this.goal;
   }
 
-  /** Moves on by `dt` seconds; says whether the picture changed. */
+  /** Moves by `dt` seconds; returns whether the view changed. */
   update(dt: number): boolean {
     const way = this.goal.distanceTo(this.followed);
     const cut = way > this.height * CUT_HEIGHTS || this.still();
-    const step = this.goal.clone().sub(this.followed).multiplyScalar(cut ? 1 : 1 - Math.exp(-dt / LAG_S));
+    const step = this.goal
+      .clone()
+      .sub(this.followed)
+      .multiplyScalar(cut ? 1 : 1 - Math.exp(-dt / LAG_S));
     if (way > 1e-5) {
       this.followed.add(step);
       this.controls.target.add(step);

@@ -1,4 +1,4 @@
-/** The ground: a fine grid that fades with distance and goes on wherever the character goes. */
+/** Draws the ground: a grid that follows the character and fades with distance. */
 
 import * as THREE from "three";
 import type { Quality } from "./quality";
@@ -48,8 +48,8 @@ const LINE_FRAGMENT = /* glsl */ `
   }`;
 
 /**
- * Lines half a unit apart: software rendering shades only their pixels, not the whole floor.
- * In pieces, because a line that passes the camera is lost there as a whole.
+ * Makes lines half a unit apart: software rendering shades only their pixels, not the whole floor.
+ * The lines are in pieces, because a line that passes the camera is dropped as a whole.
  */
 function lineGeometry(): THREE.BufferGeometry {
   const corners: number[] = [];
@@ -60,22 +60,39 @@ function lineGeometry(): THREE.BufferGeometry {
 }
 
 function gridMaterial(fragmentShader: string): THREE.ShaderMaterial {
-  const uniforms = { ink: { value: new THREE.Color() }, centre: { value: new THREE.Vector2() }, unit: { value: 1 }, strength: { value: 1 } };
-  return new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader, transparent: true, depthWrite: false, side: THREE.DoubleSide, uniforms });
+  const uniforms = {
+    ink: { value: new THREE.Color() },
+    centre: { value: new THREE.Vector2() },
+    unit: { value: 1 },
+    strength: { value: 1 },
+  };
+  return new THREE.ShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader,
+    transparent: true,
+    depthWrite: false,
+    side: THREE.DoubleSide,
+    uniforms,
+  });
 }
 
 export class Ground {
-  readonly mesh: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial> | THREE.LineSegments<THREE.BufferGeometry, THREE.ShaderMaterial>;
+  readonly mesh:
+    | THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>
+    | THREE.LineSegments<THREE.BufferGeometry, THREE.ShaderMaterial>;
   private unit = 1;
 
   constructor(private readonly quality: Quality) {
     const disc = (): THREE.BufferGeometry => new THREE.CircleGeometry(REACH_M, 48).rotateX(-Math.PI / 2);
-    this.mesh = quality === "high" ? new THREE.Mesh(disc(), gridMaterial(FRAGMENT)) : new THREE.LineSegments(lineGeometry(), gridMaterial(LINE_FRAGMENT));
+    this.mesh =
+      quality === "high"
+        ? new THREE.Mesh(disc(), gridMaterial(FRAGMENT))
+        : new THREE.LineSegments(lineGeometry(), gridMaterial(LINE_FRAGMENT));
     this.mesh.renderOrder = -2;
     this.mesh.frustumCulled = false;
   }
 
-  /** The grid's cell in metres: a power of ten (or half of one) that suits a character `height_m` tall. */
+  /** Sets the grid's cell to the power of ten, in metres, that suits a character `height_m` tall. */
   fit(height_m: number): void {
     const unit = 10 ** Math.round(Math.log10(Math.max(height_m, 1e-3) / 1.8));
     this.unit = unit;
@@ -84,8 +101,9 @@ export class Ground {
   }
 
   follow(x: number, z: number): void {
-    // Lines stay where they are in the world: the grid follows in whole units.
-    const snap = (value: number): number => (this.quality === "high" ? value : Math.round(value / this.unit) * this.unit);
+    // The grid moves in whole units, so that its lines stay in place.
+    const snap = (value: number): number =>
+      this.quality === "high" ? value : Math.round(value / this.unit) * this.unit;
     this.mesh.position.set(snap(x), 0, snap(z));
     (this.mesh.material.uniforms["centre"]!.value as THREE.Vector2).set(x, z);
   }
@@ -96,13 +114,17 @@ export class Ground {
   }
 }
 
-/** A soft dark spot under a character, where a shadow map would cost too much. */
+/** Makes a soft dark spot, the shadow of a character in low quality. */
 export function contactShadow(): THREE.Mesh {
   const material = new THREE.ShaderMaterial({
     transparent: true,
     depthWrite: false,
-    vertexShader: "varying vec2 at; void main() { at = uv * 2.0 - 1.0; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
-    fragmentShader: "varying vec2 at; void main() { float d = max(0.0, 1.0 - length(at)); gl_FragColor = vec4(0.0, 0.0, 0.0, 0.42 * d * d); }",
+    vertexShader:
+      "varying vec2 at; void main() { at = uv * 2.0 - 1.0; " +
+      "gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
+    fragmentShader:
+      "varying vec2 at; void main() { float d = max(0.0, 1.0 - length(at)); " +
+      "gl_FragColor = vec4(0.0, 0.0, 0.0, 0.42 * d * d); }",
   });
   const spot = new THREE.Mesh(new THREE.PlaneGeometry(2, 2).rotateX(-Math.PI / 2), material);
   spot.renderOrder = -1;

@@ -1,9 +1,9 @@
-/** A character's model.glb: loaded once, then one clone for every actor that plays it. */
+/** Loads a character's model.glb once and clones it for every actor. */
 
 import * as THREE from "three";
 import { GLTFLoader, type GLTFParser } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { clone } from "three/examples/jsm/utils/SkeletonUtils.js";
-import { skinEnds } from "./boneends";
+import { skinEnds } from "./boneEnds";
 
 export interface Model {
   url: string;
@@ -12,12 +12,12 @@ export interface Model {
   nodes: THREE.Object3D[];
   /** Morph targets of every node, by index (0 for most). */
   targets: number[];
-  /** Materials by the file's index, as far as the file uses them. */
+  /** The materials in use, by the file's index. */
   materials: Map<number, THREE.Material>;
   materialCount: number;
-  /** Nodes that a skin names as joints; empty for a model without skins. */
+  /** Nodes that are joints of a skin. */
   skinJoints: Set<number>;
-  /** How far the skin that a node holds reaches, in the node's own space. */
+  /** The end of each node's skin, in the node's space. */
   skinEnds: Map<THREE.Object3D, THREE.Vector3>;
 }
 
@@ -35,8 +35,10 @@ function targetCounts(json: GltfJson): number[] {
 
 function materialsByIndex(parser: GLTFParser): Map<number, THREE.Material> {
   const found = new Map<number, THREE.Material>();
-  for (const [object, place] of parser.associations) {
-    if (object instanceof THREE.Material && place.materials !== undefined) found.set(place.materials, object);
+  // three's default material has no index in the file.
+  for (const [object, place] of parser.associations as Map<object, { materials?: number } | undefined>) {
+    if (object instanceof THREE.Material && place?.materials !== undefined)
+      found.set(place.materials, object);
   }
   return found;
 }
@@ -46,13 +48,23 @@ export async function loadModel(url: string): Promise<Model> {
   const gltf = await new GLTFLoader().loadAsync(url);
   const json = gltf.parser.json as GltfJson;
   const count = json.nodes?.length ?? 0;
-  const nodes = (await Promise.all(Array.from({ length: count }, (_, i) => gltf.parser.getDependency("node", i)))) as THREE.Object3D[];
+  const nodes = (await Promise.all(
+    Array.from({ length: count }, (_, i) => gltf.parser.getDependency("node", i)),
+  )) as THREE.Object3D[];
   const skinJoints = new Set((json.skins ?? []).flatMap((skin) => skin.joints));
   const materials = { materials: materialsByIndex(gltf.parser), materialCount: json.materials?.length ?? 0 };
-  return { url, scene: gltf.scene, nodes, targets: targetCounts(json), skinJoints, skinEnds: skinEnds(gltf.scene), ...materials };
+  return {
+    url,
+    scene: gltf.scene,
+    nodes,
+    targets: targetCounts(json),
+    skinJoints,
+    skinEnds: skinEnds(gltf.scene),
+    ...materials,
+  };
 }
 
-/** A clone of the model's scene, and the clones of its nodes by index (null where a node is in no scene). */
+/** Clones the model's scene; returns the clones of its nodes by index, null for a node outside the scene. */
 export function instance(model: Model): { scene: THREE.Object3D; nodes: (THREE.Object3D | null)[] } {
   const scene = clone(model.scene);
   const pairs = new Map<THREE.Object3D, THREE.Object3D>();

@@ -1,11 +1,11 @@
-/** Bones over the skin: lines with a circle at each joint (RD1), or tetrahedra, shaded and in wire (RD2). */
+/** Draws bones over the skin: lines with circles (RD1), or tetrahedra, shaded and in wire (RD2). */
 
 import * as THREE from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
-import type { ActorView } from "./actor";
-import { type BoneEnd, boneEnds } from "./boneends";
+import type { PosedModel } from "./posedModel";
+import { type BoneEnd, boneEnds } from "./boneEnds";
 import { type BonePlan, planBones } from "./bones";
 import { place, tetrahedronGeometry } from "./tetrahedron";
 
@@ -30,10 +30,21 @@ const CIRCLE_FRAGMENT = /* glsl */ `
     #include <colorspace_fragment>
   }`;
 
-/** A point is always a square that faces the camera, so its circle does too. */
+/** A point is a square that faces the camera, and so does its circle. */
 function circleMaterial(pixelRatio: number): THREE.ShaderMaterial {
-  const uniforms = { ink: { value: new THREE.Color() }, paper: { value: new THREE.Color() }, pixels: { value: 10 * pixelRatio } };
-  return new THREE.ShaderMaterial({ vertexShader: CIRCLE_VERTEX, fragmentShader: CIRCLE_FRAGMENT, uniforms, transparent: true, depthTest: false, depthWrite: false });
+  const uniforms = {
+    ink: { value: new THREE.Color() },
+    paper: { value: new THREE.Color() },
+    pixels: { value: 10 * pixelRatio },
+  };
+  return new THREE.ShaderMaterial({
+    vertexShader: CIRCLE_VERTEX,
+    fragmentShader: CIRCLE_FRAGMENT,
+    uniforms,
+    transparent: true,
+    depthTest: false,
+    depthWrite: false,
+  });
 }
 
 export class BoneOverlay {
@@ -43,19 +54,29 @@ export class BoneOverlay {
   private readonly plan: BonePlan;
   private readonly last: BoneEnd[];
   private readonly world: Float32Array;
-  /** World positions, metres, of where each bone begins and ends. */
+  /** World positions of each bone's start and end, metres. */
   private readonly bones: Float32Array;
   private readonly ends: THREE.InstancedInterleavedBuffer;
   private readonly circles: THREE.BufferAttribute;
   private readonly shaded: THREE.InstancedMesh;
   private readonly wire: THREE.InstancedMesh;
-  private readonly lineMaterial = new LineMaterial({ linewidth: 2.5, depthTest: false, depthWrite: false, transparent: true });
+  private readonly lineMaterial = new LineMaterial({
+    linewidth: 2.5,
+    depthTest: false,
+    depthWrite: false,
+    transparent: true,
+  });
   private readonly circleMaterial: THREE.ShaderMaterial;
-  private readonly solidMaterial = new THREE.MeshLambertMaterial({ flatShading: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  private readonly solidMaterial = new THREE.MeshLambertMaterial({
+    flatShading: true,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+  });
   private readonly wireMaterial = new THREE.MeshBasicMaterial({ wireframe: true });
 
   constructor(
-    private readonly actor: ActorView,
+    private readonly actor: PosedModel,
     pixelRatio: number,
   ) {
     this.plan = planBones(actor.cast, actor.model.skinJoints);
@@ -64,12 +85,16 @@ export class BoneOverlay {
     this.world = new Float32Array(actor.cast.joints * 3);
     this.bones = new Float32Array(count * 6);
     const geometry = new LineSegmentsGeometry().setPositions(new Float32Array(Math.max(1, count) * 6));
-    this.ends = (geometry.attributes["instanceStart"] as THREE.InterleavedBufferAttribute).data as THREE.InstancedInterleavedBuffer;
+    this.ends = (geometry.attributes["instanceStart"] as THREE.InterleavedBufferAttribute)
+      .data as THREE.InstancedInterleavedBuffer;
     const points = new THREE.BufferGeometry();
     this.circles = new THREE.BufferAttribute(new Float32Array(this.plan.joints.length * 3), 3);
     points.setAttribute("position", this.circles);
     this.circleMaterial = circleMaterial(pixelRatio);
-    this.lines.add(new LineSegments2(geometry, this.lineMaterial), new THREE.Points(points, this.circleMaterial));
+    this.lines.add(
+      new LineSegments2(geometry, this.lineMaterial),
+      new THREE.Points(points, this.circleMaterial),
+    );
     this.shaded = new THREE.InstancedMesh(tetrahedronGeometry(), this.solidMaterial, count);
     this.wire = new THREE.InstancedMesh(this.shaded.geometry, this.wireMaterial, count);
     this.wire.instanceMatrix = this.shaded.instanceMatrix;
@@ -84,7 +109,11 @@ export class BoneOverlay {
     this.solids.visible = solids;
   }
 
-  /** Lines and rings in `ink`, which stands out from any skin; joints and edges in `accent`. */
+  get visible(): boolean {
+    return this.lines.visible || this.solids.visible;
+  }
+
+  /** Colours lines and rings in `ink`, joints and edges in `accent`, tetrahedra in `body`. */
   colour(ink: string, accent: string, body: string): void {
     this.lineMaterial.color.set(ink);
     (this.circleMaterial.uniforms["ink"]!.value as THREE.Color).set(ink);
@@ -93,9 +122,9 @@ export class BoneOverlay {
     this.wireMaterial.color.set(accent);
   }
 
-  /** Follows the joints; their world matrices are those of this frame. */
+  /** Follows the joints, whose world matrices are up to date. */
   update(): void {
-    if (!this.lines.visible && !this.solids.visible) return;
+    if (!this.visible) return;
     this.actor.jointPositions(this.world);
     this.measure();
     if (this.lines.visible) this.drawLines();
@@ -111,13 +140,18 @@ export class BoneOverlay {
     });
     this.last.forEach(({ joint, at }, k) => {
       this.bones.set(this.world.subarray(joint * 3, joint * 3 + 3), (segments.length + k) * 6);
-      end.copy(at).applyMatrix4((this.actor.joints[joint] ?? this.actor.root).matrixWorld).toArray(this.bones, (segments.length + k) * 6 + 3);
+      end
+        .copy(at)
+        .applyMatrix4((this.actor.joints[joint] ?? this.actor.root).matrixWorld)
+        .toArray(this.bones, (segments.length + k) * 6 + 3);
     });
   }
 
   private drawLines(): void {
     this.ends.array.set(this.bones);
-    this.plan.joints.forEach((joint, k) => this.circles.array.set(this.world.subarray(joint * 3, joint * 3 + 3), k * 3));
+    this.plan.joints.forEach((joint, k) =>
+      this.circles.array.set(this.world.subarray(joint * 3, joint * 3 + 3), k * 3),
+    );
     this.ends.needsUpdate = true;
     this.circles.needsUpdate = true;
   }
@@ -126,14 +160,18 @@ export class BoneOverlay {
     const matrix = new THREE.Matrix4();
     const [start, end] = [new THREE.Vector3(), new THREE.Vector3()];
     for (let k = 0; k < this.bones.length / 6; k++) {
-      this.shaded.setMatrixAt(k, place(matrix, start.fromArray(this.bones, k * 6), end.fromArray(this.bones, k * 6 + 3)));
+      this.shaded.setMatrixAt(
+        k,
+        place(matrix, start.fromArray(this.bones, k * 6), end.fromArray(this.bones, k * 6 + 3)),
+      );
     }
     this.shaded.instanceMatrix.needsUpdate = true;
   }
 
   dispose(): void {
     this.object.removeFromParent();
-    for (const material of [this.lineMaterial, this.circleMaterial, this.solidMaterial, this.wireMaterial]) material.dispose();
+    for (const material of [this.lineMaterial, this.circleMaterial, this.solidMaterial, this.wireMaterial])
+      material.dispose();
     this.shaded.dispose();
   }
 }

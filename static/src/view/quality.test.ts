@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { chooseQuality } from "./quality";
 
-const SWIFTSHADER = "ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader driver)";
+const SWIFTSHADER =
+  "ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader driver)";
 
 describe("chooseQuality", () => {
   it.each([

@@ -1,17 +1,17 @@
-/** How much the machine can draw: `low` has no antialiasing, no shadow map and one pixel a pixel. */
+/** Chooses the quality of drawing: `low` has no antialiasing, no shadow map and a pixel ratio of 1. */
 
 export type Quality = "low" | "high";
 
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
-/** What the user asked for in the address (`?quality=`), else what the renderer's name suggests. */
+/** Returns the quality in the address (`?quality=`), else `low` for a software renderer. */
 export function chooseQuality(rendererName: string, search: string): Quality {
-  const asked = new URLSearchParams(search).get("quality");
-  if (asked === "low" || asked === "high") return asked;
+  const wanted = new URLSearchParams(search).get("quality");
+  if (wanted === "low" || wanted === "high") return wanted;
   return SOFTWARE.test(rendererName) ? "low" : "high";
 }
 
-/** The name of what draws WebGL here, "" where there is no WebGL 2. */
+/** Returns the name of the WebGL renderer, "" without WebGL 2. */
 export function rendererName(): string {
   const context = document.createElement("canvas").getContext("webgl2");
   if (!context) return "";

@@ -1,4 +1,4 @@
-/** The stage as a picture: renderer, light, ground, camera; draws only when something changed. */
+/** Holds renderer, light, ground and camera; draws only if something changed. */
 
 import * as THREE from "three";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
@@ -16,7 +16,10 @@ export class Scene {
   private readonly key = new THREE.DirectionalLight(0xfff3e6, 2.8);
   private readonly rim = new THREE.DirectionalLight(0xbcd2ff, 0.9);
   private readonly sky = new THREE.HemisphereLight(0xe8f0ff, 0x6b6157, 2.1);
-  private readonly floor = new THREE.Mesh(new THREE.PlaneGeometry(60, 60).rotateX(-Math.PI / 2), new THREE.ShadowMaterial({ opacity: 0.34 }));
+  private readonly floor = new THREE.Mesh(
+    new THREE.PlaneGeometry(60, 60).rotateX(-Math.PI / 2),
+    new THREE.ShadowMaterial({ opacity: 0.34 }),
+  );
   private height = 1.8;
   private dirty = true;
 
@@ -26,7 +29,12 @@ export class Scene {
     still: () => boolean,
   ) {
     const high = quality === "high";
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: high, alpha: true, powerPreference: "high-performance" });
+    this.renderer = new THREE.WebGLRenderer({
+      canvas,
+      antialias: high,
+      alpha: true,
+      powerPreference: "high-performance",
+    });
     this.renderer.setPixelRatio(high ? Math.min(window.devicePixelRatio, 2) : 1);
     this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.renderer.shadowMap.enabled = high;
@@ -60,12 +68,19 @@ export class Scene {
     this.height = height_m;
     this.ground.fit(height_m);
     const camera = this.key.shadow.camera;
-    Object.assign(camera, { left: -2 * height_m, right: 2 * height_m, top: 2 * height_m, bottom: -2 * height_m, near: 0.1 * height_m, far: 9 * height_m });
+    Object.assign(camera, {
+      left: -2 * height_m,
+      right: 2 * height_m,
+      top: 2 * height_m,
+      bottom: -2 * height_m,
+      near: 0.1 * height_m,
+      far: 9 * height_m,
+    });
     camera.updateProjectionMatrix();
     this.invalidate();
   }
 
-  /** Light, ground and camera go with the character that stands at `position`. */
+  /** Moves light, ground and camera with the character at `position`. */
   follow(position: THREE.Vector3, heading?: number): void {
     this.view.aim(position, heading);
     this.ground.follow(position.x, position.z);
@@ -74,12 +89,16 @@ export class Scene {
     this.placeLight(this.rim, position, [-1.8, 2.2, -2.4]);
   }
 
-  private placeLight(light: THREE.DirectionalLight, position: THREE.Vector3, [x, y, z]: [number, number, number]): void {
+  private placeLight(
+    light: THREE.DirectionalLight,
+    position: THREE.Vector3,
+    [x, y, z]: [number, number, number],
+  ): void {
     light.target.position.set(position.x, 0.5 * this.height, position.z);
     light.position.set(position.x + x * this.height, y * this.height, position.z + z * this.height);
   }
 
-  /** Something changed: the next `draw` draws. */
+  /** Makes the next `draw` draw. */
   invalidate(): void {
     this.dirty = true;
   }
@@ -92,7 +111,7 @@ export class Scene {
     this.draw(0); // a canvas of another size is blank, and would be shown so until the next frame
   }
 
-  /** Draws if there is a reason to; says whether it did. */
+  /** Draws if something changed; returns whether it did. */
   draw(dt: number): boolean {
     if (this.view.update(dt)) this.dirty = true;
     if (!this.dirty) return false;

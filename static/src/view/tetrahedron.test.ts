@@ -2,7 +2,8 @@ import * as THREE from "three";
 import { describe, expect, it } from "vitest";
 import { UNIT, place, tetrahedronGeometry } from "./tetrahedron";
 
-const at = (corner: number, matrix: THREE.Matrix4): THREE.Vector3 => new THREE.Vector3(...UNIT[corner]!).applyMatrix4(matrix);
+const at = (corner: number, matrix: THREE.Matrix4): THREE.Vector3 =>
+  new THREE.Vector3(...UNIT[corner]!).applyMatrix4(matrix);
 
 describe("tetrahedron", () => {
   it("has the corners of the spec, base corners equally far apart", () => {
@@ -14,8 +15,12 @@ describe("tetrahedron", () => {
     const { position, normal } = tetrahedronGeometry().attributes;
     const centre = new THREE.Vector3(0, 0, 0.25);
     for (let i = 0; i < 12; i += 3) {
-      const corner = new THREE.Vector3().fromBufferAttribute(position as THREE.BufferAttribute, i).sub(centre);
-      expect(corner.dot(new THREE.Vector3().fromBufferAttribute(normal as THREE.BufferAttribute, i))).toBeGreaterThan(0);
+      const corner = new THREE.Vector3()
+        .fromBufferAttribute(position as THREE.BufferAttribute, i)
+        .sub(centre);
+      expect(
+        corner.dot(new THREE.Vector3().fromBufferAttribute(normal as THREE.BufferAttribute, i)),
+      ).toBeGreaterThan(0);
     }
   });
 

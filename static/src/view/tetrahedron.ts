@@ -1,4 +1,4 @@
-/** The FAQ's tetrahedron (RD2): base at a bone's start, apex at its end. */
+/** Makes the FAQ's tetrahedron (RD2): base at a bone's start, apex at its end. */
 
 import * as THREE from "three";
 
@@ -11,13 +11,19 @@ export const UNIT: readonly [number, number, number][] = [
 ];
 
 const FACES = [0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2];
-/** A long bone keeps a slim foot. */
+/** Width of the base, as a share of the bone's length in the unit form. */
 const THICKNESS = 0.42;
 
-/** Flat-shaded: every face has its own corners. */
+/** Makes the geometry; every face has its own corners, for flat shading. */
 export function tetrahedronGeometry(): THREE.BufferGeometry {
   const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.Float32BufferAttribute(FACES.flatMap((corner) => [...UNIT[corner]!]), 3));
+  geometry.setAttribute(
+    "position",
+    new THREE.Float32BufferAttribute(
+      FACES.flatMap((corner) => [...UNIT[corner]!]),
+      3,
+    ),
+  );
   geometry.computeVertexNormals();
   return geometry;
 }
@@ -27,7 +33,7 @@ const direction = new THREE.Vector3();
 const turn = new THREE.Quaternion();
 const size = new THREE.Vector3();
 
-/** The matrix that puts the unit tetrahedron's base at `start` and its apex at `end`. */
+/** Returns the matrix that puts the unit tetrahedron's base at `start` and its apex at `end`. */
 export function place(out: THREE.Matrix4, start: THREE.Vector3, end: THREE.Vector3): THREE.Matrix4 {
   const length = direction.subVectors(end, start).length();
   if (length < 1e-9) return out.makeScale(0, 0, 0).setPosition(start);

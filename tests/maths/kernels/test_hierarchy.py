@@ -15,8 +15,12 @@ def test_every_joint_is_where_numpy_puts_it():
     chance = np.random.default_rng(3)
     shape = (ACTORS, len(PARENTS))
     turns = quat.normalize(chance.normal(size=(*shape, 4)))
-    pose = Pose(chance.normal(size=(*shape, 3)), turns, chance.uniform(0.5, 2, (*shape, 3)), np.zeros((ACTORS, 0)))
-    roots = transform.from_trs(chance.normal(size=(3, 1, 3)), quat.normalize(chance.normal(size=(3, 1, 4))), np.ones((3, 1, 3)))
+    pose = Pose(
+        chance.normal(size=(*shape, 3)), turns, chance.uniform(0.5, 2, (*shape, 3)), np.zeros((ACTORS, 0))
+    )
+    roots = transform.from_trs(
+        chance.normal(size=(3, 1, 3)), quat.normalize(chance.normal(size=(3, 1, 4))), np.ones((3, 1, 3))
+    )
     expected = transform.mul(roots, world_from_local(Skeleton(tuple("abcdefg"), PARENTS), pose))
     out = np.empty((*shape, 3, 4), np.float32)
     hierarchy.placed(PARENTS, *(np.ascontiguousarray(array, np.float32) for array in (*pose[:3], roots)), out)

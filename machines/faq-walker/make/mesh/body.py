@@ -51,7 +51,9 @@ def bind_rotation() -> Array:
         for bone in ("upperleg", "lowerleg"):
             turns[NAMES.index(f"{side}.{bone}")] = sign * LEG_SPREAD
     c, s, zero, one = np.cos(turns), np.sin(turns), np.zeros_like(turns), np.ones_like(turns)
-    return np.stack([np.stack([c, -s, zero], -1), np.stack([s, c, zero], -1), np.stack([zero, zero, one], -1)], axis=1)
+    return np.stack(
+        [np.stack([c, -s, zero], -1), np.stack([s, c, zero], -1), np.stack([zero, zero, one], -1)], axis=1
+    )
 
 
 def inverse_bind() -> Array:

@@ -1,4 +1,6 @@
-"""The figure: a slim, dressed mannequin in its binding pose (arms and legs a little apart, so that nothing touches)."""
+"""The figure: a slim, dressed mannequin in its binding pose (arms and legs a little apart, so that nothing
+touches).
+"""
 
 import numpy as np
 from curves import Array
@@ -111,7 +113,9 @@ def sole(z: Array) -> Array:
     """Height of the sole over the ground under a flat foot, z from the ankle."""
     toe = np.clip(z - TOE_Z, 0, 0.98 * TOE_RADIUS)
     heel = np.clip(HEEL_Z - z, 0, 0.98 * HEEL_RADIUS)
-    return np.asarray(TOE_RADIUS - np.sqrt(TOE_RADIUS**2 - toe**2) + HEEL_RADIUS - np.sqrt(HEEL_RADIUS**2 - heel**2))
+    return np.asarray(
+        TOE_RADIUS - np.sqrt(TOE_RADIUS**2 - toe**2) + HEEL_RADIUS - np.sqrt(HEEL_RADIUS**2 - heel**2)
+    )
 
 
 SHOE_BODY = limb(
@@ -150,7 +154,11 @@ def _side(points: Array) -> Array:
 def hairline(points: Array) -> Array:
     """Positive above and behind the line where the hair begins (metres)."""
     x, y, z = points[..., 0], points[..., 1], points[..., 2]
-    front = 0.80 * (y - 1.716) - 0.60 * (z - 0.072) - 0.9 * np.maximum(np.abs(x) - 0.045, 0.0) * np.clip(z / 0.03, 0, 1)
+    front = (
+        0.80 * (y - 1.716)
+        - 0.60 * (z - 0.072)
+        - 0.9 * np.maximum(np.abs(x) - 0.045, 0.0) * np.clip(z / 0.03, 0, 1)
+    )
     return union(front, y - 1.585 + 0.2 * np.abs(x), 0.02)
 
 

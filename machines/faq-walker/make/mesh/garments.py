@@ -57,7 +57,9 @@ CUTS: list[tuple[str, Line]] = [
 ]
 
 
-def _cut(points: Array, weights: Array, faces: Indices, label: Indices, line: Line) -> tuple[Array, Array, Indices, Indices]:
+def _cut(
+    points: Array, weights: Array, faces: Indices, label: Indices, line: Line
+) -> tuple[Array, Array, Indices, Indices]:
     """Split the triangles that a line crosses; vertices close to it are taken for lying on it."""
     value = line(points)
     value[np.abs(value) < 0.002] = 0.0

@@ -1,4 +1,6 @@
-"""Signed fields (metres, negative inside) of which the body is made: tapered limbs, ellipsoids, smooth unions."""
+"""Signed fields (metres, negative inside) of which the body is made: tapered limbs, ellipsoids, smooth
+unions.
+"""
 
 from collections.abc import Callable, Sequence
 
@@ -9,8 +11,13 @@ from scipy.interpolate import PchipInterpolator
 Field = Callable[[Array], Array]
 
 
-def limb(start: Array, along: Array, front: Array, keys: Sequence[tuple[float, ...]], power: float = 2.0) -> Field:
-    """A tapered limb. Keys: distance along the axis, radius sideways, in front, behind, and how far the axis lies to the front."""
+def limb(
+    start: Array, along: Array, front: Array, keys: Sequence[tuple[float, ...]], power: float = 2.0
+) -> Field:
+    """A tapered limb.
+
+    Keys: distance along the axis, radius sideways, in front, behind, and how far the axis lies to the front.
+    """
     rows = np.array(keys, float)
     shape = PchipInterpolator(rows[:, 0], rows[:, 1:])
     side = np.cross(front, along)
@@ -49,7 +56,9 @@ def rod(start: Sequence[float], end: Sequence[float], first: float, last: float)
 
     def field(points: Array) -> Array:
         f = np.clip((points - a) @ way / (way @ way), 0, 1)
-        return np.asarray(np.linalg.norm(points - a - f[..., None] * way, axis=-1) - (first + (last - first) * f))
+        return np.asarray(
+            np.linalg.norm(points - a - f[..., None] * way, axis=-1) - (first + (last - first) * f)
+        )
 
     return field
 

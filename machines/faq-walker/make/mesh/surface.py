@@ -1,4 +1,6 @@
-"""A mesh from a signed field: naive surface nets (Gibson 1998) on a grid of uneven spacing, relaxed on the surface."""
+"""A mesh from a signed field: naive surface nets (Gibson 1998) on a grid of uneven spacing, relaxed on the
+surface.
+"""
 
 from collections.abc import Callable, Sequence
 

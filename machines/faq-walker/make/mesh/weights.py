@@ -1,4 +1,6 @@
-"""Soft weights: how much of every vertex belongs to which bone, blended over the joints and smoothed along the skin."""
+"""Soft weights: how much of every vertex belongs to which bone, blended over the joints and smoothed along
+the skin.
+"""
 
 import numpy as np
 from curves import Array
@@ -21,10 +23,16 @@ def _split(whole: Array, part: Array) -> tuple[Array, Array]:
 
 
 def _limbs(points: Array, side: str, share: dict[str, Array], rest: Array) -> Array:
-    """Give the left or right limbs their share (the points are mirrored to the left); returns what is left for the trunk."""
+    """Give the left or right limbs their share (the points are mirrored to the left); returns what is left
+    for the trunk.
+    """
     along = (points - SHOULDER_AT) @ ARM_WAY
     inward = np.linalg.norm(points - SHOULDER_AT - along[:, None] * ARM_WAY, axis=1)
-    arm = step(along, -0.045, 0.085) * step(trunk_field(points) - arm_field(points), -0.035, 0.045) * step(-inward, -0.16, -0.11)
+    arm = (
+        step(along, -0.045, 0.085)
+        * step(trunk_field(points) - arm_field(points), -0.035, 0.045)
+        * step(-inward, -0.16, -0.11)
+    )
     rest, arm = _split(rest, arm)
     upper, lower = _split(arm, step(along, UPPER_ARM - 0.045, UPPER_ARM + 0.045))
     lower, hand = _split(lower, step(along, WRIST - 0.030, WRIST + 0.025))
@@ -35,7 +43,12 @@ def _limbs(points: Array, side: str, share: dict[str, Array], rest: Array) -> Ar
     upper, lower = _split(leg, step(down, THIGH - 0.065, THIGH + 0.065))
     lower, foot = _split(lower, step(ANKLE_AT[1] + 0.030 - points[:, 1], -0.025, 0.045))
     share[f"{side}.upperleg"], share[f"{side}.lowerleg"], share[f"{side}.foot"] = upper, lower, foot
-    girdle = 0.85 * step(points[:, 0], 0.035, 0.150) * step(points[:, 1], 1.335, 1.425) * (1 - step(points[:, 1], 1.47, 1.50))
+    girdle = (
+        0.85
+        * step(points[:, 0], 0.035, 0.150)
+        * step(points[:, 1], 1.335, 1.425)
+        * (1 - step(points[:, 1], 1.47, 1.50))
+    )
     rest, share[f"{side}.shoulder"] = _split(rest, girdle)
     return rest
 

@@ -73,7 +73,17 @@ def rise_body() -> Body:
         return {**trunk(t), **{name: curve for name, curve in arms(t).items() if "." in name}}
 
     top = value(stand_body, "y", 0)
-    y = through([(0, LOW), (0.06, LOW - 0.006), (0.22, 0.847), (0.36, top + 0.002), (0.44, top + 0.011), (0.56, top + 0.002), (RISE, top)])
+    y = through(
+        [
+            (0, LOW),
+            (0.06, LOW - 0.006),
+            (0.22, 0.847),
+            (0.36, top + 0.002),
+            (0.44, top + 0.011),
+            (0.56, top + 0.002),
+            (RISE, top),
+        ]
+    )
     z = through([(0, BACK), (0.20, -0.030), (0.40, 0.010), (0.56, 0.002), (RISE, 0)])
     return replaced(added(whole, over), {"y": y, "z": z})
 

@@ -1,7 +1,8 @@
 """Feet that do not slide: a planted foot rolls over its sole, between two plants it swings on an arc.
 
-The sole, seen from the side, is a flat piece with a circle at the heel and a larger one, the rocker, at the toes. A foot
-that pitches while planted rolls on one of them without slipping, so that the point that touches stands still.
+The sole, seen from the side, is a flat piece with a circle at the heel and a larger one, the rocker, at the
+toes. A foot that pitches while planted rolls on one of them without slipping, so that the point that touches
+stands still.
 """
 
 from typing import NamedTuple
@@ -17,7 +18,9 @@ STEP = 1e-4  # seconds, for velocities by difference
 
 
 class Plant(NamedTuple):
-    """The ankle's place over the flat foot (metres), the foot's yaw (radians), from `start` to `end` (seconds)."""
+    """The ankle's place over the flat foot (metres), the foot's yaw (radians), from `start` to `end`
+    (seconds).
+    """
 
     start: float
     end: float
@@ -27,7 +30,9 @@ class Plant(NamedTuple):
 
 
 class Arc(NamedTuple):
-    """One point of a swing: at this fraction of its time, this fraction of its way, at this ankle height (metres), moved sideways."""
+    """One point of a swing: at this fraction of its time, this fraction of its way, at this ankle height
+    (metres), moved sideways.
+    """
 
     time: float
     way: float
@@ -51,7 +56,9 @@ def rolled(plant: Plant, pitch: Array) -> Array:
     back, high = -centre, ANKLE_HEIGHT - radius
     along = centre - radius * pitch + back * np.cos(pitch) - high * np.sin(pitch)
     height = radius + high * np.cos(pitch) + back * np.sin(pitch)
-    return np.stack([plant.x + along * np.sin(plant.yaw), height, plant.z + along * np.cos(plant.yaw)], axis=-1)
+    return np.stack(
+        [plant.x + along * np.sin(plant.yaw), height, plant.z + along * np.cos(plant.yaw)], axis=-1
+    )
 
 
 def _swing(t: Array, off: Plant, on: Plant, arcs: list[Arc], pitch: Curve) -> Array:
@@ -61,13 +68,17 @@ def _swing(t: Array, off: Plant, on: Plant, arcs: list[Arc], pitch: Curve) -> Ar
     speeds = [(places[0] - before) / STEP, (after - places[1]) / STEP]
     times = [ends[0], *(ends[0] + arc.time * (ends[1] - ends[0]) for arc in arcs), ends[1]]
     points = [places[0] + arc.way * (places[1] - places[0]) for arc in arcs]
-    points = [np.array([point[0] + arc.side, arc.height, point[2]]) for point, arc in zip(points, arcs, strict=True)]
+    points = [
+        np.array([point[0] + arc.side, arc.height, point[2]]) for point, arc in zip(points, arcs, strict=True)
+    ]
     spline = CubicSpline(times, [places[0], *points, places[1]], bc_type=((1, speeds[0]), (1, speeds[1])))
     return np.asarray(spline(t))
 
 
 def walk_track(t: Array, plants: list[Plant], arcs: list[list[Arc]], pitch: Curve) -> Track:
-    """The whole way of a foot over plants in order of time, with one list of arc points per swing between them."""
+    """The whole way of a foot over plants in order of time, with one list of arc points per swing between
+    them.
+    """
     pitched = pitch(t)
     ankle, yaw = rolled(plants[0], pitched), np.full_like(t, plants[0].yaw)
     for off, on, points in zip(plants, plants[1:], arcs, strict=False):

@@ -11,7 +11,10 @@ from scipy.interpolate import CubicSpline
 
 # a foot in the air: seconds after take-off, ankle ahead of the pelvis and above it
 TUCK = [(0.06, -0.26, -0.795), (0.16, -0.20, -0.70), (0.28, 0.0, -0.63), (0.41, 0.10, -0.78)]
-CLOSE = [(0.175, -0.07, 0.212), (0.245, 0.19, 0.182)]  # the right foot on its way beside the left: seconds, z, height
+CLOSE = [
+    (0.175, -0.07, 0.212),
+    (0.245, 0.19, 0.182),
+]  # the right foot on its way beside the left: seconds, z, height
 LAG = 0.012  # seconds by which the right foot comes later
 
 # degrees, toes up +
@@ -21,7 +24,14 @@ RIGHT_STEP: Keys = [(0.0, -30.0), (0.17, -48.0), (0.28, -6.0), (0.33, 3.0), (0.3
 
 def _pitch(side: str, late: float) -> Curve:
     push: Keys = [(0.40, 0), (0.46, -6), (TAKE_OFF, -40), (0.60 + late, -62)]
-    land: Keys = [(0.78 + late, -38), (0.95, -24), (TOUCH - 0.05, -40), (TOUCH + 0.10, -22), (TOUCH + 0.20, 0), (END, 0)]
+    land: Keys = [
+        (0.78 + late, -38),
+        (0.95, -24),
+        (TOUCH - 0.05, -40),
+        (TOUCH + 0.10, -22),
+        (TOUCH + 0.20, 0),
+        (END, 0),
+    ]
     keyed = eased([*(LEFT_STEP if side == "Left" else RIGHT_STEP), *push, *land])
     walking = pitch_of(1.0 if side == "Left" else -1.0)
     start, end = (0.30, 0.12) if side == "Left" else (0.12, 0.02)
@@ -33,8 +43,12 @@ def _pitch(side: str, late: float) -> Curve:
     return pitch
 
 
-def _between(t: Array, off: Plant, on: Plant, pitch: Curve, points: list[tuple[float, float, float]]) -> Array:
-    """Ankle (F, 3) from one plant to the next through (time, z, height), leaving and arriving with the speeds of the rolling foot."""
+def _between(
+    t: Array, off: Plant, on: Plant, pitch: Curve, points: list[tuple[float, float, float]]
+) -> Array:
+    """Ankle (F, 3) from one plant to the next through (time, z, height), leaving and arriving with the speeds
+    of the rolling foot.
+    """
     ends = np.array([off.end - STEP, off.end, on.start, on.start + STEP])
     leave, touch = rolled(off, pitch(ends)[:2]), rolled(on, pitch(ends)[2:])
     speeds = [(leave[1] - leave[0]) / STEP, (touch[1] - touch[0]) / STEP]
@@ -57,7 +71,10 @@ def leap_feet(height: Curve, way: Curve) -> Feet:
         push = first._replace(end=TAKE_OFF) if side == "Left" else beside
         landing = Plant(TOUCH, 9.0, sign * FOOT_X, LANDING_Z, sign * TOES_OUT)
         when = TAKE_OFF + np.array([time for time, _, _ in TUCK]) + late
-        tuck = [(float(t), z + ahead, y + below) for t, z, y, (_, ahead, below) in zip(when, way(when), height(when), TUCK, strict=True)]
+        tuck = [
+            (float(t), z + ahead, y + below)
+            for t, z, y, (_, ahead, below) in zip(when, way(when), height(when), TUCK, strict=True)
+        ]
 
         def track(t: Array) -> Track:
             pitched = pitch(t)

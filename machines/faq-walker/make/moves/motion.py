@@ -16,7 +16,9 @@ Feet = Callable[[Array], dict[str, Track]]
 
 @dataclass(frozen=True)
 class Motion:
-    """`body` and `feet` give handles and foot tracks at times (F,) seconds; the clip is the span from `start`."""
+    """`body` and `feet` give handles and foot tracks at times (F,) seconds; the clip is the span from
+    `start`.
+    """
 
     name: str
     duration: float
@@ -36,7 +38,9 @@ class Motion:
         return times, rotation, root
 
     def at(self, times: Array) -> tuple[Array, Array]:
-        """Local rotations (F, J, 4) and root translation (F, 3) at any times since the clip's start; the path begins at z = 0."""
+        """Local rotations (F, J, 4) and root translation (F, 3) at any times since the clip's start; the path
+        begins at z = 0.
+        """
         moments = np.concatenate([[0.0], times]) + self.start
         rotation, root = solve(Controls(self.body(moments), self.feet(moments)))
         return rotation[1:], root[1:] - root[:1] * (0.0, 0.0, 1.0)
@@ -48,7 +52,9 @@ def body_of(curves: dict[str, Curve]) -> Body:
 
 
 def both(name: str, curve: Curve, lag: float = 0.0) -> dict[str, Curve]:
-    """The same curve for a handle of both sides; the right one comes `lag` seconds later, since nothing moves in mirror time."""
+    """The same curve for a handle of both sides; the right one comes `lag` seconds later, since nothing moves
+    in mirror time.
+    """
     return {f"Left.{name}": curve, f"Right.{name}": lambda t: curve(t - lag)}
 
 

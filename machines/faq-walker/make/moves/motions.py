@@ -8,4 +8,16 @@ from moves.start_stop import COME_TO_STOP, START_WALK
 from moves.turn import TURN_LEFT, TURN_RIGHT
 from moves.walk import WALK
 
-MOTIONS: list[Motion] = [STAND, START_WALK, WALK, COME_TO_STOP, TURN_LEFT, TURN_RIGHT, JUMP, FLY, LAND, CROUCH, STAND_UP]
+MOTIONS: list[Motion] = [
+    STAND,
+    START_WALK,
+    WALK,
+    COME_TO_STOP,
+    TURN_LEFT,
+    TURN_RIGHT,
+    JUMP,
+    FLY,
+    LAND,
+    CROUCH,
+    STAND_UP,
+]

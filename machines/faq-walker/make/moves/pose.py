@@ -1,4 +1,6 @@
-"""From controls, the handles an animator moves, to local rotations of the skeleton; all angles in degrees, all arrays over frames."""
+"""From controls, the handles an animator moves, to local rotations of the skeleton; all angles in degrees,
+all arrays over frames.
+"""
 
 from dataclasses import dataclass, field
 
@@ -11,16 +13,20 @@ from statwalk.maths import quat
 X, Y, Z = np.eye(3)
 STRAIGHT = 0.9995  # no leg is longer than this share of its bones
 SLOPE = np.radians(6.0)  # shoulders hang a little
-REACH, SOFTNESS = 0.8485, 0.003  # metres: the pelvis comes down before a leg gets longer than this, so no knee locks or snaps
+REACH, SOFTNESS = (
+    0.8485,
+    0.003,
+)  # metres: the pelvis comes down before a leg gets longer than this, so no knee locks or snaps
 
 
 @dataclass
 class Controls:
     """Values by handle (F,), degrees or metres, 0 where nobody set them.
 
-    The body's: x, y, z, yaw, lean and list of the pelvis; `pelvis_yaw`, which turns the hips and not the path; pitch, yaw
-    and roll of `low` and `up` (the back) and of `head` (against the path, so that it stays level). Each side's, as
-    `Left.swing`: swing, abduct, twist, elbow, forearm, wrist, wrist_side, raise and reach of the shoulder, knee_out.
+    The body's: x, y, z, yaw, lean and list of the pelvis; `pelvis_yaw`, which turns the hips and not the
+    path; pitch, yaw and roll of `low` and `up` (the back) and of `head` (against the path, so that it stays
+    level). Each side's, as `Left.swing`: swing, abduct, twist, elbow, forearm, wrist, wrist_side, raise and
+    reach of the shoulder, knee_out.
     """
 
     values: dict[str, Array]
@@ -61,7 +67,9 @@ def _hip(side: str, pelvis: Array, root: Array) -> Array:
 
 
 def _lowered(c: Controls, pelvis: Array, root: Array) -> Array:
-    """The root, where a leg would have to stretch brought down (a smooth minimum of the wish and what each leg allows)."""
+    """The root, where a leg would have to stretch brought down (a smooth minimum of the wish and what each
+    leg allows).
+    """
     heights = [np.zeros(len(root))]
     for side in SIDES:
         hip, ankle = _hip(side, pelvis, root), c.feet[side].ankle
@@ -77,8 +85,14 @@ def _leg(c: Controls, side: str, pelvis: Array, root: Array, out: dict[str, Arra
     reach = np.minimum(np.linalg.norm(way, axis=-1), STRAIGHT * (THIGH + SHIN))[:, None]
     along = _unit(way)
     outward = sign * (c.get(f"{side}.knee_out") + np.radians(3.0))
-    pole_yaw = c.get("yaw") + 0.5 * c.get("pelvis_yaw") + 0.65 * (foot.yaw - c.get("yaw") - 0.5 * c.get("pelvis_yaw")) + 0.5 * outward
-    # the knee points where pelvis and toes agree; with a raised thigh forward is no longer across the leg, so add up
+    pole_yaw = (
+        c.get("yaw")
+        + 0.5 * c.get("pelvis_yaw")
+        + 0.65 * (foot.yaw - c.get("yaw") - 0.5 * c.get("pelvis_yaw"))
+        + 0.5 * outward
+    )
+    # the knee points where pelvis and toes agree; with a raised thigh forward is no longer across the leg, so
+    # add up
     pole = np.stack([np.sin(pole_yaw), np.full_like(pole_yaw, 0.35), np.cos(pole_yaw)], axis=-1)
     ahead = _unit(pole - (pole * along).sum(-1, keepdims=True) * along)
     hinge = np.cross(-along, ahead)
@@ -94,15 +108,23 @@ def _leg(c: Controls, side: str, pelvis: Array, root: Array, out: dict[str, Arra
 
 def _arm(c: Controls, side: str, out: dict[str, Array]) -> None:
     sign = SIDES[side]
-    out[f"{side}.shoulder"] = product(turn(Y, -sign * c.get(f"{side}.reach")), turn(Z, sign * (c.get(f"{side}.raise") - SLOPE)))
+    out[f"{side}.shoulder"] = product(
+        turn(Y, -sign * c.get(f"{side}.reach")), turn(Z, sign * (c.get(f"{side}.raise") - SLOPE))
+    )
     lift = product(turn(X, -c.get(f"{side}.swing")), turn(Z, sign * (c.get(f"{side}.abduct") + SLOPE)))
     out[f"{side}.upperarm"] = quat.mul(lift, turn(Y, -sign * c.get(f"{side}.twist")))
-    out[f"{side}.lowerarm"] = product(turn(X, -c.get(f"{side}.elbow")), turn(Y, -sign * c.get(f"{side}.forearm")))
-    out[f"{side}.hand"] = product(turn(X, -c.get(f"{side}.wrist")), turn(Z, sign * c.get(f"{side}.wrist_side")))
+    out[f"{side}.lowerarm"] = product(
+        turn(X, -c.get(f"{side}.elbow")), turn(Y, -sign * c.get(f"{side}.forearm"))
+    )
+    out[f"{side}.hand"] = product(
+        turn(X, -c.get(f"{side}.wrist")), turn(Z, sign * c.get(f"{side}.wrist_side"))
+    )
 
 
 def _spine(c: Controls, name: str) -> Array:
-    return product(turn(Y, c.get(f"{name}_yaw")), turn(X, c.get(f"{name}_pitch")), turn(Z, c.get(f"{name}_roll")))
+    return product(
+        turn(Y, c.get(f"{name}_yaw")), turn(X, c.get(f"{name}_pitch")), turn(Z, c.get(f"{name}_roll"))
+    )
 
 
 def solve(c: Controls) -> tuple[Array, Array]:

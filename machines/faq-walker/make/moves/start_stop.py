@@ -9,7 +9,8 @@ from moves.walk import AHEAD, CYCLE, STRIDE, arcs_of, pitch_of, walk_body, walk_
 
 STAND_POSE: Body = held(stand_body, 0.0)
 
-# start-walk: weight to the left foot, the right foot steps, then the left one; it ends as the left heel touches
+# start-walk: weight to the left foot, the right foot steps, then the left one; it ends as the left heel
+# touches
 START = 1.10
 FIRST_STEP = 0.70 * STRIDE / 2
 WAY = FOOT_Z + FIRST_STEP + STRIDE / 2 - AHEAD  # metres walked by then
@@ -40,7 +41,10 @@ def start_feet() -> Feet:
             arcs, meet = arcs_of(sign), (0.60, 0.74)
         else:
             lift, keys = LIFT, [(0.06, 0.0), (LIFT, -26.0), (0.30, -30.0), (0.44, 2.0), (0.60, 12.0)]
-            arcs, meet = [Arc(0.13, 0.04, 0.176), Arc(0.36, 0.30, 0.186, -0.01), Arc(0.68, 0.73, 0.152)], (0.42, START - 0.52)
+            arcs, meet = (
+                [Arc(0.13, 0.04, 0.176), Arc(0.36, 0.30, 0.186, -0.01), Arc(0.68, 0.73, 0.152)],
+                (0.42, START - 0.52),
+            )
         pitch = _mixed_pitch(eased(keys), lambda t: walk_pitch(t - START), *meet)
         plants = [stand_plant(sign, end=lift), landing]
         return lambda t: walk_track(t, plants, [arcs], pitch)
@@ -63,12 +67,38 @@ def start_body() -> Body:
     shift = replaced(
         whole,
         {
-            "x": through([(0, value(stand_body, "x", 0)), (0.26, 0.046), (0.40, 0.038), (0.62, -0.006), (0.80, -0.018), (1.2, -0.004)]),
+            "x": through(
+                [
+                    (0, value(stand_body, "x", 0)),
+                    (0.26, 0.046),
+                    (0.40, 0.038),
+                    (0.62, -0.006),
+                    (0.80, -0.018),
+                    (1.2, -0.004),
+                ]
+            ),
             "y": through(
-                [(0, value(stand_body, "y", 0)), (0.14, 0.947), (0.32, 0.943), (0.56, 0.914), (0.72, 0.930), (0.84, 0.948), (1.2, 0.93)]
+                [
+                    (0, value(stand_body, "y", 0)),
+                    (0.14, 0.947),
+                    (0.32, 0.943),
+                    (0.56, 0.914),
+                    (0.72, 0.930),
+                    (0.84, 0.948),
+                    (1.2, 0.93),
+                ]
             ),
             "z": through(
-                [(0, 0), (0.10, 0.006), (0.22, 0.037), (0.38, 0.105), (0.57, 0.222), (0.71, 0.350), (0.86, 0.530), (START, WAY)],
+                [
+                    (0, 0),
+                    (0.10, 0.006),
+                    (0.22, 0.037),
+                    (0.38, 0.105),
+                    (0.57, 0.222),
+                    (0.71, 0.350),
+                    (0.86, 0.530),
+                    (START, WAY),
+                ],
                 end_slope=slope(walk_body, "z", 0),
             ),
         },
@@ -79,7 +109,9 @@ def start_body() -> Body:
 # come-to-stop: it begins as the left heel touches; the right foot closes
 STOP = 1.0
 CLOSED = 0.50
-SIDE_WAY = walk_plant(1.0, 0).x - FOOT_X  # the left foot stays where it touched, so the body goes a little to the right
+SIDE_WAY = (
+    walk_plant(1.0, 0).x - FOOT_X
+)  # the left foot stays where it touched, so the body goes a little to the right
 STOP_WAY = AHEAD - FOOT_Z
 
 
@@ -90,12 +122,19 @@ def stop_feet() -> Feet:
         walk_pitch = pitch_of(sign)
         if side == "Left":
             plant = walk_plant(sign, 0)._replace(start=-1.0, end=9.0)
-            flat = _mixed_pitch(eased([(0.0, 0.0), (1.0, 0.0)]), lambda t: walk_pitch(np.minimum(t, 0.3)), -2.0, -1.0)
+            flat = _mixed_pitch(
+                eased([(0.0, 0.0), (1.0, 0.0)]), lambda t: walk_pitch(np.minimum(t, 0.3)), -2.0, -1.0
+            )
             return lambda t: walk_track(t, [plant], [], flat)
         keys = [(0.0, -30.0), (0.20, -44.0), (0.32, -22.0), (0.44, 5.0), (0.50, 6.0), (0.58, 0.0)]
         pitch = _mixed_pitch(eased(keys), walk_pitch, 0.30, 0.12)
         closed = Plant(CLOSED, 9.0, SIDE_WAY - FOOT_X, AHEAD, -TOES_OUT)
-        arcs = [Arc(0.11, 0.05, 0.226), Arc(0.27, 0.23, 0.226), Arc(0.52, 0.58, 0.186), Arc(0.78, 0.90, 0.137)]
+        arcs = [
+            Arc(0.11, 0.05, 0.226),
+            Arc(0.27, 0.23, 0.226),
+            Arc(0.52, 0.58, 0.186),
+            Arc(0.78, 0.90, 0.137),
+        ]
         return lambda t: walk_track(t, [walk_plant(sign, -1), closed], [arcs], pitch)
 
     return sides(make)
@@ -119,15 +158,35 @@ def stop_body() -> Body:
         whole,
         {
             "x": through(
-                [(0, value(walk_body, "x", 0)), (0.20, 0.022), (0.36, 0.020), (0.62, end_x - 0.012), (STOP, end_x)],
+                [
+                    (0, value(walk_body, "x", 0)),
+                    (0.20, 0.022),
+                    (0.36, 0.020),
+                    (0.62, end_x - 0.012),
+                    (STOP, end_x),
+                ],
                 slope(walk_body, "x", 0),
             ),
             "y": through(
-                [(0, value(walk_body, "y", 0)), (0.14, 0.926), (0.34, 0.944), (0.54, 0.940), (0.74, end_y), (STOP, end_y)],
+                [
+                    (0, value(walk_body, "y", 0)),
+                    (0.14, 0.926),
+                    (0.34, 0.944),
+                    (0.54, 0.940),
+                    (0.74, end_y),
+                    (STOP, end_y),
+                ],
                 slope(walk_body, "y", 0),
             ),
             "z": through(
-                [(0, 0), (0.20, 0.205), (0.40, 0.316), (0.56, STOP_WAY + 0.014), (0.78, STOP_WAY + 0.002), (STOP, STOP_WAY)],
+                [
+                    (0, 0),
+                    (0.20, 0.205),
+                    (0.40, 0.316),
+                    (0.56, STOP_WAY + 0.014),
+                    (0.78, STOP_WAY + 0.002),
+                    (STOP, STOP_WAY),
+                ],
                 slope(walk_body, "z", 0),
             ),
         },

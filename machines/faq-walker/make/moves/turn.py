@@ -1,4 +1,6 @@
-"""Turning on the spot by 60 degrees: the head leads, then the chest, then the pelvis, then the foot on the inside steps."""
+"""Turning on the spot by 60 degrees: the head leads, then the chest, then the pelvis, then the foot on the
+inside steps.
+"""
 
 import numpy as np
 from curves import Curve, eased, ramp, through
@@ -24,7 +26,16 @@ def turn_feet(way: float) -> Feet:
         up, down = INSIDE if sign == way else OUTSIDE
         first = stand_plant(sign, end=up)
         second = _turned(stand_plant(sign), way * np.radians(ANGLE))._replace(start=down)
-        degrees = eased([(up - 0.12, 0.0), (up, -15.0), (up + 0.07, -17.0), (down - 0.08, 2.0), (down, 3.0), (down + 0.06, 0.0)])
+        degrees = eased(
+            [
+                (up - 0.12, 0.0),
+                (up, -15.0),
+                (up + 0.07, -17.0),
+                (down - 0.08, 2.0),
+                (down, 3.0),
+                (down + 0.06, 0.0),
+            ]
+        )
         arcs = [Arc(0.30, 0.22, 0.172), Arc(0.62, 0.70, 0.160)]
         return lambda t: walk_track(t, [first, second], [arcs], lambda moment: np.radians(degrees(moment)))
 
@@ -62,10 +73,26 @@ def turn_body(way: float) -> Body:
     inner = _turned(Plant(0, 0, way * FOOT_X, FOOT_Z, way * TOES_OUT), angle)
     moves = {
         "x": through(
-            [(0, 0), (0.22, -way * 0.058 - start), (0.36, -way * 0.050 - start), (0.62, inner.x * 0.62 - start), (SPAN, start * c - start)]
+            [
+                (0, 0),
+                (0.22, -way * 0.058 - start),
+                (0.36, -way * 0.050 - start),
+                (0.62, inner.x * 0.62 - start),
+                (SPAN, start * c - start),
+            ]
         ),
         "z": through([(0, 0), (0.22, 0.004), (0.36, 0.0), (0.62, inner.z * 0.55), (SPAN, -start * s)]),
-        "y": eased([(0.0, 0.0), (0.18, -0.006), (0.34, -0.014), (0.50, -0.020), (0.66, -0.010), (0.86, 0.001), (0.98, 0.0)]),
+        "y": eased(
+            [
+                (0.0, 0.0),
+                (0.18, -0.006),
+                (0.34, -0.014),
+                (0.50, -0.020),
+                (0.66, -0.010),
+                (0.86, 0.001),
+                (0.98, 0.0),
+            ]
+        ),
         "list": eased([(0.0, 0.0), (0.30, -way * 4.0), (0.64, way * 2.5), (0.95, 0.0)]),
         "low_roll": eased([(0.02, 0.0), (0.32, way * 3.0), (0.66, -way * 2.0), (0.98, 0.0)]),
         "lean": eased([(0.0, 0.0), (0.28, 1.6), (0.66, 1.0), (0.92, -0.3), (1.0, 0.0)]),

@@ -1,7 +1,8 @@
-"""The walk cycle: eight keys, the last four the mirror image of the first, and feet that roll over the ground.
+"""The walk cycle: eight keys, the last four the mirror image of the first, and feet that roll over the
+ground.
 
-Phase 0 is the left heel touching the ground. Legs follow from the feet and the pelvis; the arms follow the table of
-clinical gait averages.
+Phase 0 is the left heel touching the ground. Legs follow from the feet and the pelvis; the arms follow the
+table of clinical gait averages.
 """
 
 import numpy as np
@@ -23,9 +24,26 @@ SHOULDER_CURVE, ELBOW_CURVE = cyclic(SHOULDER), cyclic(ELBOW)
 
 # toes up +, degrees; uneven keys since a foot lies flat for a quarter of the cycle
 PITCH = cyclic_eased(
-    [(0.0, 20), (0.05, 9), (0.115, 0), (0.36, 0), (0.44, -3), (0.52, -15), (0.62, -50), (0.68, -63), (0.77, -40), (0.87, 4), (0.95, 20)]
+    [
+        (0.0, 20),
+        (0.05, 9),
+        (0.115, 0),
+        (0.36, 0),
+        (0.44, -3),
+        (0.52, -15),
+        (0.62, -50),
+        (0.68, -63),
+        (0.77, -40),
+        (0.87, 4),
+        (0.95, 20),
+    ]
 )
-SWING = [Arc(0.16, 0.12, 0.232), Arc(0.42, 0.415, 0.216, -0.004), Arc(0.70, 0.815, 0.138), Arc(0.87, 0.955, 0.124)]
+SWING = [
+    Arc(0.16, 0.12, 0.232),
+    Arc(0.42, 0.415, 0.216, -0.004),
+    Arc(0.70, 0.815, 0.138),
+    Arc(0.87, 0.955, 0.124),
+]
 
 
 def walk_body(t: Array) -> dict[str, Array]:

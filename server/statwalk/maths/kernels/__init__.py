@@ -1,1 +1,1 @@
-"""Inner loops compiled by numba, and the choice between them and their NumPy twins. Nothing here is compiled before it is wanted."""
+"""Inner loops of readers, skinning and exports, compiled by numba when they are imported."""

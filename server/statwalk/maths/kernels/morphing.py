@@ -1,17 +1,19 @@
-"""Morph targets and in-betweens, compiled: bounded by memory, so every number is read once."""
+"""Morph targets and in-betweens, compiled: limited by memory, so every number is read once."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from statwalk.maths.kernels.compiling import FLOAT, LONG, kernel, read, write
-from statwalk.maths.kernels.laneops import fused
-from statwalk.maths.kernels.lanes import WIDTH, broadcast, load, spread, store
+from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
+from statwalk.maths.simd.lane_functions import fused
+from statwalk.maths.simd.lanes import WIDTH, broadcast, load, spread, store
 
 
 @kernel(read(FLOAT, 1), read(FLOAT, 1), read(FLOAT, 1), read(LONG, 1), write(FLOAT, 1))
 def morphed(base: Any, displacements: Any, weights: Any, starts: Any, out: Any) -> None:
-    """base (n,) + Σ weights (M,) · displacements (…,), of which target k has the n floats from starts (M,) on; n in blocks of 48."""
+    """Writes base (n,) + Σ weights (M,) · displacements (…,); target k has the n floats from starts (M,) on;
+    n in blocks of 48.
+    """
     for at in range(0, base.shape[0], 3 * WIDTH):
         x, y, z = load(base, at), load(base, at + WIDTH), load(base, at + 2 * WIDTH)
         for target in range(weights.shape[0]):
@@ -26,7 +28,7 @@ def morphed(base: Any, displacements: Any, weights: Any, starts: Any, out: Any) 
 
 @kernel(read(FLOAT, 1), read(FLOAT, 1), FLOAT, write(FLOAT, 1))
 def inbetween(start: Any, end: Any, fraction: Any, out: Any) -> None:
-    """start (n,) + (end (n,) - start) · fraction."""
+    """Writes start (n,) + (end (n,) - start) · fraction."""
     part, whole = broadcast(fraction), start.shape[0] // (4 * WIDTH) * (4 * WIDTH)
     for first in range(0, whole, 4 * WIDTH):
         for at in range(first, first + 4 * WIDTH, WIDTH):

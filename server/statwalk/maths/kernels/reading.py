@@ -1,4 +1,6 @@
-"""What a reader of files does with all numbers of a model, compiled: each is looked at once, and nothing is set aside."""
+"""Checks and conversions of all numbers of a model for readers of files, compiled: each number is read once,
+and nothing is allocated.
+"""
 
 from __future__ import annotations
 
@@ -7,14 +9,15 @@ from typing import Any
 
 from numba import types
 
-from statwalk.maths.kernels.compiling import FLOAT, LONG, kernel, read, write
-from statwalk.maths.kernels.laneops import all_between, any_above, most
-from statwalk.maths.kernels.lanes import WIDTH, broadcast, load, load_quads, load_xyz, store
+from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
+from statwalk.maths.simd.lane_columns import load_quads, load_xyz
+from statwalk.maths.simd.lane_functions import all_between, any_above, most
+from statwalk.maths.simd.lanes import WIDTH, broadcast, load, store
 
 
 @kernel(read(FLOAT, 1), FLOAT, FLOAT, returns=types.boolean)
 def within(numbers: Any, low: Any, high: Any) -> Any:
-    """Whether low < x < high for all numbers (n,); no for what is not a number."""
+    """Returns whether low < x < high for all numbers (n,); false for NaN."""
     first, last, whole = broadcast(low), broadcast(high), numbers.shape[0] // WIDTH * WIDTH
     out = 0
     for at in range(0, whole, WIDTH):
@@ -26,8 +29,13 @@ def within(numbers: Any, low: Any, high: Any) -> Any:
 
 @kernel(read(FLOAT, 2), FLOAT, returns=types.boolean)
 def unit_length(vectors: Any, tolerance: Any) -> Any:
-    """Whether the squares of all vectors (V,3) are within a tolerance of 1."""
-    one, low, high, whole = broadcast(FLOAT(1)), broadcast(-tolerance), broadcast(tolerance), vectors.shape[0] // WIDTH * WIDTH
+    """Returns whether the squared lengths of all vectors (V,3) are within a tolerance of 1."""
+    one, low, high, whole = (
+        broadcast(FLOAT(1)),
+        broadcast(-tolerance),
+        broadcast(tolerance),
+        vectors.shape[0] // WIDTH * WIDTH,
+    )
     off = 0
     for row in range(0, whole, WIDTH):
         x, y, z = load_xyz(vectors, 3 * row)
@@ -40,8 +48,15 @@ def unit_length(vectors: Any, tolerance: Any) -> Any:
 
 @kernel(read(FLOAT, 2), FLOAT, returns=LONG)
 def normalised(weights: Any, tolerance: Any) -> Any:
-    """How many columns of weights (V,4) have any; 0 where not all rows sum to 1 within a tolerance, and fall to no less than 0."""
-    one, low, high, whole = broadcast(FLOAT(1)), broadcast(-tolerance), broadcast(tolerance), weights.shape[0] // WIDTH * WIDTH
+    """Returns the number of columns of weights (V,4) in use; 0 unless all rows sum to 1 within a tolerance
+    and fall without negative weights.
+    """
+    one, low, high, whole = (
+        broadcast(FLOAT(1)),
+        broadcast(-tolerance),
+        broadcast(tolerance),
+        weights.shape[0] // WIDTH * WIDTH,
+    )
     off = used = 0
     zero = broadcast(FLOAT(0))
     risen = second = third = fourth = zero
@@ -62,7 +77,7 @@ def normalised(weights: Any, tolerance: Any) -> Any:
 
 @kernel(read(FLOAT, 1), read(LONG, 1), read(LONG, 1), write(FLOAT, 1))
 def gathered(numbers: Any, starts: Any, counts: Any, out: Any) -> None:
-    """out (…,): the counts[i] numbers from starts[i] on, for all i one after the other."""
+    """Writes out (…,): counts[i] numbers from starts[i] on, for all i one after the other."""
     at = 0
     for row in range(starts.shape[0]):
         first, count = starts[row], counts[row]
@@ -76,7 +91,9 @@ def gathered(numbers: Any, starts: Any, counts: Any, out: Any) -> None:
 
 @kernel(read(FLOAT, 2), read(LONG, 1), write(types.boolean, 1))
 def constant(values: Any, ends: Any, out: Any) -> None:
-    """out (C,): whether all keys of a channel, those of values (S,n) before its one of `ends`, are the same."""
+    """Writes out (C,): whether all keys of a channel are equal; the keys in values (S,n) end before the
+    channel's entry of `ends`.
+    """
     first, width = 0, values.shape[1]
     for channel in range(ends.shape[0]):
         last = ends[channel]
@@ -91,7 +108,9 @@ def constant(values: Any, ends: Any, out: Any) -> None:
 
 @kernel(read(FLOAT, 2), read(LONG, 1), write(FLOAT, 2))
 def lines(values: Any, ends: Any, rows: Any) -> None:
-    """rows (S,2n): each key of values (S,n) and the way to the next; a channel's last key, before one of its `ends`, has none."""
+    """Writes rows (S,2n): each key of values (S,n) and the difference to the next; 0 for a channel's last
+    key, before its entry of `ends`.
+    """
     width, first = values.shape[1], 0
     for channel in range(ends.shape[0]):
         last = ends[channel] - 1
@@ -99,7 +118,11 @@ def lines(values: Any, ends: Any, rows: Any) -> None:
             for row in range(first, last):
                 x, y, z = values[row, 0], values[row, 1], values[row, 2]
                 rows[row, 0], rows[row, 1], rows[row, 2] = x, y, z
-                rows[row, 3], rows[row, 4], rows[row, 5] = values[row + 1, 0] - x, values[row + 1, 1] - y, values[row + 1, 2] - z
+                rows[row, 3], rows[row, 4], rows[row, 5] = (
+                    values[row + 1, 0] - x,
+                    values[row + 1, 1] - y,
+                    values[row + 1, 2] - z,
+                )
         else:
             for row in range(first, last):
                 for k in range(width):
@@ -113,7 +136,9 @@ def lines(values: Any, ends: Any, rows: Any) -> None:
 
 @kernel(read(FLOAT, 2), read(LONG, 1), write(FLOAT, 2))
 def turns(values: Any, ends: Any, rows: Any) -> None:
-    """rows (S,8): each quaternion of values (S,4) at unit length, and the next one on its side; the last of a channel follows itself."""
+    """Writes rows (S,8): each quaternion of values (S,4) at unit length, and the next one on its side; a
+    channel's last key follows itself.
+    """
     first = 0
     for channel in range(ends.shape[0]):
         last = ends[channel] - 1

@@ -1,7 +1,8 @@
-"""Soft skin, compiled: sixteen vertices at a time, from joint matrices to points, normals and bounds in one pass.
+"""Soft skin, compiled: sixteen vertices at a time, from joint matrices to points, normals and bounds in one
+pass.
 
-The formulas are those of `statwalk.skin.rows` and `.soft`; sums of products are rounded once and not twice (fused), so the last bit may
-differ from theirs.
+The formulas are defined in `statwalk.skin.rows` and `.soft`. Here sums of products are fused, rounded once
+instead of twice, so the last bit may differ.
 """
 
 from __future__ import annotations
@@ -10,27 +11,54 @@ from typing import Any
 
 import numpy as np
 
-from statwalk.maths.kernels.compiling import FLOAT, INT, LONG, inlined, kernel, read, write
-from statwalk.maths.kernels.laneops import all_between, fused, highest_bits, least, lowest_bits, most, root, turned
-from statwalk.maths.kernels.lanes import broadcast, columns, load, load_at, spread, store, store_xyz
-from statwalk.maths.kernels.mending import BLOCK, FINITE, LAST, RAW, TILE, XYZ, bounded, mended_normals, mended_points
+from statwalk.maths.compiling import FLOAT, INT, LONG, inlined, kernel, read, write
+from statwalk.maths.kernels.repair import (
+    BLOCK,
+    FINITE,
+    LAST,
+    RAW,
+    TILE,
+    XYZ,
+    bounded,
+    mended_normals,
+    mended_points,
+)
+from statwalk.maths.simd.lane_columns import columns, store_xyz
+from statwalk.maths.simd.lane_functions import (
+    all_between,
+    fused,
+    highest_bits,
+    least,
+    lowest_bits,
+    most,
+    root,
+    turned,
+)
+from statwalk.maths.simd.lanes import broadcast, load, load_at, spread, store
 
 MATRIX = 16
 """floats of a bone's matrix: three rows of four, and four zeros"""
 SCRATCH = LAST + 2 * XYZ
-"""floats that `skinned` needs for itself"""
+"""floats of memory that `skinned` needs"""
 ONE = np.float32(1)
 SMALLEST, LARGEST = np.float32(1e-30), np.float32(1e30)
-"""between them the square of a length is good for a root"""
+"""bounds of squared lengths whose root is accurate"""
 
 
 @kernel(read(FLOAT, 3), read(INT, 1), read(FLOAT, 3), write(FLOAT, 1))
 def palette(world: Any, joints: Any, inverse_bind: Any, out: Any) -> None:
-    """Matrices world (J,3,4) · inverse bind (K,3,4) of the bones that follow `joints` (K,), 16 floats each."""
+    """Writes the matrices world (J,3,4) · inverse bind (K,3,4) of the bones that follow `joints` (K,), 16
+    floats each.
+    """
     for bone in range(joints.shape[0]):
         joint = joints[bone]
         for row in range(3):
-            a, b, c, d = world[joint, row, 0], world[joint, row, 1], world[joint, row, 2], world[joint, row, 3]
+            a, b, c, d = (
+                world[joint, row, 0],
+                world[joint, row, 1],
+                world[joint, row, 2],
+                world[joint, row, 3],
+            )
             for column in range(4):
                 product = a * inverse_bind[bone, 0, column]
                 product += b * inverse_bind[bone, 1, column]
@@ -41,9 +69,11 @@ def palette(world: Any, joints: Any, inverse_bind: Any, out: Any) -> None:
 
 @inlined
 def blend(bones: Any, weights: Any, start: int, count: int, palette: Any, scratch: Any) -> None:
-    """The blended matrices of sixteen vertices, `count` influences each, row by row into the scratch."""
+    """Writes the blended matrices of sixteen vertices, `count` influences each, row by row into the
+    scratch.
+    """
     at = start
-    if count == 4:  # what most files have, without a loop
+    if count == 4:  # as in most files: without a loop
         for row in range(BLOCK):
             matrix = spread(weights, at) * load_at(palette, bones, at)
             matrix = fused(spread(weights, at + 1), load_at(palette, bones, at + 1), matrix)
@@ -61,45 +91,43 @@ def blend(bones: Any, weights: Any, start: int, count: int, palette: Any, scratc
 
 
 @inlined
-def cross(a: Any, b: Any) -> Any:
-    """The cross product of two rows, lane by lane."""
+def _cross(a: Any, b: Any) -> Any:
     x, y, z = a[2] * b[1], a[0] * b[2], a[1] * b[0]
     return fused(a[1], b[2], -x), fused(a[2], b[0], -y), fused(a[0], b[1], -z)
 
 
 @inlined
-def dot(row: Any, x: Any, y: Any, z: Any) -> Any:
-    """A row times a vector, lane by lane."""
+def _dot(row: Any, x: Any, y: Any, z: Any) -> Any:
     return fused(row[2], z, fused(row[1], y, row[0] * x))
 
 
 @inlined
-def moved(m: Any, positions: Any, rest_normals: Any, at: int) -> Any:
-    """Sixteen points under the matrices `m`, and their normals under the inverse transposes, times the size of the determinants."""
+def _moved(m: Any, positions: Any, rest_normals: Any, at: int) -> Any:
+    """Sixteen points under the matrices `m`, and their normals under the inverse transposes, times the size
+    of the determinants.
+    """
     x, y, z = load(positions, at), load(positions, at + 16), load(positions, at + 32)
     u, v, w = load(rest_normals, at), load(rest_normals, at + 16), load(rest_normals, at + 32)
     first, second, third = (m[0], m[1], m[2]), (m[4], m[5], m[6]), (m[8], m[9], m[10])
-    a, b, c = cross(second, third), cross(third, first), cross(first, second)
-    sign = dot(first, a[0], a[1], a[2])  # a mirror's is negative
+    a, b, c = _cross(second, third), _cross(third, first), _cross(first, second)
+    sign = _dot(first, a[0], a[1], a[2])  # a mirror's is negative
     return (
-        dot(first, x, y, z) + m[3],
-        dot(second, x, y, z) + m[7],
-        dot(third, x, y, z) + m[11],
-        turned(dot(a, u, v, w), sign),
-        turned(dot(b, u, v, w), sign),
-        turned(dot(c, u, v, w), sign),
+        _dot(first, x, y, z) + m[3],
+        _dot(second, x, y, z) + m[7],
+        _dot(third, x, y, z) + m[11],
+        turned(_dot(a, u, v, w), sign),
+        turned(_dot(b, u, v, w), sign),
+        turned(_dot(c, u, v, w), sign),
     )
 
 
 @inlined
-def square(x: Any, y: Any, z: Any) -> Any:
-    """The squared lengths of sixteen vectors."""
+def _square(x: Any, y: Any, z: Any) -> Any:
     return fused(z, z, fused(y, y, x * x))
 
 
 @inlined
-def keep(scratch: Any, at: int, x: Any, y: Any, z: Any) -> None:
-    """Sixteen vectors as a block."""
+def _keep(scratch: Any, at: int, x: Any, y: Any, z: Any) -> None:
     store(scratch, at, x)
     store(scratch, at + BLOCK, y)
     store(scratch, at + 2 * BLOCK, z)
@@ -107,15 +135,15 @@ def keep(scratch: Any, at: int, x: Any, y: Any, z: Any) -> None:
 
 @inlined
 def cut(points: Any, normals: Any, end: int, count: int, scratch: Any) -> None:
-    """What waits of the part's last block, put before `end`: `count` floats of points and of normals."""
+    """Writes the part's last block from the scratch before `end`: `count` floats of points and of normals."""
     for number in range(count):
         points[end - count + number] = scratch[LAST + number]
         normals[end - count + number] = scratch[LAST + XYZ + number]
 
 
 @inlined
-def bound(bounds: Any, part: int, axis: int, low: Any, high: Any, scratch: Any) -> None:
-    """The least and the most of sixteen lanes, as a part's bounds along an axis."""
+def _bound(bounds: Any, part: int, axis: int, low: Any, high: Any, scratch: Any) -> None:
+    """Writes the minimum and maximum of sixteen lanes as a part's bounds along an axis."""
     store(scratch, 0, low)
     store(scratch, BLOCK, high)
     smallest, largest = scratch[0], scratch[BLOCK]
@@ -125,17 +153,18 @@ def bound(bounds: Any, part: int, axis: int, low: Any, high: Any, scratch: Any) 
 
 
 @kernel(
-    read(FLOAT, 1), read(LONG, 2), read(LONG, 2), read(INT, 1), read(FLOAT, 1), read(FLOAT, 1), read(FLOAT, 1),
-    write(FLOAT, 1), write(FLOAT, 1), write(FLOAT, 2), write(FLOAT, 1),
+    read(FLOAT, 1), read(LONG, 2), read(LONG, 2), read(INT, 1), read(FLOAT, 1), read(FLOAT, 1),
+    read(FLOAT, 1), write(FLOAT, 1), write(FLOAT, 1), write(FLOAT, 2), write(FLOAT, 1),
 )  # fmt: skip
 def skinned(
     palette: Any, spans: Any, blocks: Any, bones: Any, weights: Any, positions: Any, rest_normals: Any,
     out_positions: Any, out_normals: Any, bounds: Any, scratch: Any,
 ) -> None:  # fmt: skip
-    """All parts posed: points and unit normals (V,3), flat, and the bounds (P,6) of each part.
+    """Poses all parts: writes points and unit normals (V,3), flat, and the bounds (P,6) of each part.
 
-    spans (P,2) first vertex and number of each part; blocks (B,2) where a block's influences start and how many a vertex has;
-    bones (floats into the palette) and weights, vertex by vertex; points and normals at rest by blocks: 16 x, 16 y, 16 z.
+    spans (P,2) first vertex and number of vertices of each part; blocks (B,2) the first influence of a block
+    and the number of influences of each vertex; bones (floats into the palette) and weights, vertex by
+    vertex; points and normals at rest in blocks: 16 x, 16 y, 16 z.
     """
     block, one, smallest, largest = 0, broadcast(ONE), broadcast(SMALLEST), broadcast(LARGEST)
     for part in range(spans.shape[0]):
@@ -146,24 +175,38 @@ def skinned(
             shortest, longest, farthest, first_block, end = one, one, one, block, min(tile + TILE, count)
             for begin in range(tile, end, BLOCK):
                 blend(bones, weights, blocks[block, 0], blocks[block, 1], palette, scratch)
-                x, y, z, u, v, w = moved(columns(scratch, 0), positions, rest_normals, XYZ * block)
-                lx, ly, lz, hx, hy, hz = least(x, lx), least(y, ly), least(z, lz), most(x, hx), most(y, hy), most(z, hz)
-                keep(scratch, RAW + 3 * (begin - tile), u, v, w)
-                squared, block = square(u, v, w), block + 1
+                x, y, z, u, v, w = _moved(columns(scratch, 0), positions, rest_normals, XYZ * block)
+                lx, ly, lz, hx, hy, hz = (
+                    least(x, lx),
+                    least(y, ly),
+                    least(z, lz),
+                    most(x, hx),
+                    most(y, hy),
+                    most(z, hz),
+                )
+                _keep(scratch, RAW + 3 * (begin - tile), u, v, w)
+                squared, block = _square(u, v, w), block + 1
                 shortest, longest = lowest_bits(shortest, squared), highest_bits(longest, squared)
-                farthest, size = highest_bits(farthest, square(x, y, z)), one / root(squared)
-                points, at, normals, there = out_positions, 3 * (first + begin), out_normals, 3 * (first + begin)
+                farthest, size = highest_bits(farthest, _square(x, y, z)), one / root(squared)
+                points, at, normals, normals_at = (
+                    out_positions,
+                    3 * (first + begin),
+                    out_normals,
+                    3 * (first + begin),
+                )
                 if end - begin < BLOCK:  # the part's last, which must not run into the next part
-                    points, at, normals, there = scratch, LAST, scratch, LAST + XYZ
+                    points, at, normals, normals_at = scratch, LAST, scratch, LAST + XYZ
                 store_xyz(points, at, x, y, z)
-                store_xyz(normals, there, u * size, v * size, w * size)
+                store_xyz(normals, normals_at, u * size, v * size, w * size)
             cut(out_positions, out_normals, 3 * (first + end), 3 * ((end - tile) % BLOCK), scratch)
             if not (all_between(shortest, smallest, largest) and all_between(longest, smallest, largest)):
-                mended_normals(scratch, rest_normals, first_block, out_normals, 3 * (first + tile), end - tile)
+                mended_normals(
+                    scratch, rest_normals, first_block, out_normals, 3 * (first + tile), end - tile
+                )
             if not all_between(farthest, smallest, largest):
                 finite = mended_points(out_positions, 3 * (first + tile), 3 * (end - tile))
-        bound(bounds, part, 0, lx, hx, scratch)
-        bound(bounds, part, 1, ly, hy, scratch)
-        bound(bounds, part, 2, lz, hz, scratch)
+        _bound(bounds, part, 0, lx, hx, scratch)
+        _bound(bounds, part, 1, ly, hy, scratch)
+        _bound(bounds, part, 2, lz, hz, scratch)
         if not finite:
             bounded(bounds, part, out_positions, first, count)

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { state } from "../../net/types/examples";
 import { completions, targets } from "./completion";
 
 const names = ["WALK", "WAVE", "STAT"];
@@ -14,15 +15,21 @@ describe("completions", () => {
     expect(completions("STAT at l", names, ["left-down"])).toEqual(["STAT at left-down"]);
   });
 
-  it("offers a restart after a whole name", () => expect(completions("WALK", names, [])).toEqual(["WALK!", "WALK at end", "WALK! at end"]));
+  it("offers a restart after a whole name", () =>
+    expect(completions("WALK", names, [])).toEqual(["WALK!", "WALK at end", "WALK! at end"]));
 
   it("is silent where all is said", () => expect(completions("WALK at end", names, [])).toEqual([]));
 });
 
 describe("targets", () => {
-  const states = [{ name: "STAT" }, { name: "DOWN.CRCH", outer: "DOWN" }, { name: "DOWN.STUP", outer: "DOWN" }].map((one) => ({ motion: null, loop: false, duration: 0, ...one }));
+  const states = [
+    { name: "STAT" },
+    { name: "DOWN.CRCH", outer: "DOWN" },
+    { name: "DOWN.STUP", outer: "DOWN" },
+  ].map(state);
 
-  it("names siblings shortly", () => expect(targets({ states }, "DOWN.CRCH").slice(0, 2)).toEqual(["CRCH", "STUP"]));
+  it("names siblings shortly", () =>
+    expect(targets({ states }, "DOWN.CRCH").slice(0, 2)).toEqual(["CRCH", "STUP"]));
 
   it("names a sub-machine, and its states in full, from outside", () => {
     expect(targets({ states }, "STAT")).toEqual(["STAT", "DOWN", "DOWN.CRCH", "DOWN.STUP"]);

@@ -1,23 +1,33 @@
 import { describe, expect, it } from "vitest";
 import type { Finding } from "../../net/protocol";
-import { countWords, marked, mended } from "./findings";
+import { finding as whole } from "../../net/types/examples";
+import { countWords, marked, fixed } from "./findings";
 
-const finding = (severity: Finding["severity"], message: string): Finding => ({ kind: "k", severity, message, line: 0 });
+const finding = (severity: Finding["severity"], message: string): Finding => whole({ severity, message });
 
 describe("marked", () => {
   const old = finding("warning", "old");
 
   it("puts what is new first, whatever its weight", () => {
-    expect(marked([old], [old, finding("info", "news")]).map(({ message, isNew }) => [message, isNew])).toEqual([["news", true], ["old", false]]);
+    expect(
+      marked([old], [old, finding("info", "news")]).map(({ message, isNew }) => [message, isNew]),
+    ).toEqual([
+      ["news", true],
+      ["old", false],
+    ]);
   });
 
   it("puts errors before warnings", () => {
-    expect(marked([], [old, finding("error", "grave")]).map(({ message }) => message)).toEqual(["grave", "old"]);
+    expect(marked([], [old, finding("error", "grave")]).map(({ message }) => message)).toEqual([
+      "grave",
+      "old",
+    ]);
   });
 });
 
-describe("mended", () => {
-  it("counts what is gone", () => expect(mended([finding("error", "a"), finding("warning", "b")], [finding("error", "a")])).toBe(1));
+describe("fixed", () => {
+  it("counts what is gone", () =>
+    expect(fixed([finding("error", "a"), finding("warning", "b")], [finding("error", "a")])).toBe(1));
 });
 
 describe("countWords", () => {
@@ -25,5 +35,7 @@ describe("countWords", () => {
     [[], "nothing is wrong"],
     [["info"], "nothing is wrong"],
     [["error", "warning", "error"], "2 errors, 1 warning"],
-  ] as [Finding["severity"][], string][])("%j: %s", (severities, words) => expect(countWords(severities.map((one) => finding(one, "m")))).toBe(words));
+  ] as [Finding["severity"][], string][])("%j: %s", (severities, words) =>
+    expect(countWords(severities.map((one) => finding(one, "m")))).toBe(words),
+  );
 });

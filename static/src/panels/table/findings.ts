@@ -1,29 +1,30 @@
-/** What the verifier says of the table: the new first, each with its place. */
+/** Lists the verifier's findings, new ones first. */
 
 import type { Finding } from "../../net/protocol";
-import { el } from "../dom";
+import { el } from "../../ui/dom";
 
 export interface MarkedFinding extends Finding {
   isNew: boolean;
 }
 
-const key = ({ kind, message, state, event, layer }: Finding): string => JSON.stringify([kind, message, state ?? "", event ?? "", layer ?? ""]);
+const key = ({ kind, message, state, event, layer }: Finding): string =>
+  JSON.stringify([kind, message, state, event, layer]);
 const WEIGHT: Record<Finding["severity"], number> = { error: 0, warning: 1, info: 2 };
 
-/** `now`, with what `before` did not have marked as new and put first; then the graver first. */
+/** Marks the findings that `before` does not have as new; sorts new before old, errors before warnings. */
 export function marked(before: readonly Finding[], now: readonly Finding[]): MarkedFinding[] {
   const known = new Set(before.map(key));
   const all = now.map((finding) => ({ ...finding, isNew: !known.has(key(finding)) }));
   return all.sort((a, b) => Number(b.isNew) - Number(a.isNew) || WEIGHT[a.severity] - WEIGHT[b.severity]);
 }
 
-/** How many of `before` are gone. */
-export function mended(before: readonly Finding[], now: readonly Finding[]): number {
+/** Counts the findings of `before` that are gone. */
+export function fixed(before: readonly Finding[], now: readonly Finding[]): number {
   const left = new Set(now.map(key));
   return before.filter((finding) => finding.severity !== "info" && !left.has(key(finding))).length;
 }
 
-/** "2 errors, 1 warning", "nothing is wrong". */
+/** Counts in words: "2 errors, 1 warning", "nothing is wrong". */
 export function countWords(findings: readonly Finding[]): string {
   const words = (["error", "warning"] as const).map((severity) => {
     const count = findings.filter((finding) => finding.severity === severity).length;
@@ -32,14 +33,27 @@ export function countWords(findings: readonly Finding[]): string {
   return words.filter(Boolean).join(", ") || "nothing is wrong";
 }
 
-/** The findings as a list; `go` leads to a cell. */
-export function findingItems(findings: readonly MarkedFinding[], go: (finding: Finding) => void): HTMLLIElement[] {
+/** Makes the list of findings; `go` shows a finding's cell. */
+export function findingItems(
+  findings: readonly MarkedFinding[],
+  go: (finding: Finding) => void,
+): HTMLLIElement[] {
   return findings.map((finding) => {
     const { severity, message, line, state, event, isNew } = finding;
-    const place = [state && event ? `${state}/${event}` : (state ?? ""), line ? `line ${line}` : ""].filter(Boolean).join(", ");
-    const where = state ? el("button", { type: "button", class: "where" }, place) : el("span", { class: "where" }, place);
+    const place = [state && event ? `${state}/${event}` : (state ?? ""), line ? `line ${line}` : ""]
+      .filter(Boolean)
+      .join(", ");
+    const where = state
+      ? el("button", { type: "button", class: "where" }, place)
+      : el("span", { class: "where" }, place);
     if (state) where.addEventListener("click", () => go(finding));
     const sign = el("i", { class: "severity", "aria-hidden": true });
-    return el("li", { "data-severity": severity, class: isNew ? "new" : undefined }, sign, el("span", { class: "said" }, el("b", {}, isNew ? `new ${severity}: ` : `${severity}: `), message), place ? where : null);
+    return el(
+      "li",
+      { "data-severity": severity, class: isNew ? "new" : undefined },
+      sign,
+      el("span", { class: "said" }, el("b", {}, isNew ? `new ${severity}: ` : `${severity}: `), message),
+      place ? where : null,
+    );
   });
 }

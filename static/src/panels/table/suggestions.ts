@@ -1,6 +1,6 @@
-/** Texts that one may go on with, in a row: Tab takes the first, the arrows choose. */
+/** Shows completions in a row: Tab takes the first, the arrow keys choose. */
 
-import { el } from "../dom";
+import { el } from "../../ui/dom";
 
 export class Suggestions {
   private texts: readonly string[] = [];
@@ -11,7 +11,7 @@ export class Suggestions {
     private readonly take: (text: string) => void,
   ) {
     list.hidden = true;
-    // The field keeps the keyboard.
+    // The field keeps the focus.
     list.addEventListener("pointerdown", (press) => {
       press.preventDefault();
       const item = press.target instanceof Element ? press.target.closest("li") : null;
@@ -23,23 +23,28 @@ export class Suggestions {
     this.texts = texts;
     this.chosen = -1;
     this.list.hidden = texts.length === 0;
-    this.list.replaceChildren(...texts.map((text, i) => el("li", { role: "option" }, text, i ? null : el("kbd", {}, "⇥"))));
+    this.list.replaceChildren(
+      ...texts.map((text, i) => el("li", { role: "option" }, text, i ? null : el("kbd", {}, "⇥"))),
+    );
   }
 
   get open(): boolean {
     return this.texts.length > 0;
   }
 
-  /** Goes `by` items on; gives the text that is chosen then. */
+  /** Chooses the next or previous text and returns it. */
   step(by: 1 | -1): string | null {
     if (!this.open) return null;
-    this.chosen = (this.chosen + by + this.texts.length + (this.chosen < 0 && by < 0 ? 1 : 0)) % this.texts.length;
-    [...this.list.children].forEach((item, i) => item.setAttribute("aria-selected", String(i === this.chosen)));
+    this.chosen =
+      (this.chosen + by + this.texts.length + (this.chosen < 0 && by < 0 ? 1 : 0)) % this.texts.length;
+    [...this.list.children].forEach((item, i) =>
+      item.setAttribute("aria-selected", String(i === this.chosen)),
+    );
     this.list.children[this.chosen]?.scrollIntoView({ block: "nearest", inline: "nearest" });
     return this.texts[this.chosen] ?? null;
   }
 
-  /** The text that Tab takes: the chosen one, else the first. */
+  /** The text that Tab takes: the chosen text, else the first. */
   get first(): string | null {
     return this.texts[Math.max(0, this.chosen)] ?? null;
   }

@@ -1,14 +1,19 @@
-/** The state table of a layer: the live row, the cell that fired last, and one cell that has the keyboard. */
+/**
+ * Shows the state table of a layer; marks the live row and the last cell that fired; moves the keyboard's
+ * focus.
+ */
 
+import "./cells.css";
+import "./table.css";
 import type { Finding, Verdict } from "../../net/protocol";
-import type { Session } from "../../session";
-import { el, flash, say } from "../dom";
-import { verdictLine } from "../why/words";
-import { type Drawn, cellKey, drawTable } from "./cellview";
-import { moved } from "./moving";
+import type { Session } from "../../state/session";
+import { el, flash, say } from "../../ui/dom";
+import { type Drawn, cellKey, drawTable } from "./drawTable";
+import { moved } from "./gridMoves";
+import { verdictLine } from "./verdictLine";
 
-/** What the table asks for: a cell to be edited, from its text or from what was typed; a state to be gone to. */
-export interface TableWishes {
+/** Actions of the table: edit a cell, starting with its text or with a typed letter; travel to a state. */
+export interface TableActions {
   edit(cell: HTMLTableCellElement, typed: string | null): void;
   goTo(state: string): void;
 }
@@ -23,7 +28,7 @@ export class TablePanel {
     private readonly host: HTMLElement,
     private readonly line: HTMLElement,
     private readonly session: Session,
-    private readonly wishes: TableWishes,
+    private readonly actions: TableActions,
   ) {
     host.append(this.table);
     session.machine.on(() => this.draw());
@@ -31,15 +36,21 @@ export class TablePanel {
     session.layerStates.on(() => this.mark());
     session.verdicts.on((verdict) => this.judge(verdict));
     this.table.addEventListener("click", (click) => this.clicked(click));
-    this.table.addEventListener("contextmenu", (click) => this.asked(click));
+    this.table.addEventListener("contextmenu", (click) => this.travelTo(click));
     this.table.addEventListener("keydown", (press) => this.pressed(press));
   }
 
   private draw(): void {
     const [layer, machine] = [this.session.layerInfo, this.session.machine.value];
     if (!layer || !machine) return;
-    const focused = this.table.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset : null;
-    this.drawn = drawTable(layer, machine.events, layer === machine.layers[0] ? (state) => this.wishes.goTo(state) : null);
+    const focused = this.table.contains(document.activeElement)
+      ? (document.activeElement as HTMLElement).dataset
+      : null;
+    this.drawn = drawTable(
+      layer,
+      machine.events,
+      layer === machine.layers[0] ? (state) => this.actions.goTo(state) : null,
+    );
     this.table.replaceChildren(el("thead", {}, this.drawn.head), el("tbody", {}, ...this.drawn.body));
     this.drawn.cells.values().next().value?.setAttribute("tabindex", "0");
     this.line.textContent = "";
@@ -51,9 +62,10 @@ export class TablePanel {
     return this.drawn.cells.get(cellKey(state, event)) ?? null;
   }
 
-  /** Leads to the cell that a finding is about, or to its row. */
+  /** Shows the cell of a finding, or its row. */
   go({ state, event, layer }: Pick<Finding, "state" | "event" | "layer">): void {
-    const index = this.session.machine.value?.layers.findIndex(({ name }) => name === (layer || "base")) ?? -1;
+    const index =
+      this.session.machine.value?.layers.findIndex(({ name }) => name === (layer || "base")) ?? -1;
     if (index >= 0) this.session.layer.set(index);
     const row = state ? this.drawn.rows.get(state) : undefined;
     if (!row || !state) return;
@@ -73,20 +85,28 @@ export class TablePanel {
 
   private clicked({ target }: Event): void {
     const cell = target instanceof Element ? target.closest("td") : null;
-    if (cell) this.wishes.edit(cell, null);
+    if (cell) this.actions.edit(cell, null);
   }
 
-  private asked(click: Event): void {
-    const head = click.target instanceof Element ? click.target.closest<HTMLElement>("th[data-state][tabindex]") : null;
+  private travelTo(click: Event): void {
+    const head =
+      click.target instanceof Element ? click.target.closest<HTMLElement>("th[data-state][tabindex]") : null;
     if (!head) return;
     click.preventDefault();
-    this.wishes.goTo(head.dataset["state"]!);
+    this.actions.goTo(head.dataset["state"]!);
   }
 
-  /** The keys of the cell that has the keyboard; they go no further, to the character. */
+  /** Handles the keys of the focused cell; they do not reach the character. */
   private pressed(press: KeyboardEvent): void {
     const cell = press.target;
-    if (!(cell instanceof HTMLTableCellElement) || press.ctrlKey || press.metaKey || press.altKey || press.key === "Tab") return;
+    if (
+      !(cell instanceof HTMLTableCellElement) ||
+      press.ctrlKey ||
+      press.metaKey ||
+      press.altKey ||
+      press.key === "Tab"
+    )
+      return;
     press.stopPropagation();
     if (press.key === "Escape") return cell.blur();
     if (this.move(cell, press.key) || this.act(cell, press.key)) press.preventDefault();
@@ -95,7 +115,12 @@ export class TablePanel {
   private move(cell: HTMLTableCellElement, key: string): boolean {
     const rows = [...this.drawn.rows.values()];
     const row = cell.parentElement as HTMLTableRowElement;
-    const spot = moved({ row: rows.indexOf(row), column: cell.cellIndex }, key, rows.length, row.cells.length);
+    const spot = moved(
+      { row: rows.indexOf(row), column: cell.cellIndex },
+      key,
+      rows.length,
+      row.cells.length,
+    );
     const next = spot && rows[spot.row]?.cells[spot.column];
     if (!next) return false;
     this.reveal(next.parentElement!);
@@ -108,12 +133,12 @@ export class TablePanel {
     const starts = key === "Enter" || key === "F2";
     const state = cell.dataset["state"] ?? "";
     if (cell.tagName === "TH") {
-      if (starts) this.wishes.goTo(state);
+      if (starts) this.actions.goTo(state);
       return starts;
     }
-    if (starts) this.wishes.edit(cell, null);
-    else if (key === "Delete" || key === "Backspace") this.wishes.edit(cell, "");
-    else if (key.length === 1 && key !== "?") this.wishes.edit(cell, key);
+    if (starts) this.actions.edit(cell, null);
+    else if (key === "Delete" || key === "Backspace") this.actions.edit(cell, "");
+    else if (key.length === 1 && key !== "?") this.actions.edit(cell, key);
     else return false;
     return true;
   }
@@ -122,23 +147,25 @@ export class TablePanel {
     const live = this.session.shownState;
     for (const [name, row] of this.drawn.rows) row.toggleAttribute("aria-current", name === live);
     const row = this.drawn.rows.get(live);
-    // Who works in the table is not carried off by what the character does.
+    // While you work in the table it does not scroll by itself.
     if (row && !this.host.contains(document.activeElement)) this.reveal(row);
   }
 
-  /** Scrolls the table alone, and only as far as it must. */
+  /** Scrolls the table, not the page, as little as needed. */
   private reveal(row: HTMLElement): void {
     const [top, bottom] = [row.offsetTop - 32, row.offsetTop + row.offsetHeight];
     if (top < this.host.scrollTop) this.host.scrollTop = top;
-    else if (bottom > this.host.scrollTop + this.host.clientHeight) this.host.scrollTop = bottom - this.host.clientHeight;
+    else if (bottom > this.host.scrollTop + this.host.clientHeight)
+      this.host.scrollTop = bottom - this.host.clientHeight;
   }
 
-  /** Brings a cell into view sideways, beside the column that stays. */
+  /** Scrolls sideways until the cell is visible beside the fixed first column. */
   private revealSideways(cell: HTMLElement): void {
     const stays = this.table.querySelector<HTMLElement>("th")?.offsetWidth ?? 0;
     const [left, right] = [cell.offsetLeft - stays, cell.offsetLeft + cell.offsetWidth];
     if (cell.tagName === "TH" || left < this.host.scrollLeft) this.host.scrollLeft = Math.max(0, left);
-    else if (right > this.host.scrollLeft + this.host.clientWidth) this.host.scrollLeft = right - this.host.clientWidth;
+    else if (right > this.host.scrollLeft + this.host.clientWidth)
+      this.host.scrollLeft = right - this.host.clientWidth;
   }
 
   private judge(verdict: Verdict): void {
@@ -146,7 +173,7 @@ export class TablePanel {
     say(this.line, verdictLine(verdict));
     this.line.dataset["verdict"] = verdict.verdict;
     this.line.dataset["tick"] = String(verdict.tick);
-    const cell = verdict.layer === this.session.layer.value ? this.cell(verdict.from ?? "", verdict.event) : null;
+    const cell = verdict.layer === this.session.layer.value ? this.cell(verdict.from, verdict.event) : null;
     if (!cell) return;
     if (verdict.verdict === "taken") {
       this.table.querySelector(".last")?.classList.remove("last");

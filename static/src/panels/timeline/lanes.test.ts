@@ -7,7 +7,9 @@ describe("spanOf", () => {
     ["the last of it", 0, 9000, 7200, null, { from: 1800, to: 9000 }],
     ["what one looks at is within", 0, 9000, 7200, 100, { from: 100, to: 9000 }],
     ["never nothing", 5, 5, null, null, { from: 5, to: 6 }],
-  ])("%s", (_, first, head, window, looking, expected) => expect(spanOf(first, head, window, looking)).toEqual(expected));
+  ])("%s", (_, first, head, window, looking, expected) =>
+    expect(spanOf(first, head, window, looking)).toEqual(expected),
+  );
 });
 
 describe("place", () => {
@@ -29,7 +31,10 @@ describe("tickAt", () => {
 
 describe("upTo", () => {
   it("draws out the newest alone", () => {
-    const runs = [{ start: 0, end: 4, state: "A" }, { start: 5, end: 9, state: "B" }];
+    const runs = [
+      { start: 0, end: 4, state: "A" },
+      { start: 5, end: 9, state: "B" },
+    ];
     expect(upTo(runs, 20).map((run) => run.end)).toEqual([4, 20]);
   });
 });

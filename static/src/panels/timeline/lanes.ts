@@ -1,41 +1,49 @@
-/** The lanes of the timeline as a drawing: states as coloured segments with their blends, events and actions as marks. */
+/** Draws the timeline's lanes: states as coloured segments, blends as wedges, events and actions as marks. */
 
-import type { ActionMark, BlendSpan, EventMark } from "../../happenings";
-import type { Run } from "../../history";
-import { ACTION_HEIGHT, BLEND_HEIGHT, EVENT_HEIGHT, type LayerRows, STATE_HEIGHT } from "./lanerows";
+import type { ActionMark, BlendSpan, EventMark } from "../../state/eventLog";
+import type { Run } from "../../state/history";
+import { ACTION_HEIGHT, BLEND_HEIGHT, EVENT_HEIGHT, type LayerRows, STATE_HEIGHT } from "./laneRows";
 
 export interface Span {
   from: number;
   to: number;
 }
 
-/** The part of the history that is shown: all of it, or the last `window` ticks; what one looks at is always within. */
+/** Returns the shown part of the history: all, or the last `window` ticks, extended to the tick `looking`. */
 export function spanOf(first: number, head: number, window: number | null, looking: number | null): Span {
   const newest = Math.max(head, first + 1);
   const from = window === null ? first : Math.max(first, newest - window);
   return { from: looking === null ? from : Math.min(from, looking), to: newest };
 }
 
-/** Where `tick` lies across `width` pixels. */
+/** Returns the x of `tick` in a lane of `width` pixels. */
 export function place(tick: number, { from, to }: Span, width: number): number {
   return ((tick - from) / Math.max(1, to - from)) * width;
 }
 
-/** The tick at `x` of `width` pixels: the one of `marked` that is nearest within `reach` pixels, else the one that lies there. */
-export function tickAt(x: number, span: Span, width: number, marked: readonly number[], reach: number): number {
+/** Returns the tick at `x`: the nearest of `marked` within `reach` pixels, else the tick at that place. */
+export function tickAt(
+  x: number,
+  span: Span,
+  width: number,
+  marked: readonly number[],
+  reach: number,
+): number {
   const tick = Math.round(span.from + (x / Math.max(1, width)) * (span.to - span.from));
-  const near = marked.map((one) => ({ one, far: Math.abs(place(one, span, width) - x) })).filter(({ far }) => far <= reach);
-  const nearest = near.sort((a, b) => a.far - b.far)[0]?.one ?? tick;
+  const near = marked
+    .map((mark) => ({ mark, far: Math.abs(place(mark, span, width) - x) }))
+    .filter(({ far }) => far <= reach);
+  const nearest = near.sort((a, b) => a.far - b.far)[0]?.mark ?? tick;
   return Math.min(span.to, Math.max(span.from, nearest));
 }
 
-/** The colour of state `index`: hues far apart, quiet enough to leave the accent alone. */
+/** Returns the colour of state `index`: distinct hues, less saturated than the accent. */
 export function stateColour(index: number, dark: boolean): string {
   const hue = (215 + index * 137.508) % 360;
   return dark ? `oklch(0.46 0.075 ${hue.toFixed(0)})` : `oklch(0.83 0.07 ${hue.toFixed(0)})`;
 }
 
-/** `runs` with the newest drawn out to `head`: while one looks back, a change of state would have been heard of. */
+/** Extends the newest run to `head`: while the past is shown, verdicts still report changes of state. */
 export function upTo(runs: readonly Run[], head: number): Run[] {
   return runs.map((run, i) => (i === runs.length - 1 ? { ...run, end: Math.max(run.end, head) } : run));
 }
@@ -45,21 +53,26 @@ export interface LaneInk {
   text: string;
   quiet: string;
   accent: string;
-  /** Where nothing was seen. */
+  /** For ticks without a known state. */
   empty: string;
   font: string;
 }
 
-/** Where to draw, and what part of time that is. */
-export interface Sheet {
+/** The canvas, and the span of ticks that it shows. */
+export interface LaneCanvas {
   pen: CanvasRenderingContext2D;
   span: Span;
   width: number;
   ink: LaneInk;
 }
 
-/** `number` gives a state's place among those of its layer. */
-export function drawRuns({ pen, span, width, ink }: Sheet, runs: readonly Run[], { state: top }: LayerRows, number: (state: string) => number): void {
+/** Draws runs of states; `number` returns a state's index in its layer, or -1. */
+export function drawRuns(
+  { pen, span, width, ink }: LaneCanvas,
+  runs: readonly Run[],
+  { state: top }: LayerRows,
+  number: (state: string) => number,
+): void {
   pen.fillStyle = ink.empty;
   pen.fillRect(0, top, width, STATE_HEIGHT);
   pen.font = ink.font;
@@ -76,8 +89,12 @@ export function drawRuns({ pen, span, width, ink }: Sheet, runs: readonly Run[],
   }
 }
 
-/** A wedge for each blend: full where it begins, nothing where it is over. */
-export function drawBlends({ pen, span, width, ink }: Sheet, blends: readonly BlendSpan[], { blend: top }: LayerRows): void {
+/** Draws a wedge for each blend: high at its start, zero at its end. */
+export function drawBlends(
+  { pen, span, width, ink }: LaneCanvas,
+  blends: readonly BlendSpan[],
+  { blend: top }: LayerRows,
+): void {
   pen.fillStyle = ink.quiet;
   for (const { tick, end } of blends) {
     const [left, right] = [place(tick, span, width), place(end, span, width)];
@@ -91,8 +108,8 @@ export function drawBlends({ pen, span, width, ink }: Sheet, blends: readonly Bl
 
 const MARK_ROOM = 11;
 
-/** What was taken is a bar in the accent, what waits a hollow one, what was dropped a short quiet one. */
-function drawMark({ pen, ink }: Sheet, kind: EventMark["kind"], x: number, top: number): void {
+/** Draws an event: taken is a bar in the accent colour, waiting a hollow bar, dropped a short quiet bar. */
+function drawMark({ pen, ink }: LaneCanvas, kind: EventMark["kind"], x: number, top: number): void {
   const waits = kind === "waits" || kind === "logged";
   pen.fillStyle = kind === "taken" ? ink.accent : waits ? ink.text : ink.quiet;
   if (kind === "dropped") pen.fillRect(x - 0.5, top + 1, 1, 3);
@@ -104,11 +121,12 @@ function drawMark({ pen, ink }: Sheet, kind: EventMark["kind"], x: number, top: 
 
 const SIZE: Record<EventMark["kind"], number> = { taken: 2, logged: 1, waits: 1, dropped: 0 };
 
-export function drawMarks(sheet: Sheet, marks: readonly EventMark[], { events: top }: LayerRows): void {
+export function drawMarks(sheet: LaneCanvas, marks: readonly EventMark[], { events: top }: LayerRows): void {
   const { pen, span, width, ink } = sheet;
   let free = -MARK_ROOM;
-  // What matters more is drawn later, on top.
-  for (const mark of [...marks].sort((a, b) => SIZE[a.kind] - SIZE[b.kind])) drawMark(sheet, mark.kind, place(mark.tick, span, width), top);
+  // Taken events are drawn last, on top.
+  for (const mark of [...marks].sort((a, b) => SIZE[a.kind] - SIZE[b.kind]))
+    drawMark(sheet, mark.kind, place(mark.tick, span, width), top);
   pen.font = ink.font;
   for (const mark of marks) {
     const x = place(mark.tick, span, width);
@@ -121,8 +139,12 @@ export function drawMarks(sheet: Sheet, marks: readonly EventMark[], { events: t
   pen.globalAlpha = 1;
 }
 
-/** A diamond for each action, with its name where there is room. */
-export function drawActions({ pen, span, width, ink }: Sheet, actions: readonly ActionMark[], top: number): void {
+/** Draws a diamond for each action, with its name if there is room. */
+export function drawActions(
+  { pen, span, width, ink }: LaneCanvas,
+  actions: readonly ActionMark[],
+  top: number,
+): void {
   const middle = top + ACTION_HEIGHT / 2;
   pen.font = ink.font;
   actions.forEach(({ tick, name }, i) => {
@@ -130,7 +152,13 @@ export function drawActions({ pen, span, width, ink }: Sheet, actions: readonly 
     const next = i + 1 < actions.length ? place(actions[i + 1]!.tick, span, width) : width;
     pen.fillStyle = ink.text;
     pen.beginPath();
-    for (const [dx, dy] of [[0, -4], [4, 0], [0, 4], [-4, 0]] as const) pen.lineTo(x + dx, middle + dy);
+    for (const [dx, dy] of [
+      [0, -4],
+      [4, 0],
+      [0, 4],
+      [-4, 0],
+    ] as const)
+      pen.lineTo(x + dx, middle + dy);
     pen.fill();
     if (pen.measureText(name).width + 16 > next - x) return;
     pen.fillStyle = ink.quiet;
@@ -138,8 +166,8 @@ export function drawActions({ pen, span, width, ink }: Sheet, actions: readonly 
   });
 }
 
-/** The line of the tick that is shown, with a grip on top. */
-export function drawHead({ pen, ink }: Sheet, x: number, height: number): void {
+/** Draws the line of the shown tick with its grip. */
+export function drawHead({ pen, ink }: LaneCanvas, x: number, height: number): void {
   pen.fillStyle = ink.accent;
   pen.fillRect(x - 1, 4, 2, height - 4);
   pen.beginPath();

@@ -1,22 +1,48 @@
-/** The scrub bar over the stage's history, with what happened in it; a click asks why. */
+/** Draws the stage's history under a scrub bar; a click asks why. */
 
-import { lineOf } from "../../history";
-import type { Player } from "../../player";
-import type { Session } from "../../session";
-import { el, onTheme, token } from "../dom";
-import { laneRows } from "./lanerows";
-import { type LaneInk, type Sheet, type Span, drawActions, drawBlends, drawHead, drawMarks, drawRuns, place, spanOf, tickAt, upTo } from "./lanes";
+import "./timeline.css";
+import { laneKey } from "../../state/history";
+import type { Player } from "../../state/player";
+import type { Session } from "../../state/session";
+import { el, onTheme, token } from "../../ui/dom";
+import { laneRows } from "./laneRows";
+import {
+  type LaneInk,
+  type LaneCanvas,
+  type Span,
+  drawActions,
+  drawBlends,
+  drawHead,
+  drawMarks,
+  drawRuns,
+  place,
+  spanOf,
+  tickAt,
+  upTo,
+} from "./lanes";
 
 const WINDOW_S = 120;
 const SNAP_PIXELS = 7;
-/** A pointer that moved farther than this has scrubbed. */
+/** A pointer that moves farther scrubs; it does not click. */
 const CLICK_PIXELS = 4;
 
 export class Timeline {
   private readonly canvas = el("canvas", { "aria-hidden": true });
   private readonly names = el("div", { class: "lane-names", "aria-hidden": true });
-  private readonly scrub = el("input", { type: "range", class: "scrub", "aria-label": "history: tick that is shown", min: 0, max: 1, step: 1, value: 0 });
-  private readonly zoom = el("button", { type: "button", class: "plain zoom", title: "how much of the history is shown" });
+  private readonly scrub = el("input", {
+    type: "range",
+    class: "scrub",
+    "aria-label": "history: tick that is shown",
+    min: 0,
+    max: 1,
+    step: 1,
+    value: 0,
+  });
+  private readonly zoom = el("button", {
+    type: "button",
+    class: "plain zoom",
+    title: "how much of the history is shown",
+  });
   private readonly pen: CanvasRenderingContext2D;
   private ink!: LaneInk;
   private all = false;
@@ -39,7 +65,10 @@ export class Timeline {
     this.scrub.addEventListener("input", () => this.look(Number(this.scrub.value)));
     this.scrub.addEventListener("pointerdown", (press) => (this.downAt = press.clientX));
     this.scrub.addEventListener("pointerup", (press) => this.released(press));
-    this.scrub.addEventListener("keydown", (press) => press.key === "Enter" && this.ask(Number(this.scrub.value)));
+    this.scrub.addEventListener(
+      "keydown",
+      (press) => press.key === "Enter" && this.ask(Number(this.scrub.value)),
+    );
     this.scrub.title = "drag: go through the past; click: why?";
     this.zoom.addEventListener("click", () => this.setZoom(!this.all));
     this.setZoom(false);
@@ -52,7 +81,7 @@ export class Timeline {
     this.session.look(tick);
   }
 
-  /** A pointer that went down and up at one place asks why, of what happened nearest to it. */
+  /** On a click, shows the nearest tick with an event and asks why. */
   private released(press: PointerEvent): void {
     this.scrub.blur();
     const down = this.downAt;
@@ -80,7 +109,14 @@ export class Timeline {
 
   private takeTheme(): void {
     const dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
-    this.ink = { dark, text: token("--ink"), quiet: token("--ink-2"), accent: token("--accent"), empty: token("--raise"), font: `500 11px ${token("--font")}` };
+    this.ink = {
+      dark,
+      text: token("--ink"),
+      quiet: token("--ink-2"),
+      accent: token("--accent"),
+      empty: token("--raise"),
+      font: `500 11px ${token("--font")}`,
+    };
     this.drawn = "";
   }
 
@@ -91,7 +127,7 @@ export class Timeline {
     this.drawn = "";
   }
 
-  /** Draws if something changed, and not more often than is useful. */
+  /** Draws if something changed, at most once per interval. */
   update(now: number): void {
     const { head, first, tick, looking, actor } = this.session;
     const key = [head, first, tick, looking.value, actor.value].join();
@@ -107,26 +143,33 @@ export class Timeline {
     const ratio = window.devicePixelRatio || 1;
     const width = this.canvas.width / ratio;
     const actor = session.actor.value ?? -1;
-    const actions = session.happenings.actionsBetween(actor, session.first, session.head);
+    const actions = session.eventLog.actionsBetween(actor, session.first, session.head);
     const layers = session.cast?.layers ?? [];
     const rows = laneRows(layers.length, actions.length > 0);
     this.form(layers, rows.height);
-    const sheet: Sheet = { pen, span, width, ink: this.ink };
+    const sheet: LaneCanvas = { pen, span, width, ink: this.ink };
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, width, rows.height);
     rows.layers.forEach((lane, layer) => {
-      const runs = session.history.between(lineOf(actor, layer), span.from, span.to);
-      drawRuns(sheet, session.looking.value === null ? runs : upTo(runs, session.head), lane, (state) => session.stateIndex(actor, state, layer));
-      drawBlends(sheet, session.happenings.blendsBetween(actor, layer, span.from, span.to), lane);
-      drawMarks(sheet, session.happenings.marksBetween(actor, span.from, span.to, layer), lane);
+      const runs = session.history.between(laneKey(actor, layer), span.from, span.to);
+      drawRuns(sheet, session.looking.value === null ? runs : upTo(runs, session.head), lane, (state) =>
+        session.stateIndex(actor, state, layer),
+      );
+      drawBlends(sheet, session.eventLog.blendsBetween(actor, layer, span.from, span.to), lane);
+      drawMarks(sheet, session.eventLog.marksBetween(actor, span.from, span.to, layer), lane);
     });
-    if (rows.actions !== null) drawActions(sheet, actions.filter(({ tick }) => tick >= span.from), rows.actions);
+    if (rows.actions !== null)
+      drawActions(
+        sheet,
+        actions.filter(({ tick }) => tick >= span.from),
+        rows.actions,
+      );
     const shown = session.looking.value ?? session.tick;
     drawHead(sheet, Math.min(width - 2, Math.max(2, place(shown, span, width))), rows.height);
     this.setScrub(span.from, span.to, shown);
   }
 
-  /** The lanes' height, and the names of the layers beside them where there are several. */
+  /** Sets the lanes' height; with several layers, writes their names beside the lanes. */
   private form(layers: readonly string[], height: number): void {
     const shape = `${layers.join()} ${height}`;
     if (shape === this.shape) return;

@@ -1,15 +1,22 @@
-/** Pause, step, speed, tick counter, live. Pausing and speed are the stage's, for all who watch; looking back is this page's own. */
+/**
+ * Buttons to pause, step, set the speed and go live, and the tick counter. Pause and speed act on the stage,
+ * for all viewers; the replay is this page's own.
+ */
 
 import * as api from "../../net/api";
-import type { Player } from "../../player";
-import type { Session } from "../../session";
-import { el, say } from "../dom";
-import { type IconName, icon } from "../icons";
+import type { Player } from "../../state/player";
+import type { Session } from "../../state/session";
+import { el, say } from "../../ui/dom";
+import { type IconName, icon } from "../../ui/icons";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 
 function button(name: IconName, label: string, key: string, act: () => void): HTMLButtonElement {
-  const made = el("button", { type: "button", class: "plain square", "aria-label": label, title: `${label} (${key})` }, icon(name));
+  const made = el(
+    "button",
+    { type: "button", class: "plain square", "aria-label": label, title: `${label} (${key})` },
+    icon(name),
+  );
   made.addEventListener("click", act);
   return made;
 }
@@ -24,7 +31,12 @@ export class Transport {
   private readonly speed = el("select", { "aria-label": "speed", title: "speed of the stage" });
   private readonly counter = el("output", { class: "tick", "aria-label": "tick" });
   private readonly time = el("span", { class: "time" });
-  private readonly liveButton = el("button", { type: "button", class: "live-button", title: "back to the present (L)" }, el("i", { class: "dot" }), "live");
+  private readonly liveButton = el(
+    "button",
+    { type: "button", class: "live-button", title: "back to the present (L)" },
+    el("i", { class: "dot" }),
+    "live",
+  );
 
   constructor(
     host: HTMLElement,
@@ -34,20 +46,33 @@ export class Transport {
     const back = button("back", "one tick back", ",", () => this.step(-1));
     const forward = button("forward", "one tick forward", ".", () => this.step(1));
     this.liveButton.addEventListener("click", () => session.live());
-    this.speed.addEventListener("change", () => void this.session.command((stage) => api.speed(stage, Number(this.speed.value))));
-    host.append(back, this.play, forward, this.speed, el("span", { id: "tools" }), el("span", { class: "space" }), this.time, el("label", { class: "counter" }, "tick ", this.counter), this.liveButton);
+    this.speed.addEventListener(
+      "change",
+      () => void this.session.command((stage) => api.speed(stage, Number(this.speed.value))),
+    );
+    host.append(
+      back,
+      this.play,
+      forward,
+      this.speed,
+      el("span", { id: "tools" }),
+      el("span", { class: "space" }),
+      this.time,
+      el("label", { class: "counter" }, "tick ", this.counter),
+      this.liveButton,
+    );
     session.status.on(({ speed }) => this.showSpeed(speed));
     for (const signal of [session.status, session.looking, player.replaying]) signal.on(() => this.show());
   }
 
-  /** Plays or pauses: the replay while looking back, else the stage. */
+  /** Plays or pauses the replay while the past is shown, else the stage. */
   toggle(): void {
     if (this.session.looking.value !== null) return this.player.toggle();
     const paused = !this.session.status.value.paused;
     void this.session.command((stage) => api.pause(stage, paused));
   }
 
-  /** One tick on or back; past the head the stage itself makes the step, and stands still for it. */
+  /** Steps one tick; past the head the stage pauses and makes the step. */
   step(ticks: 1 | -1): void {
     if (this.session.looking.value !== null || ticks < 0) {
       if (this.player.step(ticks)) return;
@@ -62,7 +87,9 @@ export class Transport {
 
   private showSpeed(speed: number): void {
     const speeds = SPEEDS.includes(speed) ? SPEEDS : [...SPEEDS, speed].sort((a, b) => a - b);
-    this.speed.replaceChildren(...speeds.map((value) => el("option", { value, selected: value === speed }, `${value}×`)));
+    this.speed.replaceChildren(
+      ...speeds.map((value) => el("option", { value, selected: value === speed }, `${value}×`)),
+    );
     this.speed.value = String(speed);
   }
 
@@ -76,7 +103,7 @@ export class Transport {
     this.liveButton.setAttribute("aria-pressed", String(!past));
   }
 
-  /** Once a drawn frame: the counter. */
+  /** Updates the counter, once per drawn frame. */
   update(): void {
     const rate = this.session.hello.value?.rate ?? 60;
     say(this.counter, String(this.session.tick));

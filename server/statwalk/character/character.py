@@ -1,0 +1,76 @@
+"""A character: skeleton, clips and skins, checked against each other once when the file is read, then
+immutable.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.errors import UnknownNameError
+from statwalk.maths import transform
+from statwalk.maths.pose import Pose
+from statwalk.motion.clip import Clip
+from statwalk.rig.evaluate import world_from_local
+from statwalk.rig.skeleton import Skeleton
+from statwalk.skin.deform import Surface, surface
+from statwalk.skin.primitive import Part, Primitive, Skin
+from statwalk.skin.rows import finite
+
+
+@dataclass(frozen=True, eq=False)
+class Character:
+    """The parts of a character; poses are local transforms of its joints, metres and radians.
+
+    skeleton     every node of the file is a joint, parents first
+    node_index   (J,) the node in the file (and in model_glb) of each joint
+    bind_pose    the pose at rest, unbatched, float32
+    clips        by name, in the order of the file; unnamed and repeated names are made unique
+    materials    glTF material objects, in the order of the parts' indices
+    notes        the repairs made when the file was read
+    model_glb    the model as a .glb for any viewer
+    """
+
+    name: str
+    skeleton: Skeleton
+    node_index: NDArray[np.int32]
+    bind_pose: Pose
+    clips: Mapping[str, Clip] = field(default_factory=dict)
+    skins: tuple[Skin, ...] = ()
+    parts: tuple[Primitive, ...] = ()
+    materials: tuple[Mapping[str, Any], ...] = ()
+    notes: tuple[str, ...] = ()
+    model_glb: bytes = b""
+
+    def clip(self, name: str) -> Clip:
+        """Returns a clip by its name.
+
+        :raises UnknownNameError: when the character has no clip of that name; the error lists the clips.
+        """
+        if name not in self.clips:
+            raise UnknownNameError("clip", name, self.clips)
+        return self.clips[name]
+
+    def world(self, pose: Pose) -> NDArray[np.floating[Any]]:
+        """Returns the matrices (…,J,4,4) of the joints in the character's space, for a pose with any leading
+        axes; finite for every pose.
+        """
+        with np.errstate(over="ignore", invalid="ignore"):
+            return finite(transform.to_matrix4(world_from_local(self.skeleton, pose)))
+
+    def vertices(self, pose: Pose) -> list[Part]:
+        """Returns every drawable primitive in an unbatched pose: positions and unit normals (V,3) in the
+        character's space (RTCA 2.3.2).
+        """
+        with np.errstate(over="ignore", invalid="ignore"):
+            return self.surface.posed_parts(world_from_local(self.skeleton, pose), pose.weights)
+
+    @cached_property
+    def surface(self) -> Surface:
+        """Returns the parts prepared for the kernels, made on first use."""
+        return surface(self.parts, self.skins)

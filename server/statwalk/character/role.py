@@ -1,0 +1,226 @@
+"""A role: a character and its machine, checked against each other once; nothing can fail after
+`Role.build`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from statwalk.character.character import Character
+from statwalk.character.colliders import Colliders
+from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
+from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
+from statwalk.errors import UnknownNameError
+from statwalk.machine.compile.compile_machine import Machine, MotionFacts, build
+from statwalk.machine.compile.program import PROGRAM, Program
+from statwalk.machine.compile.resolved_table import ResolvedTable, resolved_tables
+from statwalk.machine.definition.machine_definition import MachineDefinition
+from statwalk.machine.lint.findings import Finding
+from statwalk.machine.model_checker.work import Checkpoint, go_on
+from statwalk.machine.verify import verify
+from statwalk.maths.arrays import Bools, Floats
+from statwalk.maths.packed import PackedColumns, packed
+from statwalk.motion.blend_space import BlendSpace, Motion
+from statwalk.motion.layer_lanes import MASKS, LayerMasks
+from statwalk.motion.layers import Mask
+from statwalk.motion.tables.motion_tables import MotionTables
+
+
+class PackedRole(NamedTuple):
+    """The data of a role that a tick reads, packed."""
+
+    program: PackedColumns[Program]
+    motions: PackedColumns[MotionTables]
+    poses: PackedColumns[PoseTables]
+    masks: PackedColumns[LayerMasks]
+
+    @property
+    def arguments(self) -> tuple[Any, Any, Any, Any]:
+        """Returns all tables as arguments of kernels."""
+        return self.program.argument, self.motions.argument, self.poses.argument, self.masks.argument
+
+
+@dataclass(frozen=True, eq=False)
+class Role:
+    """The data that all actors of one role share. Immutable.
+
+    resolved the table of each layer, with its defaults resolved
+    motions  the motion of each state, in place if the machine names a root joint; None: no motion
+    masks    what each layer moves
+    root     the joint whose root motion moves the actor, -1 none
+    stock    the clips in place and their tables, reused by the role after an edit
+    """
+
+    name: str
+    character: Character
+    machine: Machine
+    definition: MachineDefinition
+    resolved: tuple[ResolvedTable, ...]
+    motions: tuple[Motion | None, ...]
+    masks: tuple[Mask, ...]
+    root: int
+    stock: Stock
+
+    @classmethod
+    def build(
+        cls,
+        name: str,
+        character: Character,
+        definition: MachineDefinition,
+        root_joint: str | None = None,
+        before: Role | None = None,
+    ) -> Role:
+        """Returns the role that `definition` describes; reuses the clips of the role `before` an edit if they
+        are the same.
+
+        :raises MachineError: when the definition names a clip or joint that the character does not have, or
+            cannot be compiled.
+        """
+        facts = facts_of(character)
+        resolved = resolved_tables(definition, facts)
+        machine = build(definition, facts, resolved)
+        root = root_of(character, root_joint)
+        is_same = before is not None and before.character is character and before.root == root
+        stock = before.stock if before is not None and is_same else Stock(character, root)
+        motions = motions_of(stock, machine, definition)
+        role = cls(
+            name,
+            character,
+            machine,
+            definition,
+            resolved,
+            motions,
+            masks_of(character, definition),
+            root,
+            stock,
+        )
+        role.colliders  # noqa: B018 - made now, so that an unknown joint is an error now and not in a tick
+        return role
+
+    @cached_property
+    def findings(self) -> tuple[Finding, ...]:
+        """Returns the verifier's findings about the definition."""
+        return self._verify(go_on)
+
+    def verify(self, checkpoint: Checkpoint) -> tuple[Finding, ...]:
+        """Returns the findings. If they are not known yet, verifies; `checkpoint` ends that by raising."""
+        if "findings" not in vars(self):
+            vars(self)["findings"] = self._verify(checkpoint)  # where `cached_property` looks for them
+        return self.findings
+
+    def _verify(self, checkpoint: Checkpoint) -> tuple[Finding, ...]:
+        facts = facts_of(self.character)
+        return tuple(verify(self.definition, facts, self.resolved, self.machine, checkpoint))
+
+    @cached_property
+    def tables(self) -> MotionTables:
+        """Returns the motions of all states as arrays for compiled code."""
+        return self.stock.tables(self.motions).values
+
+    @cached_property
+    def pose_tables(self) -> PoseTables:
+        """Returns the layers' modes and weights, the frame of the root joint, and the joints of the
+        colliders, as arrays.
+        """
+        joints = self.colliders.joints
+        return pose_tables(self.machine.layers, self.plays, self.root, self.root_frame, joints)
+
+    @cached_property
+    def layer_masks(self) -> LayerMasks:
+        """Returns the joints and weights that each layer moves, as arrays."""
+        return LayerMasks.of(
+            self.masks, len(self.character.skeleton), self.character.bind_pose.weights.shape[-1]
+        )
+
+    @cached_property
+    def packed(self) -> PackedRole:
+        """Returns the arrays of the role as arguments of kernels."""
+        program, motions = packed(self.machine.program, PROGRAM), self.stock.tables(self.motions)
+        return PackedRole(program, motions, packed(self.pose_tables, POSES), packed(self.layer_masks, MASKS))
+
+    @cached_property
+    def colliders(self) -> Colliders:
+        """Returns the colliders of the role's actors."""
+        return Colliders.of(self.machine, self.character, self.definition)
+
+    @cached_property
+    def looks_at(self) -> frozenset[str]:
+        """Returns the names of the colliders, its own and other roles', that its touches and its
+        flock use.
+        """
+        flock = self.definition.flock
+        touched = (name for touch in self.machine.touches for name in (touch.own, touch.other))
+        return frozenset(touched) | frozenset(flock.avoid if flock else ())
+
+    @cached_property
+    def measures(self) -> bool:
+        """Returns whether a tick of its machine needs measurements of an actor, or the pace of a blend of
+        clips.
+        """
+        return self.blends or bool((self.machine.program.measured >= 0).any())
+
+    @cached_property
+    def travels(self) -> bool:
+        """Returns whether any motion of the base moves the root."""
+        return any(
+            motion is not None and motion.travels for motion in self.motions[: len(self.machine.rows(0))]
+        )
+
+    @cached_property
+    def blends(self) -> bool:
+        """Returns whether any of its motions is a blend of clips."""
+        return any(isinstance(motion, BlendSpace) for motion in self.motions)
+
+    @cached_property
+    def plays(self) -> Bools:
+        """Returns (S,) whether a state has a motion."""
+        return np.array([motion is not None for motion in self.motions])
+
+    @cached_property
+    def root_frame(self) -> Floats | None:
+        """Returns (3, 4) the transform of the root joint's parent in the character's space; None without a
+        root joint or parent.
+        """
+        return None if self.root < 0 else frame_of(self.character, self.root)
+
+    def event(self, name: str) -> int:
+        """Returns the column of an event that can be sent.
+
+        :raises UnknownNameError: when the machine has no event of that name; the error lists the events.
+        """
+        names = self.machine.events[:-1]  # END is no input
+        if name not in names:
+            raise UnknownNameError("event", name, names)
+        return names.index(name)
+
+    def state(self, name: str) -> int:
+        """Returns the row of a state of the base.
+
+        :raises UnknownNameError: when the base has no state of that name; the error lists the states.
+        """
+        names = [self.machine.states[row] for row in self.machine.rows(0)]
+        if name not in names:
+            raise UnknownNameError("state", name, names)
+        return names.index(name)
+
+    def parameter(self, name: str) -> int:
+        """Returns the index of a parameter.
+
+        :raises UnknownNameError: when the machine has no parameter of that name; the error lists the
+            parameters.
+        """
+        names = [parameter.name for parameter in self.machine.parameters]
+        if name not in names:
+            raise UnknownNameError("parameter", name, names)
+        return names.index(name)
+
+
+def facts_of(character: Character) -> dict[str, MotionFacts]:
+    """Returns the facts about a character's clips that a machine needs, by name."""
+    return {
+        name: MotionFacts(clip.duration, clip.loop, clip.markers) for name, clip in character.clips.items()
+    }

@@ -1,0 +1,162 @@
+"""A character in text: the FAQ's skeleton table and key frames, combined by a short YAML file.
+
+    name: mammal
+    skeleton: mammal.txt          # a file in the same folder, or `mammal` or `hand`, which statwalk ships
+    scale: 0.08                   # metres per unit of the files
+    clips:
+      walk: {keys: walk.txt, interpolation: slerp, loop: true}
+
+Every bone becomes a joint and a rigid tetrahedron (FAQ Q28). A bone at the end of a limb, and a bone with a
+keyed length, gets a second joint, `NAME.end`, at its end point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from statwalk.character.character import Character
+from statwalk.errors import ContentError, TextError
+from statwalk.files import tetrahedra
+from statwalk.files.faq.key_frame_clip import INTERPOLATIONS, ClipForm, check_names, clip_of, keyed_lengths
+from statwalk.files.faq.key_frame_text import KeyFrame, read_keys
+from statwalk.files.faq.skeleton_text import SHIPPED, read_skeleton, read_text
+from statwalk.files.gltf import write
+from statwalk.files.yaml.yaml_text import Node, parse
+from statwalk.maths import pose as poses
+from statwalk.maths.arrays import Floats
+from statwalk.motion.clip import Clip
+from statwalk.rig.bones import Bones
+from statwalk.rig.skeleton import Skeleton
+from statwalk.skin.primitive import Primitive, Skin
+
+_KEYS = ("name", "skeleton", "scale", "clips")
+_CLIP_KEYS = ("keys", "interpolation", "loop")
+_SCALES = (1e-6, 1e6)
+
+
+def load_character(path: Path) -> Character:
+    """Reads the character of a YAML file.
+
+    :raises TextError: when the file, or a text that it names, is wrong; `file` and `place` say where.
+    """
+    root = parse(read_text(path), str(path), TextError)
+    entries = root.entries(*_KEYS)
+    if "skeleton" not in entries:
+        raise root.refuse("a character needs a skeleton: skeleton: mammal.txt")
+    bones = _skeleton(entries["skeleton"], path.parent)
+    scale = entries["scale"].number(*_SCALES) if "scale" in entries else 1.0
+    clips = entries["clips"].entries() if "clips" in entries else {}
+    frames = {name: _frames(node, bones, path.parent) for name, node in clips.items()}
+    name = entries["name"].text() if "name" in entries else path.stem
+    character, form = _bone_character(
+        name, bones, scale, [frame for clip_frames in frames.values() for frame in clip_frames]
+    )
+    animated = replace(
+        character, clips={name: _clip(name, node, form, frames[name]) for name, node in clips.items()}
+    )
+    return replace(animated, model_glb=write.model_glb(animated))
+
+
+def _beside(node: Node, folder: Path) -> Path:
+    """Returns the path of the file that a value names, in the character's folder or below it."""
+    path = Path(node.text())
+    if path.is_absolute() or ".." in path.parts or not path.parts:
+        raise node.refuse(f"{node.text()[:80]!r} must name a file in the folder of this file")
+    return folder / path
+
+
+def _skeleton(node: Node, folder: Path) -> Bones:
+    shipped = SHIPPED / f"{node.text()}.txt"
+    path = shipped if node.text().isidentifier() and shipped.is_file() else _beside(node, folder)
+    try:
+        return read_skeleton(read_text(path))
+    except ContentError as error:
+        raise error.in_file(str(path)) from None
+
+
+def _frames(node: Node, bones: Bones, folder: Path) -> tuple[KeyFrame, ...]:
+    """Reads the poses of the key-frame file that a clip names."""
+    entries = node.entries(*_CLIP_KEYS)
+    if "keys" not in entries:
+        raise node.refuse("a clip needs key frames: keys: walk.txt")
+    path = _beside(entries["keys"], folder)
+    try:
+        frames = read_keys(read_text(path))
+        check_names(bones, frames)
+    except ContentError as error:
+        raise error.in_file(str(path)) from None
+    return frames
+
+
+def _clip(name: str, node: Node, form: ClipForm, frames: Sequence[KeyFrame]) -> Clip:
+    entries = node.entries(*_CLIP_KEYS)
+    interpolation = entries["interpolation"].text() if "interpolation" in entries else "slerp"
+    if interpolation not in INTERPOLATIONS:
+        raise entries["interpolation"].unknown("interpolation", interpolation, INTERPOLATIONS)
+    loop = "loop" in entries and entries["loop"].truth()
+    try:
+        clip = clip_of(name, form, frames, interpolation, loop)
+        clip.tracks  # noqa: B018 - refuses a B-spline that cannot pass through its keys here, not in a tick
+    except ContentError as error:
+        raise node.refuse(f"clip {name}: {error.message}") from None
+    return clip
+
+
+def _bone_character(
+    name: str, bones: Bones, scale: float, frames: Sequence[KeyFrame]
+) -> tuple[Character, ClipForm]:
+    """Returns the character at rest, without clips, and the ClipForm that its clips are built from."""
+    metric = Bones(bones.skeleton, bones.length * scale, bones.direction)
+    keyed = keyed_lengths(bones, frames)
+    limb_ends = set(range(len(bones.skeleton))) - set(bones.skeleton.parent.tolist())
+    bones_with_end = sorted({bone for bone in limb_ends if bones.length[bone] > 0} | keyed.keys())
+    end_joint_of = {bone: len(bones.skeleton) + row for row, bone in enumerate(bones_with_end)}
+    skeleton = _with_ends(bones.skeleton, bones_with_end)
+    parts, skins = _parts(metric, {bone: keyed[bone] * scale for bone in keyed}, end_joint_of, len(skeleton))
+    rest = poses.rest(len(skeleton))
+    rest.translation[: len(bones.skeleton)] = metric.pose().translation
+    rest.translation[len(bones.skeleton) :] = metric.attachment()[bones_with_end]
+    node_index = np.arange(len(skeleton), dtype=np.int32)
+    character = Character(
+        name, skeleton, node_index, rest, skins=skins, parts=parts, materials=(tetrahedra.MATERIAL,)
+    )
+    return character, ClipForm(metric, scale, end_joint_of, rest)
+
+
+def _with_ends(skeleton: Skeleton, bones_with_end: Sequence[int]) -> Skeleton:
+    """Returns the skeleton with one more joint, after all others, for the end of each bone in
+    `bones_with_end`.
+    """
+    names = tuple(f"{skeleton.names[bone]}.end" for bone in bones_with_end)
+    for name in set(names) & set(skeleton.names):
+        raise TextError(
+            f"{name} is reserved for the end of {name.removesuffix('.end')}; give this bone another name"
+        )
+    return Skeleton(
+        skeleton.names + names, np.concatenate([skeleton.parent, np.array(bones_with_end, np.int32)])
+    )
+
+
+def _parts(
+    bones: Bones, keyed: Mapping[int, float], end_joint_of: Mapping[int, int], node: int
+) -> tuple[tuple[Primitive, ...], tuple[Skin, ...]]:
+    """Returns a rigid part for each bone that has a length, and one skinned part for all bones with a keyed
+    length.
+
+    `keyed` is the greatest keyed length in metres, by bone.
+    """
+    rigid = tetrahedra.rigid_parts(
+        bones, [bone for bone in np.flatnonzero(bones.length > 0).tolist() if bone not in keyed]
+    )
+    longest_length: Floats = bones.length.copy()
+    for bone, length in keyed.items():
+        longest_length[bone] = max(longest_length[bone], length)
+    drawn_end_joint_of = {bone: end_joint_of[bone] for bone in keyed if longest_length[bone] > 0}
+    if not drawn_end_joint_of:
+        return rigid, ()
+    part, skin = tetrahedra.growing_part(bones, longest_length, drawn_end_joint_of, len(rigid), node)
+    return (*rigid, part), (skin,)

@@ -1,0 +1,1 @@
+"""The FAQ's own text formats: skeletons and key frames."""

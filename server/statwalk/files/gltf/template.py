@@ -1,0 +1,148 @@
+"""Writes posed frames into a prepared GLB; each frame is a complete file.
+
+The JSON keeps its length and layout from frame to frame: only numbers of fixed width change (tick, hash,
+bounds of positions). In the binary chunk positions and normals change; indices, texture coordinates and
+colours do not.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.character.character import Character
+from statwalk.files.gltf import container
+from statwalk.files.gltf.layout import ActorBlock, laid_out
+from statwalk.maths.arrays import Floats
+from statwalk.maths.elementary import sincos
+from statwalk.maths.kernels.hierarchy import placed
+from statwalk.maths.pose import Pose
+
+
+class PosedCast(NamedTuple):
+    """The actors of one entry: local poses (n,J,…), positions (n,3) in metres, headings (n,) in radians about
+    +Y.
+    """
+
+    pose: Pose
+    root_position: Floats
+    heading: Floats
+
+
+class Vertices(NamedTuple):
+    """The arrays that one actor's vertices are written to: positions and normals (V,3), flat, in the file,
+    and the bounds (P,6) of its parts.
+    """
+
+    positions: NDArray[np.float32]
+    normals: NDArray[np.float32]
+    bounds: NDArray[np.float32]
+
+
+class FrameTemplate:
+    """A GLB prepared for `entries`: characters, and the number of actors of each.
+
+    template = FrameTemplate([(fox, 1)]); template.frame(12, "00ff", [PosedCast(poses, positions, headings)])
+
+    Every actor is a node, with a mesh node below for each node of its file that carries a mesh; vertices are
+    in stage space, materials in the order of the files. With `images` a frame contains the textures; without
+    them it is as small as possible.
+    """
+
+    def __init__(self, entries: Sequence[tuple[Character, int]], *, images: bool = False) -> None:
+        self.characters = [character for character, _ in entries]
+        layout = laid_out(entries, images=images)
+        self.layout_text, self.bounds = layout.text, np.zeros((layout.parts, 6), np.float32)
+        text = self.text(0, "")
+        self.data = bytearray(container.join(text, bytes(layout.binary)))
+        self.text_start = container.HEADER.size + container.CHUNK_HEADER.size
+        self.vertices = self.views(
+            layout.blocks, self.text_start + len(text) + (-len(text) % 4) + container.CHUNK_HEADER.size
+        )
+        self.lock = threading.Lock()
+
+    def views(self, blocks: Sequence[Sequence[ActorBlock]], start: int) -> list[list[Vertices]]:
+        """Returns the arrays that the actors of each entry are written to: in the binary chunk, which starts
+        at `start`, and in the table of bounds.
+        """
+        vertices_of_entries: list[list[Vertices]] = []
+        row = 0
+        for character, actors in zip(self.characters, blocks, strict=True):
+            float_count, parts = character.surface.positions.size, len(character.parts)
+            vertices_of_entries.append([])
+            for block in actors:
+                positions, normals = (self.view(float_count, start + first) for first in block)
+                vertices_of_entries[-1].append(Vertices(positions, normals, self.bounds[row : row + parts]))
+                row += parts
+        return vertices_of_entries
+
+    def view(self, floats: int, start: int) -> NDArray[np.float32]:
+        """Returns `floats` floats of the file, from byte `start`; an empty array needs no place in the
+        file.
+        """
+        return np.ndarray(floats, "<f4", self.data, start) if floats else np.zeros(0, np.float32)
+
+    def frame(self, tick: int, state_hash: str, casts: Sequence[PosedCast]) -> bytes:
+        """Returns a frame: a complete GLB with every actor of `casts` (in the order of the entries) in its
+        pose, at its position.
+        """
+        with np.errstate(over="ignore", invalid="ignore"):
+            worlds = [
+                stage_worlds(character, cast) for character, cast in zip(self.characters, casts, strict=True)
+            ]
+        return self.filled(tick, state_hash, worlds, [cast.pose.weights for cast in casts])
+
+    def filled(
+        self, tick: int, state_hash: str, worlds: Sequence[Floats], weights: Sequence[Floats]
+    ) -> bytes:
+        """Returns the frame for joint matrices (n,J,3,4) in stage space and morph weights (n,W) of each
+        entry.
+
+        Can be called from several threads.
+        """
+        with self.lock:
+            for character, actors, matrices, cast_weights in zip(
+                self.characters, self.vertices, worlds, weights, strict=True
+            ):
+                for vertices, actor_matrices, actor_weights in zip(
+                    actors, matrices, cast_weights, strict=True
+                ):
+                    character.surface.pose_into(actor_matrices, actor_weights, *vertices)
+            text = self.text(tick, state_hash)
+            self.data[self.text_start : self.text_start + len(text)] = text
+            return bytes(self.data)
+
+    def text(self, tick: int, state_hash: str) -> bytes:
+        """Returns the JSON chunk, with hash, tick and bounds in its slots."""
+        return self.layout_text % (state_hash.zfill(16).encode(), tick, *self.bounds.reshape(-1).tolist())
+
+
+def stage_worlds(character: Character, cast: PosedCast) -> Floats:
+    """Returns the joints' world matrices (n,J,3,4) in stage space, computed below the actor's root.
+
+    :raises ValueError: when the pose has another number of actors or joints.
+    """
+    roots = _root_matrices(cast)
+    if any(array.shape[:2] != (len(roots), len(character.skeleton)) for array in cast.pose[:3]):
+        raise ValueError(
+            f"a pose of {cast.pose.translation.shape} for {len(roots)} actors of {len(character.skeleton)} "
+            "joints"
+        )
+    translation, rotation, scale = (np.ascontiguousarray(array, np.float32) for array in cast.pose[:3])
+    worlds = np.empty((len(roots), len(character.skeleton), 3, 4), np.float32)
+    placed(character.skeleton.parent, translation, rotation, scale, roots, worlds)
+    return worlds
+
+
+def _root_matrices(cast: PosedCast) -> NDArray[np.float32]:
+    """Returns (n,1,3,4): each actor rotated by its heading about +Y, then moved to its position."""
+    sin, cos = sincos(np.asarray(cast.heading, np.float64))
+    roots = np.zeros((len(sin), 1, 3, 4), np.float32)
+    roots[:, 0, 0, 0] = roots[:, 0, 2, 2] = cos
+    roots[:, 0, 0, 2], roots[:, 0, 2, 0], roots[:, 0, 1, 1] = sin, -sin, 1
+    roots[:, 0, :, 3] = cast.root_position
+    return roots

@@ -1,0 +1,249 @@
+"""Reads machine folders: `machine.yaml`, its table (inline or .csv), and the name of the character that it
+moves.
+
+Every error names file, line and name.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from statwalk.errors import MachineError
+from statwalk.files.machine_yaml import fields, flock_part, inputs, layers, levels, senses, whole_table
+from statwalk.files.yaml.yaml_text import Node, parse, read_text
+from statwalk.machine.compile.alternatives import MEASURED
+from statwalk.machine.definition.machine_definition import (
+    END,
+    EventDefinition,
+    LayerDefinition,
+    MachineDefinition,
+    SenseDefinition,
+    TouchDefinition,
+    nearest,
+)
+from statwalk.machine.definition.state_table import MOST_CELLS
+
+FILE_NAME = "machine.yaml"
+MOST_RESUMED = 2_000_000
+"""most next states of all cells, if each cell may lead to any state of a resumed composite state"""
+SCHEMA_PATH = Path(__file__).with_name("machine.schema.json")
+"""JSON Schema (draft 7) of a machine file, for editors"""
+SEMANTICS = "1"
+SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
+KEYS = (
+    "semantics",
+    "title",
+    "description",
+    "character",
+    "root",
+    "initial",
+    "idle",
+    "fallback",
+    "defaults",
+    "states",
+    "events",
+    "table",
+    "cells",
+    "layers",
+    "keys",
+    "parameters",
+    "senses",
+    "colliders",
+    "flock",
+    "properties",
+)
+
+
+@dataclass(frozen=True, eq=False)
+class MachineFile:
+    """A machine folder as read; the horizontal motion and the turn of the joint `root_joint` move the
+    character through the world.
+    """
+
+    definition: MachineDefinition
+    character_path: Path
+    root_joint: str | None
+    root_line: int
+    text: str
+    table_text: str
+
+    def check_root(self, joints: Sequence[str]) -> None:
+        """Checks that the root joint is one of the character's `joints`.
+
+        :raises MachineError: when the joint does not exist; the message has the line and the most similar
+            joint.
+        """
+        if self.root_joint is None or self.root_joint in joints:
+            return
+        suggestion = nearest(self.root_joint, tuple(joints))
+        file = self.definition.file
+        raise MachineError(
+            f"root: the character has no joint {self.root_joint!r}{suggestion}",
+            file=file,
+            place=f"line {self.root_line}",
+        )
+
+
+def load_machine(folder: Path) -> MachineFile:
+    """Reads the machine of a folder.
+
+    :raises MachineError: when the machine file or its table is missing or wrong, with file, line and name.
+    """
+    return machine_of(read_text(folder / FILE_NAME, MachineError), folder)
+
+
+def machine_of(text: str, folder: Path, file: str = "") -> MachineFile:
+    """Reads a machine from a text that stands in for its folder's machine file.
+
+    :raises MachineError: when the text or the folder's table is wrong, with file, line and name.
+    """
+    root = parse(text, file or str(folder / FILE_NAME), MachineError, KEYS)
+    character = _character_name(root)
+    definition, table_text = _define(root, folder.resolve().name, folder)
+    entries = root.entries()
+    return MachineFile(
+        definition=definition,
+        character_path=folder / character,
+        root_joint=entries["root"].text() if "root" in entries else None,
+        root_line=root.key_lines.get("root", 0),
+        text=text,
+        table_text=table_text,
+    )
+
+
+def read_machine(text: str, name: str = "machine", file: str = FILE_NAME) -> MachineDefinition:
+    """Reads a machine from a text with all tables inline.
+
+    :raises MachineError: when the text is wrong.
+    """
+    return _define(parse(text, file, MachineError, KEYS), name, None)[0]
+
+
+def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefinition, str]:
+    """Returns the machine's definition, all of its names checked, and the text of its table."""
+    entries = _checked_keys(root)
+    parameters = inputs.parameters(entries.get("parameters"))
+    colliders, variables = (
+        senses.colliders(entries.get("colliders")),
+        (*parameters, *(name for name in MEASURED if name not in parameters)),
+    )
+    base, layer_parts = (
+        levels.read(root, parameters, folder),
+        layers.layers(entries.get("layers"), parameters, folder),
+    )
+    layers.check_base(base, root)
+    sense_events = senses.senses(entries.get("senses"), variables, colliders)
+    events = _all_events(entries, [base, *(part.flat for part in layer_parts.values())], sense_events)
+    _check_size(root, [base, *(part.flat for part in layer_parts.values())], events)
+    definition = MachineDefinition(
+        name=name,
+        states=base.states,
+        initial=base.initial,
+        events=events,
+        cells=whole_table.cells_of(base, events, variables, root.file),
+        outers=base.outers,
+        layers={layer: _layer_of(part, events, variables, root.file) for layer, part in layer_parts.items()},
+        defaults=inputs.defaults(entries.get("defaults")),
+        idle=fields.chosen(entries["idle"], "event", events) if "idle" in entries else None,
+        fallback=base.start(fields.chosen(entries["fallback"], "state", (*base.states, *base.outers)))
+        if "fallback" in entries
+        else "",
+        keys=inputs.keys(entries.get("keys"), events),
+        parameters=parameters,
+        senses=sense_events,
+        colliders=colliders,
+        flock=flock_part.flock(entries.get("flock"), parameters),
+        properties=tuple(inputs.properties(entries.get("properties"))),
+        rows=base.top.table.rows,
+        title=entries["title"].text() if "title" in entries else "",
+        description=entries["description"].text() if "description" in entries else "",
+        file=root.file,
+    )
+    return definition, base.top.text
+
+
+def _layer_of(
+    layer: layers.LayerPart, events: Mapping[str, EventDefinition], variables: tuple[str, ...], file: str
+) -> LayerDefinition:
+    flat = layer.flat
+    return LayerDefinition(
+        states=flat.states,
+        initial=flat.initial,
+        line=layer.line,
+        mask=layer.mask,
+        mode=layer.mode,
+        weight=layer.weight,
+        outers=flat.outers,
+        cells=whole_table.cells_of(flat, events, variables, file),
+        rows=flat.top.table.rows,
+    )
+
+
+def _all_events(
+    entries: Mapping[str, Node],
+    flats: Sequence[levels.FlatStates],
+    sensed: Mapping[str, SenseDefinition | TouchDefinition],
+) -> dict[str, EventDefinition]:
+    """Returns the columns: the events of the first table, of `events`, of the other tables, and of senses."""
+    tables = [
+        level.table.table.events
+        for flat in flats
+        for level in reversed(flat.levels)
+        if level.table is not None
+    ]
+    events = {
+        event: EventDefinition(line) for event, line in tables[0].items() if event != END
+    } | inputs.events(entries.get("events"))
+    for table in tables[1:]:
+        events |= {
+            event: EventDefinition(line)
+            for event, line in table.items()
+            if event != END and event not in events
+        }
+    return events | {
+        event: EventDefinition(sense.line) for event, sense in sensed.items() if event not in events
+    }
+
+
+def _check_size(
+    root: Node, flats: Sequence[levels.FlatStates], events: Mapping[str, EventDefinition]
+) -> None:
+    """Refuses a machine whose full tables would have too many cells: states and events multiply."""
+    states, columns = sum(len(flat.states) for flat in flats), len(events) + 1
+    if states * columns > MOST_CELLS:
+        message = f"{states:,} states and {columns:,} events make more than {MOST_CELLS:,} cells"
+        raise root.refuse(message, root.key_lines["states"])
+    resumed = max(flat.resumed() for flat in flats)
+    if resumed * states * columns > MOST_RESUMED:
+        message = (
+            f"{states:,} states and {columns:,} events are too many with a composite state that resumes "
+            f"any of {resumed:,} states"
+        )
+        raise root.refuse(message, root.key_lines["states"])
+
+
+def _checked_keys(root: Node) -> dict[str, Node]:
+    """Returns the top level of the file; refuses unknown or missing keys and other semantics."""
+    entries = root.entries(*KEYS)
+    if "semantics" in entries and entries["semantics"].text() != SEMANTICS:
+        raise entries["semantics"].refuse(
+            f"this version of statwalk reads semantics {SEMANTICS}, not {entries['semantics'].text()[:40]!r}"
+        )
+    for key in ("states", "initial", "table"):
+        fields.required(root, key)
+    return entries
+
+
+def _character_name(root: Node) -> str:
+    """Returns the path of the character's file, or the name of the shipped machine whose character it is."""
+    node = fields.required(root, "character")
+    if not SHIPPED.fullmatch(node.text()) and not node.text().lower().endswith(
+        (".glb", ".gltf", ".yaml", ".yml")
+    ):
+        raise node.refuse(
+            f"{node.text()[:80]!r} is no .glb, .gltf or .yaml file, nor the name of a shipped machine"
+        )
+    return node.text()

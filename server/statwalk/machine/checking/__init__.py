@@ -1,1 +1,0 @@
-"""The faults that the verifier looks for, by what they are about."""

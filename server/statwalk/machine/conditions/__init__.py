@@ -1,1 +1,0 @@
-"""Conditions and senses: a small language of numbers, read to a postfix program over arrays. No strings, attributes or loops."""

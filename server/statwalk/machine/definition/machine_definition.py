@@ -1,0 +1,241 @@
+"""A machine as its file defines it, with line numbers; `build` compiles it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from statwalk.errors import MachineError
+from statwalk.errors import nearest as nearest
+from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
+from statwalk.machine.definition.flock_definition import FlockDefinition
+
+END = "END"
+"""the event that a motion raises when it ends; always the last column"""
+ANY = "*"
+"""the row and column of defaults"""
+BASE = "base"
+"""the layer that every machine has"""
+NO_MOTION = ""
+"""the motion of a layer's state that leaves the layers below unchanged (`motion: none`)"""
+
+
+@dataclass(frozen=True)
+class BlendDefinition:
+    """A motion blended from clips over one or two parameters, their phases matched at sync markers."""
+
+    over: tuple[str, ...]
+    """one or two parameters"""
+    clips: Mapping[str, tuple[float, ...]]
+    """the position of each clip: one number for each parameter"""
+    line: int
+    markers: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    """for each clip, phases 0…1 of named markers: clips with common markers run in step"""
+
+
+@dataclass(frozen=True)
+class StateDefinition:
+    """A state and its motion (SM1). Within a sub-machine its name is OUTER.INNER."""
+
+    motion: str | BlendDefinition
+    line: int
+    loop: bool | None = None
+    """None: as the motion's file defines it"""
+    speed: float | str = 1.0
+    """a factor of time, or the parameter that gives it"""
+    markers: Mapping[str, float] = field(default_factory=dict)
+    """phases 0…1 of named markers, beside the markers of the clip"""
+    outer: str = ""
+    """the composite state around this one, if any"""
+    final: bool = False
+    """the composite state ends when the motion of this one ends"""
+
+    @property
+    def clips(self) -> tuple[str, ...]:
+        """Returns the names of the clips that the state plays; none for a state without motion."""
+        if isinstance(self.motion, BlendDefinition):
+            return tuple(self.motion.clips)
+        return (self.motion,) if self.motion else ()
+
+
+@dataclass(frozen=True)
+class OuterDefinition:
+    """A composite state: a row of defaults for its inner states, flattened when the file is read."""
+
+    initial: str
+    """full name of the inner state that it begins with (a composite state, if they nest)"""
+    resume: bool
+    """whether a transition to it resumes the inner state left last"""
+    line: int
+    outer: str = ""
+    """the composite state around this one"""
+    final: bool = False
+    """the composite state around it ends when this one ends"""
+
+
+@dataclass(frozen=True)
+class EventDefinition:
+    """An input (SM2): a column of the table, or named under `events`."""
+
+    line: int
+    buffer: float | None = None
+    """seconds that the event waits in a blank cell; None: the default"""
+
+
+@dataclass(frozen=True)
+class ParameterDefinition:
+    """A named number that you set from outside."""
+
+    default: float
+    minimum: float
+    maximum: float
+    line: int
+    smooth: float = 0.0
+    """seconds in which a new value is reached, without a jump in value or rate; 0: immediately"""
+
+
+@dataclass(frozen=True)
+class SenseDefinition:
+    """A threshold that raises an event when its condition becomes true, and again only after `release` was
+    true.
+    """
+
+    when: str
+    release: str
+    """empty: when `when` is false"""
+    line: int
+
+
+@dataclass(frozen=True)
+class TouchDefinition:
+    """A pair of colliders that raises an event: one of this machine, and one of any actor on the stage
+    (perhaps of the same name).
+    """
+
+    own: str
+    other: str
+    on: Literal["enter", "stay", "leave"]
+    line: int
+
+
+@dataclass(frozen=True)
+class ColliderDefinition:
+    """A sphere or a plane that rides on a joint (or on the root) and can be touched.
+
+    Metres, in the joint's space.
+    """
+
+    kind: Literal["sphere", "plane"]
+    line: int
+    joint: str = ""
+    """empty: the root of the actor"""
+    center: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    radius: float = 0.0
+    """of a sphere; of a plane: of its disc, 0 for an endless plane"""
+    normal: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    """of a plane: towards its front"""
+
+
+@dataclass(frozen=True)
+class KeyDefinition:
+    """The inputs of a key of the viewer: `press` when it goes down (held down if `hold`), `release` when it
+    comes up.
+    """
+
+    press: str | None
+    release: str | None
+    hold: bool
+    line: int
+
+
+@dataclass(frozen=True)
+class PropertyDefinition:
+    """A property that must be true of the table."""
+
+    text: str
+    line: int
+
+
+@dataclass(frozen=True)
+class LayerDefinition:
+    """A second table on the same character; it shares events, parameters, senses and defaults with
+    the base.
+    """
+
+    states: Mapping[str, StateDefinition]
+    initial: str
+    line: int
+    mask: tuple[str, ...] = ()
+    """joints that it moves, each with its descendants; empty: all joints"""
+    mode: Literal["override", "additive"] = "override"
+    weight: float | str = 1.0
+    """0…1, or the parameter that gives it"""
+    outers: Mapping[str, OuterDefinition] = field(default_factory=dict)
+    cells: Mapping[tuple[str, str], CellDefinition] = field(default_factory=dict)
+    rows: tuple[tuple[str, ...], ...] = ()
+
+
+@dataclass(frozen=True)
+class MachineDefinition:
+    """The behaviour that a machine file defines.
+
+    Cells are keyed by (state, event); either may be `*`, the state may be a composite state, or `OUTER.*` for
+    the `*` of a sub-machine.
+    """
+
+    name: str
+    states: Mapping[str, StateDefinition]
+    initial: str
+    events: Mapping[str, EventDefinition] = field(default_factory=dict)
+    """the inputs, in the order of the columns; END is not among them"""
+    cells: Mapping[tuple[str, str], CellDefinition] = field(default_factory=dict)
+    outers: Mapping[str, OuterDefinition] = field(default_factory=dict)
+    layers: Mapping[str, LayerDefinition] = field(default_factory=dict)
+    """the layers above the base, from below to above"""
+    defaults: Defaults = field(default_factory=Defaults)
+    idle: str | None = None
+    fallback: str = ""
+    """the state of an actor whose own state was removed by an edit; empty: the initial state"""
+    keys: Mapping[str, KeyDefinition] = field(default_factory=dict)
+    parameters: Mapping[str, ParameterDefinition] = field(default_factory=dict)
+    senses: Mapping[str, SenseDefinition | TouchDefinition] = field(default_factory=dict)
+    """by the event that they raise"""
+    colliders: Mapping[str, ColliderDefinition] = field(default_factory=dict)
+    flock: FlockDefinition | None = None
+    """all actors of the role fly as one flock"""
+    properties: tuple[PropertyDefinition, ...] = ()
+    rows: tuple[tuple[str, ...], ...] = ()
+    """the table as written, the header first"""
+    title: str = ""
+    description: str = ""
+    file: str = ""
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Returns the events with END last."""
+        return (*self.events, END)
+
+    def tables(self) -> dict[str, MachineDefinition]:
+        """Returns one machine for each layer, the base first: its own states, cells and rows, and everything
+        that the layers share.
+        """
+        base = replace(self, layers={})
+        above = {
+            name: replace(
+                base,
+                states=layer.states,
+                initial=layer.initial,
+                cells=layer.cells,
+                outers=layer.outers,
+                rows=layer.rows,
+                fallback="",
+                properties=(),
+            )
+            for name, layer in self.layers.items()
+        }
+        return {BASE: base} | above
+
+    def refuse(self, message: str, line: int) -> MachineError:
+        """Returns the error about a line of this machine's file."""
+        return MachineError(message, file=self.file, place=f"line {line}" if line else "")

@@ -1,0 +1,1 @@
+"""The faults that a table may have, one module for each subject."""

@@ -1,0 +1,40 @@
+"""The findings about a table."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+Severity = Literal["error", "warning", "info"]
+
+SUBJECT_ENDS = {"property": ": ", "undefined state": " is no state"}
+"""the text that ends the subject of a message, for kinds whose message has more than the subject"""
+LINE = re.compile(r" \(line [0-9]+\)")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A fault of a machine, or the result of a property; `line` 0 if it is about no line."""
+
+    kind: str
+    severity: Severity
+    message: str
+    line: int = 0
+    state: str | None = None
+    event: str | None = None
+    layer: str = ""
+    """the layer whose table it is about; empty: the base, or the machine as a whole"""
+    replay: tuple[tuple[int, str], ...] = ()
+    """for a refuted property: the (tick, event) inputs of the counterexample, from a fresh stage at 60 Hz"""
+
+    @property
+    def about(self) -> tuple[str, str, str]:
+        """Returns kind, layer and subject: they stay the same if lines are added above it, or if fewer cells
+        have a wrong name.
+        """
+        return (
+            self.kind,
+            self.layer,
+            LINE.sub("", self.message).partition(SUBJECT_ENDS.get(self.kind, "\n"))[0],
+        )

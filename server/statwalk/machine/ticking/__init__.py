@@ -1,1 +1,0 @@
-"""One tick of machines, and what they remember between ticks (spec: "One tick")."""

@@ -1,0 +1,74 @@
+"""Splits the text of a condition into words: numbers, names, signs, each with its column."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+LONGEST = 500
+LONGEST_NUMBER = 30
+WORD = re.compile(
+    r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign><=|>=|==|!=|[-+*/%<>(),]))"
+)
+HINTS = {
+    "=": "`==` compares",
+    "&": "write `and`",
+    "|": "write `or`",
+    "!": "write `not`",
+    "^": "write pow(a, b)",
+    ".": "a name has no parts",
+}
+
+Kind = Literal["number", "name", "sign", "end"]
+
+
+class ConditionError(Exception):
+    """An error about a condition that cannot be read; `column` counts from 1.
+
+    Callers that know file and line convert it to a MachineError.
+    """
+
+    def __init__(self, message: str, column: int) -> None:
+        super().__init__(f"{message} (column {column})")
+        self.message, self.column = message, column
+
+
+@dataclass(frozen=True)
+class Word:
+    """A word of the text."""
+
+    kind: Kind
+    text: str
+    column: int
+
+
+def words_of(text: str) -> list[Word]:
+    """Returns the words of a text, and an `end` after the last.
+
+    :raises ConditionError: when a character belongs to no word, or the text has more than 500 characters.
+    """
+    if len(text) > LONGEST:
+        raise ConditionError(f"the condition is longer than {LONGEST} characters", LONGEST + 1)
+    words: list[Word] = []
+    position, end = 0, len(text.rstrip())
+    while position < end:
+        match = WORD.match(text, position)
+        if match is None:
+            raise _meaningless(text, position)
+        kind: Kind = "number" if match["number"] else "name" if match["name"] else "sign"
+        words.append(Word(kind, match[kind], match.start(kind) + 1))
+        position = match.end()
+    return [*words, Word("end", "", end + 1)]
+
+
+def _meaningless(text: str, position: int) -> ConditionError:
+    while text[position].isspace():
+        position += 1
+    letter = text[position]
+    hint = (
+        f"; {HINTS[letter]}"
+        if letter in HINTS
+        else "; there are only numbers, names, + - * / % < <= > >= == != ( ) and commas"
+    )
+    return ConditionError(f"{letter!r} has no meaning here{hint}", position + 1)

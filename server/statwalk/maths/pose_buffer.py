@@ -1,0 +1,134 @@
+"""The poses of a crowd: sixteen actors side by side, so that one instruction works on sixteen of them.
+
+Only this module and `maths.simd.pose_lanes` define the layout.
+
+A pose of J joints and W morph weights is a column of channels: for each joint translation xyz, rotation xyzw,
+scale xyz (from channel 10·joint on), then the weights, then padding to a multiple of 16. Lane l of block b is
+the actor of row 16·b + l. Lanes without an actor hold the rest pose, so that no kernel meets a NaN or a
+denormal there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.maths.arrays import Ints
+from statwalk.maths.pose import Pose
+from statwalk.maths.simd.aligned import zeros
+
+LANES = 16
+JOINT_CHANNELS = 10
+
+
+@dataclass(eq=False)
+class PoseBuffer:
+    """Poses of `count` actors of one character. Kernels may write the arrays."""
+
+    values: NDArray[np.float32]
+    """(B, C, 16) contiguous, aligned to 64 bytes"""
+    count: int
+    rest: Pose
+    """the unbatched pose (J, …) that lanes without an actor hold"""
+
+    @classmethod
+    def at_rest(cls, rest: Pose, count: int) -> PoseBuffer:
+        """Returns a buffer of `count` actors in the rest pose (J, …)."""
+        buffer = cls(_zeros(blocks(count), channels(rest)), count, rest)
+        buffer.values[:] = columns(rest)[:, None]
+        return buffer
+
+    @classmethod
+    def of(cls, rest: Pose, poses: Pose) -> PoseBuffer:
+        """Returns a buffer of the poses (N, J, …) of N actors."""
+        buffer = cls.at_rest(rest, len(poses.rotation))
+        buffer.put(np.arange(buffer.count), poses)
+        return buffer
+
+    @property
+    def used(self) -> int:
+        """Returns the number of channels of a pose, without padding."""
+        return _used(self.rest)
+
+    def actor(self, row: int) -> Pose:
+        """Returns a copy of the pose (J, …) of one actor."""
+        return Pose(*(array[0] for array in self.poses(np.array([row]))))
+
+    def poses(self, rows: Ints | None = None) -> Pose:
+        """Returns copies of the poses (n, J, …) of some rows, or of all rows if `rows` is None."""
+        rows = np.arange(self.count) if rows is None else rows
+        values = self.values[rows // LANES, :, rows % LANES]
+        joints = self.rest.rotation.shape[-2]
+        of_joints = values[:, : JOINT_CHANNELS * joints].reshape(len(rows), joints, JOINT_CHANNELS)
+        weights = values[:, JOINT_CHANNELS * joints : JOINT_CHANNELS * joints + self.rest.weights.shape[-1]]
+        parts = of_joints[..., :3], of_joints[..., 3:7], of_joints[..., 7:], weights
+        return Pose(*(np.ascontiguousarray(part) for part in parts))
+
+    def put(self, rows: Ints, poses: Pose) -> None:
+        """Writes poses (n, J, …) into some rows."""
+        self.values[rows // LANES, :, rows % LANES] = columns(poses)
+
+    def take(self, rows: Ints) -> PoseBuffer:
+        """Returns a new buffer of the actors of some rows, in this order."""
+        taken = PoseBuffer.at_rest(self.rest, len(rows))
+        to = np.arange(len(rows))
+        taken.values[to // LANES, :, to % LANES] = self.values[rows // LANES, :, rows % LANES]
+        return taken
+
+    def append(self, other: PoseBuffer) -> PoseBuffer:
+        """Returns a new buffer of these actors, then the other buffer's actors."""
+        both = PoseBuffer.at_rest(self.rest, self.count + other.count)
+        for source, first in ((self, 0), (other, self.count)):
+            rows = np.arange(source.count)
+            to = rows + first
+            both.values[to // LANES, :, to % LANES] = source.values[rows // LANES, :, rows % LANES]
+        return both
+
+    def copy(self) -> PoseBuffer:
+        """Returns a copy of the buffer."""
+        copied = PoseBuffer(_zeros(*self.values.shape[:2]), self.count, self.rest)
+        copied.values[:] = self.values
+        return copied
+
+    def rows(self) -> NDArray[np.float32]:
+        """Returns (N, 10·J + W) one contiguous row of channels for each actor, without padding and empty
+        lanes, for storage and transport.
+        """
+        used = _used(self.rest)
+        lanes = np.ascontiguousarray(self.values[:, :used].transpose(0, 2, 1))
+        return lanes.reshape(-1, used)[: self.count]
+
+    @classmethod
+    def of_rows(cls, rest: Pose, rows: NDArray[np.float32]) -> PoseBuffer:
+        """Returns the buffer for the result (N, 10·J + W) of `rows()`."""
+        buffer, actors = cls.at_rest(rest, len(rows)), np.arange(len(rows))
+        buffer.values[actors // LANES, : _used(rest), actors % LANES] = rows
+        return buffer
+
+
+def blocks(count: int) -> int:
+    """Returns the number of blocks of sixteen for `count` actors."""
+    return -(-count // LANES)
+
+
+def channels(rest: Pose) -> int:
+    """Returns the number of channels of a block for poses like `rest` (J, …), padding included."""
+    return -(-_used(rest) // LANES) * LANES
+
+
+def _zeros(blocks: int, channels: int) -> NDArray[np.float32]:
+    return zeros(blocks * channels * LANES).reshape(blocks, channels, LANES)
+
+
+def _used(rest: Pose) -> int:
+    return int(JOINT_CHANNELS * rest.rotation.shape[-2] + rest.weights.shape[-1])
+
+
+def columns(poses: Pose) -> NDArray[np.float32]:
+    """Returns the channels (…, C) of poses (…, J, …), float32, padding included."""
+    lead, joints = poses.rotation.shape[:-2], poses.rotation.shape[-2]
+    of_joints = np.concatenate(poses[:3], -1, dtype=np.float32).reshape(*lead, JOINT_CHANNELS * joints)
+    padding = np.zeros((*lead, channels(poses) - _used(poses)), np.float32)
+    return np.concatenate([of_joints, poses.weights, padding], -1, dtype=np.float32)

@@ -1,0 +1,75 @@
+"""The bits of numbers inside compiled kernels, as whole numbers: of arrays of any type, and of
+sixteen lanes.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from llvmlite import ir
+from numba import types
+from numba.core import cgutils
+
+from statwalk.maths.compiling import intrinsic
+from statwalk.maths.simd.lanes import INT32, LANES, VECTOR, WIDTH
+
+WORDS = ir.VectorType(INT32, WIDTH)
+INT64 = ir.IntType(64)
+
+
+@intrinsic
+def word_at(_typing: Any, array: Any, index: Any) -> Any:
+    """word_at(array, index): the bits of the number at a flat index of an array of any shape and type, as
+    uint64.
+    """
+
+    def code(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        kind = sig.args[0]
+        value = builder.load(builder.gep(context.make_array(kind)(context, builder, args[0]).data, [args[1]]))
+        if isinstance(kind.dtype, types.Float):
+            value = builder.bitcast(value, ir.IntType(kind.dtype.bitwidth))
+        signed = getattr(kind.dtype, "signed", False)
+        return value if value.type == INT64 else (builder.sext if signed else builder.zext)(value, INT64)
+
+    return types.uint64(array, types.int64), code
+
+
+@intrinsic
+def with_word(_typing: Any, lanes: Any, lane: Any, word: Any) -> Any:
+    """with_word(lanes, lane, word): the lanes with the low 32 bits of a word in one lane."""
+
+    def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
+        words = builder.bitcast(args[0], WORDS)
+        return builder.bitcast(
+            builder.insert_element(words, builder.trunc(args[2], INT32), builder.trunc(args[1], INT32)),
+            VECTOR,
+        )
+
+    return LANES(LANES, types.int64, types.uint64), code
+
+
+@intrinsic
+def word_of(_typing: Any, lanes: Any, lane: Any) -> Any:
+    """word_of(lanes, lane): the bits of a lane, as uint64."""
+
+    def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
+        word = builder.extract_element(builder.bitcast(args[0], WORDS), builder.trunc(args[1], INT32))
+        return builder.zext(word, INT64)
+
+    return types.uint64(LANES, types.int64), code
+
+
+def stirring(rotation: int, factor: int) -> Any:
+    """Returns a step of the hash of sixteen lanes: hash xor value, rotated, times an odd factor."""
+
+    def typed(_typing: Any, before: Any, value: Any) -> Any:
+        def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
+            mixed = builder.xor(*(builder.bitcast(lanes, WORDS) for lanes in args))
+            name = f"llvm.fshl.v{WIDTH}i32"
+            rotate = cgutils.get_or_insert_function(builder.module, ir.FunctionType(WORDS, [WORDS] * 3), name)
+            turned = builder.call(rotate, [mixed, mixed, ir.Constant(WORDS, [rotation] * WIDTH)])
+            return builder.bitcast(builder.mul(turned, ir.Constant(WORDS, [factor] * WIDTH)), VECTOR)
+
+        return LANES(LANES, LANES), code
+
+    return intrinsic(typed)

@@ -1,0 +1,1 @@
+"""Key frames: channels, sets of channels that share key times, and their packed form for sampling."""

@@ -1,0 +1,143 @@
+"""A stage with its clock and its viewers. One thread at a time may call it: the stage host holds the lock."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from typing import Protocol
+
+from statwalk.character.role import Role
+from statwalk.errors import StageError
+from statwalk.services.hosting.apply_commands import apply_commands
+from statwalk.services.hosting.commands import AddActor, ClockKind, Command, RemoveActor
+from statwalk.services.hosting.stage_queries import actor_facts
+from statwalk.services.hosting.stage_replies import Posted, StageFacts, StageStatus
+from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.limits import Limits
+from statwalk.services.publish.encoder import Encoder
+from statwalk.services.publish.layout import CastLayout, cast_layout
+from statwalk.services.publish.outbox import EncodedFrame, FrameKind
+from statwalk.stage.clock import Clock
+from statwalk.stage.stage import Stage
+from statwalk.stage.state.frame import Action, CastFrame, Verdict
+
+EncodeFact = Callable[[Action | Verdict | StageStatus], bytes]
+"""encodes an action, a verdict or a status as a text message for viewers"""
+
+
+class StageServices(Protocol):
+    """The parts of the server that a stage uses."""
+
+    catalogue: Catalogue
+    limits: Limits
+    encode_fact: EncodeFact
+
+
+class LiveStage:
+    """Steps a stage, applies commands to it, and publishes its frames."""
+
+    def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, services: StageServices) -> None:
+        self.id, self.stage, self.clock_kind, self.services = stage_id, stage, clock_kind, services
+        self.clock = Clock(stage.rate)
+        self.encoder = Encoder(services.encode_fact)
+
+    # --- time
+
+    def tick(self) -> None:
+        """Steps the stage by one tick, and publishes the frame."""
+        self.stage.step(1)
+        self.show(facts=True)
+
+    def stepping(self, ticks: int) -> Iterator[int]:
+        """Steps the stage by `ticks`; yields after each tick."""
+        for _ in range(ticks):
+            self.tick()
+            yield self.stage.tick
+
+    def stepping_to(self, tick: int) -> Iterator[int]:
+        """Steps the stage up to a tick; yields after each tick."""
+        while self.stage.tick < tick:
+            self.tick()
+            yield self.stage.tick
+
+    def seeking(self, tick: int) -> Iterator[int]:
+        """Computes the state at a tick; yields after each tick it computes. The playhead moves at the end."""
+        yield from self.stage.seeking(tick, most=1)
+        self.show(facts=False)
+        self._announce()
+
+    def pause(self, paused: bool) -> None:
+        """Stops or starts the clock."""
+        self.clock.due(time.perf_counter())  # the time until now passed in the old setting
+        self.clock.paused = paused
+        self._announce()
+
+    def set_speed(self, speed: float) -> None:
+        """Makes the clock run faster or slower."""
+        self.clock.speed = speed
+        self._announce()
+
+    # --- inputs
+
+    def apply(self, commands: tuple[Command, ...], roles: Mapping[str, Role]) -> Posted:
+        """Applies the commands in order; the first refused command raises, and the later ones do not run.
+
+        `roles`: by machine, the role of each actor to add.
+        """
+        outcomes = tuple(apply_commands(self.stage, commands, roles, self.services.limits.actors))
+        if any(isinstance(command, AddActor | RemoveActor) for command in commands):
+            self.show(facts=False)
+        return Posted(self.stage.tick, self.stage.newest, self.id, outcomes)
+
+    def edit(self, role: Role, text: str) -> bool:
+        """Plays another version of a machine.
+
+        Returns False, and changes nothing, if the stage does not play the machine, if the playhead is in the
+        past, or if the stage refuses the version (another skeleton).
+        """
+        if role.name not in self.stage.roles or self.stage.tick < self.stage.head:
+            return False
+        try:
+            self.stage.edit(role, text)
+        except StageError:
+            return False
+        self.show(facts=False)
+        return True
+
+    # --- frames and facts
+
+    def show(self, *, facts: bool) -> None:
+        """Publishes the frame at the playhead, and (`facts`) the actions and verdicts of its tick."""
+        if self.encoder.fanout.outboxes:  # without viewers no frame is made
+            self.encoder.show(
+                self.stage.frame, self.stage.head, partial(self.layout, self.stage), facts=facts
+            )
+
+    def _announce(self) -> None:
+        self.encoder.fanout.tell(self.services.encode_fact(self.status()))
+
+    def encode(self, stage: Stage, kind: FrameKind) -> EncodedFrame:
+        """Returns the encoded frame at the playhead of `stage`: the live stage, or a copy of it."""
+        return self.encoder.encode(stage.frame, kind, self.stage.head, partial(self.layout, stage))
+
+    def layout(self, stage: Stage, cast: CastFrame) -> CastLayout:
+        """Returns the layout of a cast in a frame of `stage`: the live stage, or a copy of it."""
+        numbers = {role: number for number, role in enumerate(stage.roles.values(), 1)}  # rise with each edit
+        character = self.services.catalogue.character_of(cast.role)
+        return cast_layout(cast, character, numbers[cast.role], lambda actor: stage.actor(actor).name)
+
+    def status(self) -> StageStatus:
+        """Returns the status of the stage; safe to call while another thread holds the lock."""
+        stage, clock = self.stage, self.clock
+        return StageStatus(
+            stage.tick, stage.head, stage.first, clock.paused, clock.speed, len(self.encoder.fanout.outboxes)
+        )
+
+    def facts(self) -> StageFacts:
+        """Returns the facts of the stage and its actors."""
+        stage = self.stage
+        actors = tuple(actor_facts(actor) for actor in stage.actors)
+        return StageFacts(
+            self.id, self.clock_kind, stage.rate, stage.seed, stage.seconds, stage.hash, self.status(), actors
+        )

@@ -1,0 +1,233 @@
+"""Edits machines while stages play them. Each edit is verified first and becomes a version; an undo is one
+more version.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+from statwalk.character.role import Role
+from statwalk.errors import ConflictError, ContentError, RefusedEditError, VersionConflictError
+from statwalk.files.machine_yaml.machine_file import FILE_NAME, MachineFile, machine_of
+from statwalk.machine.lint.findings import Finding
+from statwalk.machine.model_checker.work import Checkpoint, go_on
+from statwalk.services.hosting.stage_host import StageHost
+from statwalk.services.hosting.stage_messages import Edit
+from statwalk.services.library.catalogue import Catalogue, Entry
+from statwalk.services.library.load import shipped_machines_folder
+
+MOST_VERSIONS = 200
+Saved = Literal["file", "memory"]
+
+
+@dataclass(frozen=True)
+class MachineVersion:
+    """A version of a machine; `at` in seconds since 1970, `what` says in a few words what the
+    edit changed.
+    """
+
+    number: int
+    at: float
+    what: str
+    text: str
+    before: int = 0
+    """the version that an undo brings back; 0: there is none"""
+
+
+@dataclass(frozen=True)
+class Edited:
+    """The result of an edit, or of a dry run."""
+
+    version: MachineVersion
+    file: MachineFile
+    role: Role
+    findings: list[Finding]
+
+
+class CurrentMachine(NamedTuple):
+    """A machine with its newest version."""
+
+    entry: Entry
+    role: Role
+    version: MachineVersion
+
+
+class MachineVersions:
+    """The versions of all machines. Thread-safe."""
+
+    def __init__(self, catalogue: Catalogue, stages: Callable[[], list[StageHost]]) -> None:
+        self.catalogue, self.stages = catalogue, stages
+        self.lock = threading.RLock()
+        """held only to read or replace the entry, the role and the versions of a machine together"""
+        self.storing = threading.Lock()
+        """held by the one edit that is written to its file and to the stages"""
+        self.versions_of: dict[str, list[MachineVersion]] = {}
+
+    def of(self, name: str) -> list[MachineVersion]:
+        """Returns the newest versions of a machine, at most `MOST_VERSIONS`, oldest first.
+
+        :raises UnknownNameError: when no machine has this name.
+        """
+        entry = self.catalogue.entry(name)
+        with self.lock:
+            return list(
+                self.versions_of.setdefault(
+                    name, [MachineVersion(1, time.time(), "as it was read", entry.file.text)]
+                )
+            )
+
+    def current(self, name: str) -> CurrentMachine:
+        """Returns a machine with its newest version. Does not wait for edits.
+
+        :raises UnknownNameError: when no machine has this name.
+        """
+        self.catalogue.role(name)  # reads the character, if needed, before the lock is taken
+        with self.lock:
+            return CurrentMachine(self.catalogue.entry(name), self.catalogue.role(name), self.of(name)[-1])
+
+    def based_on(self, name: str, number: int) -> CurrentMachine:
+        """Returns a machine with its newest version, if that is version `number`.
+
+        :raises VersionConflictError: when the newest version is not `number`: another editor has changed the
+            machine meanwhile.
+        """
+        current = self.current(name)
+        newest = current.version
+        if number != newest.number:
+            raise VersionConflictError(
+                f"{name} is at version {newest.number} now ({newest.what}), not {number}; read it again",
+                field="version",
+            )
+        return current
+
+    def checked(
+        self,
+        current: CurrentMachine,
+        text: str,
+        what: str,
+        before: int | None = None,
+        checkpoint: Checkpoint = go_on,
+    ) -> Edited:
+        """Returns the edit that would replace `current` by the text, without making it. Holds no lock.
+
+        `before`: the version that an undo of the edit brings back; None means `current`.
+        `checkpoint` cancels the verification by raising.
+
+        :raises ContentError: when the text cannot be read.
+        :raises RefusedEditError: when the text names another character, or the verifier finds errors that the
+            machine does not have now.
+        """
+        entry, role, version = current
+        file = machine_of(text, entry.folder, FILE_NAME)
+        if file.character_path != entry.file.character_path:
+            raise RefusedEditError(
+                "an edit cannot change the character; make a new machine for another character",
+                field="character",
+            )
+        file.check_root(role.character.skeleton.names)
+        checkpoint()
+        new = Role.build(role.name, role.character, file.definition, file.root_joint, before=role)
+        findings = list(new.verify(checkpoint))
+        if errors := _errors_in(findings):
+            earlier = {finding.about for finding in _errors_in(role.verify(checkpoint))}
+            errors = [finding for finding in errors if finding.about not in earlier]
+        if errors:
+            raise RefusedEditError(
+                f"the table is refused: {errors[0].message}", field=f"line {errors[0].line}", findings=errors
+            )
+        undone_to = version.number if before is None else before
+        edit = MachineVersion(version.number + 1, time.time(), what, text, undone_to)
+        return Edited(edit, file, new, findings)
+
+    def change(
+        self,
+        current: CurrentMachine,
+        text: str,
+        what: str,
+        *,
+        write: bool = True,
+        before: int | None = None,
+        checkpoint: Checkpoint = go_on,
+    ) -> Edited:
+        """Makes the text the newest version: in the machine's file (`write`), and on every stage that plays
+        the machine and whose playhead is at its newest tick.
+
+        :raises ContentError: when the text cannot be read, or the file cannot be written.
+        :raises RefusedEditError: when `checked` refuses the text.
+        :raises VersionConflictError: when another edit is made while this one is verified.
+        """
+        edited, name = self.checked(current, text, what, before, checkpoint), current.entry.name
+        with self.storing:
+            entry = self.based_on(name, current.version.number).entry
+            if write and saved(entry) == "file":
+                _put_in_place(entry.folder / FILE_NAME, text)
+            with self.lock:
+                self.catalogue.renew(replace(entry, file=edited.file), edited.role)
+                self.versions_of[name] = [*self.of(name), edited.version][-MOST_VERSIONS:]
+            for host in self.stages():
+                host.handle(Edit(name, text))
+        return edited
+
+    def undo(self, current: CurrentMachine, checkpoint: Checkpoint = go_on) -> Edited:
+        """Makes a new version with the text of the version before `current`; the next undo goes back
+        further.
+
+        :raises ConflictError: when there is no earlier version.
+        """
+        name, number = current.entry.name, current.version.before
+        target = next((version for version in self.of(name) if version.number == number), None)
+        if target is None:
+            raise ConflictError(f"there is nothing to undo in {name}")
+        return self.change(
+            current, target.text, f"back to version {number}", before=target.before, checkpoint=checkpoint
+        )
+
+    def follow(self, name: str) -> Edited | None:
+        """Makes the text of the machine's file the newest version; returns None if the text is unchanged.
+
+        :raises ContentError: when the text is refused; the machine keeps its version.
+        """
+        current = self.current(name)
+        entry = current.entry
+        text = (entry.folder / FILE_NAME).read_text(encoding="utf-8", errors="replace")
+        if text == entry.file.text:
+            return None
+        return self.change(current, text, "the file was saved", write=False)
+
+
+def _errors_in(findings: Iterable[Finding]) -> list[Finding]:
+    return [finding for finding in findings if finding.severity == "error"]
+
+
+def saved(entry: Entry) -> Saved:
+    """Returns where edits of a machine are kept: in its `file`, or, for a shipped machine, in `memory` until
+    the server stops.
+    """
+    return "memory" if entry.folder.is_relative_to(shipped_machines_folder()) else "file"
+
+
+def _put_in_place(path: Path, text: str) -> None:
+    """Replaces the file atomically, and keeps its permissions.
+
+    :raises ContentError: when the file cannot be written.
+    """
+    try:
+        with tempfile.NamedTemporaryFile(
+            "w", dir=path.parent, prefix=".machine-", delete=False, encoding="utf-8", newline=""
+        ) as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        if path.exists():
+            shutil.copymode(path, file.name)
+        Path(file.name).replace(path)
+    except OSError as error:
+        raise ContentError(f"the file cannot be written: {error.strerror}", file=str(path)) from None

@@ -1,0 +1,244 @@
+"""Holds one stage behind messages: a lock around it, long work in slices, forks.
+
+Only the host touches the stage. Messages and replies are plain data, so that a host may live in another
+process.
+"""
+
+from __future__ import annotations
+
+import secrets
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, Protocol
+
+from statwalk.errors import BusyError, CancelledError, LimitError
+from statwalk.services.cancel import NEVER, SLICE_SECONDS, CancelToken
+from statwalk.services.hosting import stage_messages as ask
+from statwalk.services.hosting.commands import AddActor, ClockKind
+from statwalk.services.hosting.live_stage import LiveStage, StageServices
+from statwalk.services.hosting.past_stages import PastStages
+from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, ON_A_COPY
+from statwalk.services.hosting.stage_replies import Posted, StageFacts, StageStatus
+from statwalk.services.publish.outbox import EncodedFrame, Outbox
+from statwalk.stage.stage import Stage
+
+BUSY_SECONDS = 20.0
+LOOK_SECONDS = 0.1
+"""between two looks at the token while a log makes commands durable"""
+MANUAL_WAIT_SECONDS = 0.25
+
+
+class Home(StageServices, Protocol):
+    """The server that a host belongs to."""
+
+    wake: Callable[[], None]
+    """has the ticker look at the clocks now"""
+
+    def hold(self, host: StageHost) -> StageHost:
+        """Adds the host of a new stage, and returns it."""
+        ...
+
+
+class StageHost:
+    """Answers messages about one stage. Thread-safe.
+
+    `is_unclaimed`: an input at a past tick made this fork, and no request has named the fork yet.
+    """
+
+    is_unclaimed = False
+
+    def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, home: Home) -> None:
+        self.id, self.clock_kind, self.rate, self.home = stage_id, clock_kind, stage.rate, home
+        self.touched = time.monotonic()
+        self._live = LiveStage(stage_id, stage, clock_kind, home)
+        self._lock = threading.Lock()
+        self._closed = threading.Event()
+        self._past = PastStages(self._copy)
+        self.fanout = self._live.encoder.fanout
+
+    def handle(self, message: ask.Message[ask.Reply], token: CancelToken = NEVER) -> ask.Reply:
+        """Does what a message asks, and returns the reply.
+
+        Long work holds the lock for 5 ms at a time, so that other threads get their turn in between.
+
+        :raises UnknownNameError: when a name in the message does not exist.
+        :raises StageError: when the stage cannot do it.
+        :raises ConflictError: when the stage as it is now does not allow it.
+        :raises BusyError: when another thread holds the stage for 20 s.
+        :raises CancelledError: when the token is cancelled, or the stage is closed, before the work is done.
+        """
+        kind = type(message)
+        answer: Any
+        if query := AT_PLAYHEAD.get(kind):
+            with self._locked() as live:
+                answer = query(live.stage, message)
+        elif query := ON_A_COPY.get(kind):
+            copy = self._copy()
+            copy.before_tick = token.check
+            answer = query(copy, message)
+        else:
+            answer = _HANDLERS[kind](self, message, token)
+        reply: ask.Reply = answer
+        return reply
+
+    def advance_to(self, now: float) -> float:
+        """Takes the steps that are due at `now` (perf_counter seconds); returns the seconds until the next
+        one.
+
+        The ticker calls this. Takes no step while another thread holds the stage.
+        """
+        if self.clock_kind == "manual" or not self._lock.acquire(blocking=False):
+            return MANUAL_WAIT_SECONDS if self.clock_kind == "manual" else 1 / self.rate
+        try:
+            for _ in range(self._live.clock.due(now)):
+                self._live.tick()
+            return self._live.clock.wait(now)
+        finally:
+            self._lock.release()
+
+    def leave(self, outbox: Outbox) -> None:
+        """Removes a viewer; the stage counts as idle from now on if it was the last one."""
+        self.fanout.leave(outbox)
+        if not self.fanout.outboxes:
+            self._past.forget()
+        self.touched = time.monotonic()
+
+    @contextmanager
+    def _locked(self) -> Iterator[LiveStage]:
+        """Yields the live stage while this thread holds the lock.
+
+        :raises BusyError: when another thread holds the stage for 20 s.
+        """
+        if not self._lock.acquire(timeout=BUSY_SECONDS):
+            raise BusyError("the stage is busy with a long step; try again")
+        try:
+            self.touched = time.monotonic()
+            yield self._live
+        finally:
+            self._lock.release()
+
+    def _copy(self) -> Stage:
+        with self._locked() as live:
+            return live.stage.copy()
+
+    def _in_slices(self, work: Iterator[int], token: CancelToken) -> StageStatus:
+        """Runs long work, holding the lock for 5 ms at a time; what is done stays if the work is cancelled.
+
+        :raises CancelledError: when the token is cancelled, or the stage is closed, before the work is done.
+        """
+        unfinished = True
+        while unfinished:
+            token.check()
+            if self._closed.is_set():
+                raise CancelledError("the work is cancelled: the stage is closed")
+            with self._locked():
+                slice_end = time.perf_counter() + SLICE_SECONDS
+                while unfinished and time.perf_counter() < slice_end:
+                    unfinished = next(work, None) is not None
+            time.sleep(0)  # lets a thread that waits for the lock run
+        return self._live.status()
+
+    # --- one method for each message
+
+    def _post(self, message: ask.Post, token: CancelToken) -> Posted:
+        """Answers when the commands are durable: what was acknowledged survives a crash."""
+        token.check()
+        stage, posted = self._applied(message, token)
+        while not stage.durable(posted.seq, LOOK_SECONDS):
+            token.check()
+        return posted
+
+    def _applied(self, message: ask.Post, token: CancelToken) -> tuple[Stage, Posted]:
+        machines = {command.machine for command in message.commands if isinstance(command, AddActor)}
+        roles = {machine: self.home.catalogue.role(machine) for machine in machines}
+        with self._locked() as live:
+            stage = live.stage
+            tick = stage.tick if message.at is None else min(message.at, stage.head)
+            if not message.forks or tick == stage.tick == stage.head:
+                return stage, live.apply(message.commands, roles)
+            if not message.may_fork:
+                raise LimitError("too many forks at once; wait a few seconds, or continue in one of them")
+            past = stage.copy()
+        branch = self._branch(past, tick, token)  # may take long: without the lock, the stage keeps running
+        with branch._locked() as live:
+            stage, posted = live.stage, live.apply(message.commands, roles)
+        branch.is_unclaimed = True
+        self.home.hold(branch)
+        return stage, posted
+
+    def _fork(self, message: ask.Fork, token: CancelToken) -> str:
+        past = self._copy()
+        return self.home.hold(
+            self._branch(past, past.tick if message.tick is None else message.tick, token)
+        ).id
+
+    def _branch(self, past: Stage, tick: int, token: CancelToken) -> StageHost:
+        """Returns the host of a fork of `past` at a tick; `past` is a copy that this method may change."""
+        past.before_tick = token.check
+        if tick != past.tick:
+            past.seek(tick)
+        branch = past.fork()
+        branch.before_tick = NEVER.check
+        return StageHost(secrets.token_hex(4), branch, self.clock_kind, self.home)
+
+    def _edit(self, message: ask.Edit, _: CancelToken) -> bool:
+        role = self.home.catalogue.version(message.machine, message.text)
+        with self._locked() as live:
+            return live.edit(role, message.text)
+
+    def _step(self, message: ask.Step, token: CancelToken) -> StageStatus:
+        return self._in_slices(self._live.stepping(message.ticks), token)
+
+    def _step_to(self, message: ask.StepTo, token: CancelToken) -> StageStatus:
+        return self._in_slices(self._live.stepping_to(message.tick), token)
+
+    def _seek(self, message: ask.Seek, token: CancelToken) -> StageStatus:
+        return self._in_slices(self._live.seeking(message.tick), token)
+
+    def _pause(self, message: ask.Pause, _: CancelToken) -> StageStatus:
+        with self._locked() as live:
+            live.pause(message.paused)
+        self.home.wake()
+        return self._live.status()
+
+    def _set_speed(self, message: ask.SetSpeed, _: CancelToken) -> StageStatus:
+        with self._locked() as live:
+            live.set_speed(message.speed)
+        self.home.wake()
+        return self._live.status()
+
+    def _frame(self, message: ask.Frame, token: CancelToken) -> EncodedFrame:
+        if message.tick is None:
+            with self._locked() as live:
+                return live.encode(live.stage, message.kind)
+        with self._past.at(message.tick, token) as past:
+            return self._live.encode(past, message.kind)
+
+    def _status(self, _: ask.Status, __: CancelToken) -> StageStatus:
+        return self._live.status()
+
+    def _describe(self, _: ask.Describe, __: CancelToken) -> StageFacts:
+        with self._locked() as live:
+            return live.facts()
+
+    def _close(self, _: ask.Close, __: CancelToken) -> None:
+        self._closed.set()
+        self.fanout.end("deleted", "the stage was deleted")
+
+
+_HANDLERS: dict[type[ask.Message[Any]], Callable[[StageHost, Any, CancelToken], Any]] = {
+    ask.Post: StageHost._post,
+    ask.Edit: StageHost._edit,
+    ask.Step: StageHost._step,
+    ask.StepTo: StageHost._step_to,
+    ask.Seek: StageHost._seek,
+    ask.Fork: StageHost._fork,
+    ask.Pause: StageHost._pause,
+    ask.SetSpeed: StageHost._set_speed,
+    ask.Close: StageHost._close,
+    ask.Status: StageHost._status,
+    ask.Describe: StageHost._describe,
+    ask.Frame: StageHost._frame,
+}

@@ -1,0 +1,117 @@
+"""The replies of a stage host: plain data that can be pickled, so that a host may live in another process."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from statwalk.machine.travel import Plan
+from statwalk.maths.arrays import Floats
+from statwalk.maths.pose import Pose
+from statwalk.services.hosting.commands import ClockKind
+from statwalk.stage.state.frame import Action, Verdict
+
+
+@dataclass(frozen=True)
+class StageStatus:
+    """The status of a stage: `tick` is its playhead, `head` the newest tick, `first` the oldest tick."""
+
+    tick: int
+    head: int
+    first: int
+    paused: bool
+    speed: float
+    viewers: int
+
+
+@dataclass(frozen=True)
+class ActorFacts:
+    """An actor at the playhead; `time` in seconds, `position` in metres, `heading` in radians about +Y."""
+
+    id: int
+    name: str
+    machine: str
+    state: str
+    states: tuple[str, ...]
+    time: float
+    position: tuple[float, float, float]
+    heading: float
+    hash: str
+
+
+@dataclass(frozen=True)
+class StageFacts:
+    """A stage with its actors."""
+
+    id: str
+    clock: ClockKind
+    rate: int
+    seed: int
+    seconds: float
+    hash: str
+    status: StageStatus
+    actors: tuple[ActorFacts, ...]
+
+
+@dataclass(frozen=True)
+class ActorPose:
+    """An actor's pose at the playhead: local transforms, and `world` (J, 4, 4) in the stage's space;
+    `position` (3,), `heading` radians.
+    """
+
+    tick: int
+    state: str
+    joints: tuple[str, ...]
+    local: Pose
+    world: Floats
+    position: Floats
+    heading: float
+
+
+@dataclass(frozen=True)
+class Posted:
+    """The commands are in the log of `stage` (the stage, or a fork) and count in the tick after `tick`.
+
+    `seq`: the last entry's number in the log. `outcomes`: for each entry the actor that it added, the plan of
+    a travel, or None.
+    """
+
+    tick: int
+    seq: int
+    stage: str
+    outcomes: tuple[ActorFacts | Plan | None, ...]
+
+
+@dataclass(frozen=True)
+class EffectsSince:
+    """The actions and verdicts after the tick that the message names, up to `tick`."""
+
+    tick: int
+    actions: tuple[Action, ...]
+    verdicts: tuple[Verdict, ...]
+
+
+@dataclass(frozen=True)
+class StateChange:
+    """A layer of an actor enters `state` at `tick`."""
+
+    tick: int
+    actor: int
+    layer: int
+    state: str
+
+
+@dataclass(frozen=True)
+class StateHistory:
+    """The changes of state up to `head`, oldest first."""
+
+    head: int
+    changes: tuple[StateChange, ...]
+
+
+@dataclass(frozen=True)
+class StageSnapshot:
+    """The state at the playhead: `data` as `state_codec.from_bytes` reads it."""
+
+    tick: int
+    hash: str
+    data: bytes

@@ -1,0 +1,1 @@
+"""Content by name: machines, characters, scenes, uploads."""

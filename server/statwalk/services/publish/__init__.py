@@ -1,0 +1,1 @@
+"""Frames and facts for viewers: encoded once, sent to every viewer."""

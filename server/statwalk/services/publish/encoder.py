@@ -1,0 +1,94 @@
+"""Encodes the frames and facts of a stage once for all its viewers."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from collections.abc import Callable
+
+from statwalk.character.role import Role
+from statwalk.errors import StageError
+from statwalk.services.publish import pose_message
+from statwalk.services.publish.fanout import Fanout
+from statwalk.services.publish.gltf_frames import GlbFrames
+from statwalk.services.publish.layout import CastLayout, FrameLayout
+from statwalk.services.publish.outbox import EncodedFrame, FrameKind
+from statwalk.stage.state.frame import Action, CastFrame, Frame, Verdict
+
+MOST_LAYOUTS = 16
+Describe = Callable[[CastFrame], CastLayout]
+"""returns the layout of a cast; called if a frame's actors differ from the frames that the
+encoder remembers
+"""
+
+
+class Encoder:
+    """Encodes the frames of one stage, and publishes them. Thread-safe.
+
+    `encode_fact` encodes an action or a verdict as a text message.
+    """
+
+    def __init__(self, encode_fact: Callable[[Action | Verdict], bytes]) -> None:
+        self.encode_fact = encode_fact
+        self.fanout = Fanout()
+        self.glb = GlbFrames()
+        self.layouts: OrderedDict[tuple[tuple[Role, bytes], ...], FrameLayout] = OrderedDict()
+        self.epoch = 0
+        self.lock = threading.Lock()
+
+    def show(self, frame: Frame, head: int, describe: Describe, *, facts: bool) -> None:
+        """Publishes a frame in the kinds that viewers watch, and (`facts`) the actions and
+        verdicts of its tick.
+
+        `head`: the newest tick of the stage.
+        """
+        frames = {
+            kind: encoded
+            for kind in self.fanout.kinds()
+            if (encoded := self._try_encode(frame, kind, head, describe))
+        }
+        fact_texts = (
+            [*map(self.encode_fact, frame.actions), *map(self.encode_fact, frame.verdicts)] if facts else []
+        )
+        self.fanout.publish(frames, fact_texts)
+
+    def encode(self, frame: Frame, kind: FrameKind, head: int, describe: Describe) -> EncodedFrame:
+        """Returns a frame as a binary message.
+
+        :raises StageError: when the frame is too large.
+        """
+        layout = self.layout(frame, describe)
+        data = (
+            self.glb.streamed(frame, layout.epoch)
+            if kind == "glb"
+            else pose_message.encode(frame, layout.epoch, head)
+        )
+        return EncodedFrame(frame.tick, kind, layout, data)
+
+    def layout(self, frame: Frame, describe: Describe) -> FrameLayout:
+        """Returns the layout of a frame.
+
+        Frames with the same actors and the same versions of machines share a layout and its epoch, while the
+        encoder remembers it: it keeps `MOST_LAYOUTS`.
+        """
+        key = tuple((cast.role, cast.ids.tobytes()) for cast in frame.casts)
+        with self.lock:
+            if key not in self.layouts:
+                self.epoch += 1
+                self.layouts[key] = FrameLayout(self.epoch, tuple(describe(cast) for cast in frame.casts))
+                if len(self.layouts) > MOST_LAYOUTS:
+                    self.layouts.popitem(last=False)
+            self.layouts.move_to_end(key)
+            return self.layouts[key]
+
+    def _try_encode(
+        self, frame: Frame, kind: FrameKind, head: int, describe: Describe
+    ) -> EncodedFrame | None:
+        """Returns None if the frame is too large: the viewers of this kind are disconnected, the
+        stage runs on.
+        """
+        try:
+            return self.encode(frame, kind, head, describe)
+        except StageError as error:
+            self.fanout.end("too large", str(error)[:100], kind)
+            return None

@@ -1,0 +1,92 @@
+"""Carries frames and facts from the thread that steps a stage to the event loop that serves its viewers.
+
+The stepping thread stores the newest frame and the facts, and wakes the loop once; the loop delivers them to
+the outboxes. However late the loop is, only the newest frame of each kind is pending.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections.abc import Callable, Mapping, Sequence
+
+from statwalk.errors import BusyError
+from statwalk.services.limits import MOST_VIEWERS
+from statwalk.services.publish.outbox import EncodedFrame, Ending, FrameKind, Outbox
+
+
+class Fanout:
+    """The viewers of one stage.
+
+    Call `join`, `leave` and `cut_overdue` in the event loop; call the other methods in any thread.
+    """
+
+    def __init__(self) -> None:
+        self.outboxes: frozenset[Outbox] = frozenset()
+        self.lock = threading.Lock()
+        self.loop: asyncio.AbstractEventLoop | None = None
+        self.frames: dict[FrameKind, EncodedFrame] = {}
+        self.facts: list[bytes] = []
+        self.scheduled = False
+
+    def join(self, outbox: Outbox) -> None:
+        """Adds a viewer.
+
+        :raises BusyError: when the stage has the most viewers that it may have.
+        """
+        if len(self.outboxes) >= MOST_VIEWERS:
+            raise BusyError(f"this stage has {MOST_VIEWERS} viewers, and no room for more; try again later")
+        self.loop = asyncio.get_running_loop()
+        self.outboxes |= {outbox}
+
+    def leave(self, outbox: Outbox) -> None:
+        """Removes a viewer."""
+        self.outboxes -= {outbox}
+
+    def kinds(self) -> set[FrameKind]:
+        """Returns the kinds of frame that the live viewers watch."""
+        return {outbox.frames for outbox in self.outboxes if outbox.live}
+
+    def publish(self, frames: Mapping[FrameKind, EncodedFrame], facts: Sequence[bytes]) -> None:
+        """Stores the frames of a tick, which replace older pending frames, and appends its facts."""
+        loop = self.loop
+        if loop is None or not self.outboxes:
+            return
+        with self.lock:
+            self.frames.update(frames)
+            self.facts.extend(facts)
+            wake, self.scheduled = not self.scheduled, True
+        if wake:
+            loop.call_soon_threadsafe(self._deliver)
+
+    def _deliver(self) -> None:
+        """Moves the pending frames and facts to the outboxes; runs in the event loop."""
+        with self.lock:
+            frames, self.frames = self.frames, {}
+            facts, self.facts = self.facts, []
+            self.scheduled = False
+        for outbox in self.outboxes:
+            if facts:
+                outbox.put_facts(facts)
+            if outbox.live and outbox.frames in frames:
+                outbox.put_frame(frames[outbox.frames])
+
+    def tell(self, status: bytes) -> None:
+        """Sends the status to every viewer."""
+        self.each(lambda outbox: outbox.put_status(status))
+
+    def cut_overdue(self, now: float) -> None:
+        """Disconnects the viewers that leave frames unacknowledged."""
+        for outbox in self.outboxes:
+            if outbox.overdue(now):
+                outbox.cut("slow", "frames were not acknowledged for 5 s")
+
+    def end(self, ending: Ending, reason: str, kind: FrameKind | None = None) -> None:
+        """Disconnects all viewers, or (`kind`) the viewers of one kind of frame."""
+        self.each(lambda outbox: outbox.cut(ending, reason) if kind in (None, outbox.frames) else None)
+
+    def each(self, act: Callable[[Outbox], None]) -> None:
+        """Has the event loop call `act` with every outbox."""
+        for outbox in self.outboxes:
+            if self.loop is not None:
+                self.loop.call_soon_threadsafe(act, outbox)

@@ -1,1 +1,0 @@
-"""Another version of a machine while it is played."""

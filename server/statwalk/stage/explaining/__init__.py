@@ -1,1 +1,0 @@
-"""Why an event did what it did, and what would have made it fire."""

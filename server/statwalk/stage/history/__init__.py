@@ -1,0 +1,1 @@
+"""The past of a stage: its log, its snapshots, its timeline."""

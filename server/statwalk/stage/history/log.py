@@ -1,0 +1,85 @@
+"""The log of a stage: every command, with its sequence number and the tick in which it counts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Protocol
+
+from statwalk.stage.state.commands import Command, LogEntry
+
+
+class Log(Protocol):
+    """The interface of a log; a durable store can replace the log in memory."""
+
+    def append(self, tick: int, commands: Iterable[Command]) -> list[int]:
+        """Appends commands after all other commands of their tick; returns their sequence numbers."""
+
+    @property
+    def newest(self) -> int:
+        """The sequence number of the newest command; 0 if the log is empty."""
+
+    def durable(self, number: int, seconds: float = 0.0) -> bool:
+        """Returns whether the command of this number, and all commands before it, would survive a crash of
+        the machine; waits for durability for at most `seconds`.
+        """
+
+    def at(self, tick: int) -> list[LogEntry]:
+        """Returns the entries of a tick, in the order in which they came."""
+
+    def until(self, tick: int, takes_waiting: bool = False) -> Log:
+        """Returns a log that shares the entries up to `tick` (with `takes_waiting` also the entries of the
+        next tick) and is independent afterwards.
+        """
+
+    def __iter__(self) -> Iterator[LogEntry]:
+        """Yields all entries by tick, and in the order in which they came."""
+
+
+class MemoryLog:
+    """A log in the memory of its process; a command is as durable as it will ever be at once."""
+
+    def __init__(self, entries: Iterable[LogEntry] = ()) -> None:
+        self._by_tick: dict[int, list[LogEntry]] = {}
+        self._past: list[
+            tuple[int, Mapping[int, list[LogEntry]]]
+        ] = []  # (first tick that is not shared, entries), oldest first
+        self.newest = 0
+        for entry in entries:
+            self._by_tick.setdefault(entry.tick, []).append(entry)
+            self.newest = max(self.newest, entry.number)
+
+    def append(self, tick: int, commands: Iterable[Command]) -> list[int]:
+        """Appends commands after all other commands of their tick; returns their sequence numbers."""
+        new = [LogEntry(number, tick, command) for number, command in enumerate(commands, self.newest + 1)]
+        self._by_tick.setdefault(tick, []).extend(new)
+        self.newest += len(new)
+        return [entry.number for entry in new]
+
+    def durable(self, number: int, seconds: float = 0.0) -> bool:  # noqa: ARG002 - memory has no disk to wait for
+        """Returns whether the command of this number has been appended."""
+        return number <= self.newest
+
+    def at(self, tick: int) -> list[LogEntry]:
+        """Returns the entries of a tick, in the order in which they came."""
+        for end, entries in self._past:
+            if tick < end:
+                return list(entries.get(tick, ()))
+        return list(self._by_tick.get(tick, ()))
+
+    def until(self, tick: int, takes_waiting: bool = False) -> MemoryLog:
+        """Returns a log that shares the entries before `tick` by reference, since the past never changes, and
+        copies the others.
+        """
+        fork = MemoryLog([*self.at(tick), *(self.at(tick + 1) if takes_waiting else ())])
+        fork._past = [(min(end, tick), entries) for end, entries in (*self._past, (tick, self._by_tick))]
+        fork.newest = self.newest
+        return fork
+
+    def __iter__(self) -> Iterator[LogEntry]:
+        """Yields all entries by tick, and in the order in which they came."""
+        # tuple: another thread may append to the log that shares this past
+        ticks = {tick for end, entries in self._past for tick in tuple(entries) if tick < end} | set(
+            self._by_tick
+        )
+        for tick in sorted(ticks):
+            yield from self.at(tick)

@@ -1,0 +1,134 @@
+"""A log as JSON lines. Every line is checked when it is read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields
+from math import isfinite
+from typing import Any, NamedTuple
+
+import orjson
+
+from statwalk.errors import StageError
+from statwalk.stage.state.commands import (
+    Add,
+    Command,
+    Edit,
+    Hold,
+    LogEntry,
+    Press,
+    Release,
+    Remove,
+    Set,
+    Travel,
+)
+
+SEMANTICS = 1
+LARGEST = (1 << 63) - 1
+
+
+class Loaded(NamedTuple):
+    """The contents of a log file; `lines` are the line numbers of the entries."""
+
+    header: dict[str, Any]
+    entries: list[LogEntry]
+    lines: list[int]
+
+
+def dump(log: Iterable[LogEntry], header: Mapping[str, Any]) -> list[str]:
+    """Returns a log as JSON lines, the header first."""
+    first = {"statwalk": "log", "semantics": SEMANTICS, **header}
+    return [orjson.dumps(line).decode() for line in (first, *map(_line, log))]
+
+
+def _line(entry: LogEntry) -> dict[str, Any]:
+    kind = type(entry.command).__name__.lower()
+    return {"number": entry.number, "tick": entry.tick, "kind": kind, **vars(entry.command)}
+
+
+def load(lines: Iterable[str]) -> Loaded:
+    """Returns header and entries of JSON lines.
+
+    :raises StageError: when a line cannot be read; the message names the line and what it should say.
+    """
+    records = [(number, _record(number, line)) for number, line in enumerate(lines, 1) if line.strip()]
+    header = _header(records[0][1] if records else {})
+    return Loaded(
+        header,
+        [_entry(number, record) for number, record in records[1:]],
+        [number for number, _ in records[1:]],
+    )
+
+
+def _record(number: int, line: str) -> dict[str, Any]:
+    try:
+        record = orjson.loads(line)
+    except orjson.JSONDecodeError as error:
+        raise StageError(f"line {number}: {error}") from None
+    if not isinstance(record, dict):
+        raise StageError(f"line {number}: a JSON object is needed")
+    return record
+
+
+def _header(header: dict[str, Any]) -> dict[str, Any]:
+    if header.get("statwalk") != "log":
+        raise StageError('line 1: not a statwalk log; its first line says {"statwalk": "log", …}')
+    if header.get("semantics") != SEMANTICS:
+        raise StageError(
+            f"line 1: the log has semantics {header.get('semantics')!r}, this build reads {SEMANTICS}"
+        )
+    for name, least in (("seed", -1 << 63), ("rate", 1), ("head", 0)):
+        if name in header and not _is_whole(header[name], least):
+            raise StageError(f"line 1: {name} is a whole number of at least {least}, not {header[name]!r}")
+    return header
+
+
+def _entry(number: int, record: dict[str, Any]) -> LogEntry:
+    place = [record.pop(name, None) for name in ("number", "tick")]
+    kind = KINDS.get(str(record.pop("kind", "")))
+    if kind is None or not all(map(_is_whole, place)):
+        raise StageError(
+            f"line {number}: an entry has number and tick, whole numbers of at least 0, and kind "
+            f"({', '.join(KINDS)})"
+        )
+    checks = {field.name: CHECKS[field.name] for field in fields(kind)}
+    if set(record) != set(checks):
+        raise StageError(
+            f"line {number}: {kind.__name__.lower()} has {', '.join(checks)} beside number, tick and kind"
+        )
+    for name, (is_right, wanted) in checks.items():
+        if not is_right(record[name]):
+            raise StageError(f"line {number}: {name} is {wanted}, not {str(record[name])[:80]}")
+    if kind is Add:
+        record["position"] = tuple(record["position"])
+    return LogEntry(place[0], place[1], kind(**record))
+
+
+def _is_whole(value: object, least: int = 0) -> bool:
+    return type(value) is int and least <= value <= LARGEST
+
+
+def _is_number(value: object) -> bool:
+    return type(value) in (int, float) and isfinite(value)  # type: ignore[arg-type]  # looked at just before
+
+
+def _is_text(value: object) -> bool:
+    return isinstance(value, str)
+
+
+def _is_place(value: object) -> bool:
+    return isinstance(value, list) and len(value) == 3 and all(map(_is_number, value))
+
+
+KINDS: Mapping[str, type[Command]] = {
+    kind.__name__.lower(): kind for kind in (Add, Remove, Press, Hold, Release, Set, Travel, Edit)
+}
+TEXT: tuple[Callable[[object], bool], str] = (_is_text, "text")
+NUMBER: tuple[Callable[[object], bool], str] = (_is_number, "a finite number")
+CHECKS: Mapping[str, tuple[Callable[[object], bool], str]] = {
+    **dict.fromkeys(("name", "role", "event", "parameter", "state", "text"), TEXT),
+    **dict.fromkeys(("value", "heading"), NUMBER),
+    "actor": (_is_whole, "a whole number of at least 0"),
+    "position": (_is_place, "three finite numbers"),
+}
+"""for each field of a command its check, and the value it needs in words"""

@@ -1,1 +1,0 @@
-"""What happens between actors: touches, events that one raises on another, flocks."""

@@ -1,0 +1,248 @@
+"""The state of machines, mapped to another version of their table: states, events, parameters and senses by
+name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Sequence
+from dataclasses import fields
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.machine.compile.machine import Machine
+from statwalk.machine.runtime.state import (
+    BEGINNING,
+    FOR_BUFFER,
+    LOOK_UP,
+    QUEUE,
+    RUNNING,
+    UNSET,
+    MachineState,
+    fresh,
+)
+from statwalk.maths.arrays import Bools, Ints
+
+NOT_COMPARED = ("condition", "when", "release", "line")
+"""members that are ignored when two machines are compared: programs, whose text is compared, and
+line numbers
+"""
+
+
+def is_same(old: Machine, new: Machine) -> bool:
+    """Returns whether two machines behave in the same way, whatever their files look like."""
+    return all(_plain(getattr(old, part.name)) == _plain(getattr(new, part.name)) for part in fields(Machine))
+
+
+def _plain(value: object) -> object:
+    """A value that can be compared: arrays as bytes, without programs and line numbers."""
+    if isinstance(value, np.ndarray):
+        return value.shape, value.tobytes()
+    if isinstance(value, dict):
+        return {key: _plain(member) for key, member in value.items()}
+    if isinstance(value, tuple) and hasattr(value, "_asdict"):
+        return tuple(_plain(member) for name, member in value._asdict().items() if name not in NOT_COMPARED)
+    if isinstance(value, tuple):
+        return tuple(_plain(member) for member in value)
+    if hasattr(value, "__dataclass_fields__"):
+        return tuple(
+            _plain(getattr(value, name)) for name in value.__dataclass_fields__ if name not in NOT_COMPARED
+        )
+    return value
+
+
+class MigratedState(NamedTuple):
+    """The state under the new machine, and the pending events that the new machine does not have: (row,
+    layer, old column) each.
+    """
+
+    state: MachineState
+    lost: list[tuple[int, int, int]]
+
+
+def remap(old: Machine, new: Machine, state: MachineState) -> MigratedState:
+    """Returns the state of N actors under the new machine.
+
+    An actor whose state is gone goes to the fallback of its layer. Time goes on if the motion is the same,
+    else from the same phase. Pending events are looked up again.
+    """
+    if is_same(old, new):
+        return MigratedState(state, [])
+    count = len(state.state)
+    blank = fresh(new.program, count)
+    columns = _by_name(old.events, new.events)
+    parts = [_layer(old, new, state, blank, layer, columns) for layer in range(len(new.layers))]
+    stacked = {name: np.stack([part[name] for part in parts], 1) for name in parts[0]}
+    lost = np.argwhere((state.waiting_event >= 0) & (columns[state.waiting_event] < 0))
+    lost_events = [
+        (int(row), int(layer), int(state.waiting_event[row, layer, place])) for row, layer, place in lost
+    ]
+    mapped = blank._replace(**stacked, **_shared(old, new, state, blank))
+    arrays = [
+        np.ascontiguousarray(array, like.dtype)
+        for array, like in zip(mapped.arrays(), blank.arrays(), strict=True)
+    ]
+    return MigratedState(MachineState._make(arrays), lost_events)
+
+
+def _layer(
+    old: Machine, new: Machine, state: MachineState, blank: MachineState, layer: int, columns: Ints
+) -> dict[str, NDArray[Any]]:
+    """The members of one layer of the new machine, (N, …) each."""
+    names = [old_layer.name for old_layer in old.layers]
+    if new.layers[layer].name not in names:
+        return {name: getattr(blank, name)[:, layer] for name in LAYERED}
+    before = names.index(new.layers[layer].name)
+    old_states = state.state[:, before]
+    new_states = _states(old, new, before, layer)[old_states]
+    stays, new_states = new_states >= 0, np.where(new_states >= 0, new_states, new.fallbacks[layer])
+    goes_on = stays & _is_same_motion(old, new, old_states, new_states)
+    time, passed = _times(
+        old, new, (old_states, new_states), (state.time[:, before], state.passed[:, before]), stays, goes_on
+    )
+    queue = _queue(state, before, columns)
+    return queue | {
+        "state": new_states.astype(np.int16),
+        "time": time,
+        "passed": passed,
+        "age": np.where(stays, state.age[:, before], 0).astype(np.int32),
+        "ended": np.where(goes_on, state.ended[:, before], RUNNING).astype(np.uint8),
+        "stayed": _stayed(old, new, state.stayed[:, before], (old_states, new_states), columns),
+    }
+
+
+LAYERED = ("state", "time", "passed", "age", "ended", "waiting", *QUEUE, "stayed")
+
+
+def _times(
+    old: Machine,
+    new: Machine,
+    states: tuple[Ints, Ints],
+    times: tuple[NDArray[Any], NDArray[Any]],
+    stays: Bools,
+    goes_on: Bools,
+) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Seconds into the new motions, and up to which their markers have been handled: the same seconds, the
+    seconds at the same phase, or the beginning.
+    """
+    was, comes = old.duration[states[0]], new.duration[states[1]]
+    some = np.isfinite(was) & np.isfinite(comes) & (was > 0)  # a layer's state without a motion has no phase
+    ratio = np.divide(comes, was, out=np.zeros(len(was)), where=some)
+    time = np.where(goes_on, times[0], np.where(stays, times[0] * ratio, 0.0))
+    return time, np.where(goes_on, times[1], np.where(stays, time, BEGINNING))
+
+
+def _queue(state: MachineState, layer: int, columns: Ints) -> dict[str, NDArray[Any]]:
+    """The pending events of a layer, without events that are gone, moved up; no event waits for a moment of
+    the old table.
+    """
+    event = np.where(state.waiting_event[:, layer] >= 0, columns[state.waiting_event[:, layer]], -1)
+    order = np.argsort(event < 0, axis=1, kind="stable")
+    kept = {name: np.take_along_axis(getattr(state, name)[:, layer], order, 1) for name in QUEUE[1:]}
+    events = np.take_along_axis(event, order, 1).astype(np.int16)
+    buffered = kept["waiting_for"] == FOR_BUFFER
+    kept["waiting_for"] = np.where(buffered, FOR_BUFFER, LOOK_UP)
+    kept["waiting_until"] = np.where(buffered, kept["waiting_until"], UNSET)
+    empty = {"waiting_for": LOOK_UP, "waiting_until": 0, "waiting_held": False, "waiting_other": -1}
+    filled = {name: np.where(events >= 0, array, empty[name]) for name, array in kept.items()}
+    return filled | {"waiting_event": events, "waiting": (events >= 0).sum(1)}
+
+
+def _stayed(
+    old: Machine, new: Machine, stayed: NDArray[Any], states: tuple[Ints, Ints], columns: Ints
+) -> NDArray[Any]:
+    """(N, E) the stays that have put END off, if the new table has the same text in the same place."""
+    mapped = np.full((len(stayed), len(new.events)), -1, np.int32)
+    for row, event in np.argwhere(stayed >= 0).tolist():
+        if columns[event] >= 0:
+            was = old.program.alternatives[states[0][row] * len(old.events) + event]
+            first, past = new.program.alternatives[states[1][row] * len(new.events) + columns[event] :][:2]
+            place = int(first + stayed[row, event] - was)
+            same = first <= place < past and new.text.written[place] == old.text.written[stayed[row, event]]
+            mapped[row, columns[event]] = place if same else -1
+    return mapped
+
+
+def _shared(old: Machine, new: Machine, state: MachineState, blank: MachineState) -> dict[str, NDArray[Any]]:
+    """The members that all layers share."""
+    parameters = _by_name(
+        [parameter.name for parameter in new.parameters], [parameter.name for parameter in old.parameters]
+    )
+    senses = _by_name(
+        [new.events[sense.event] for sense in new.senses],
+        [old.events[sense.event] for sense in old.senses],
+    )
+    limits = [(parameter.minimum, parameter.maximum) for parameter in new.parameters]
+    bounds = np.array(limits, np.float64).reshape(-1, 2).T
+    goals = _states(old, new, 0, 0)
+    return {
+        "held": _taken(state.held, _by_name(new.events, old.events), blank.held),
+        "parameters": np.clip(_taken(state.parameters, parameters, blank.parameters), *bounds),
+        "smoothed": np.clip(_taken(state.smoothed, parameters, blank.smoothed), *bounds),
+        "smoothed_rate": _taken(state.smoothed_rate, parameters, blank.smoothed_rate),
+        "sensing": _taken(state.sensing, senses, blank.sensing),
+        "last": _last(old, new, state, blank),
+        "goal": np.where(state.goal >= 0, goals[state.goal], -1).astype(np.int16),
+    }
+
+
+def _last(old: Machine, new: Machine, state: MachineState, blank: MachineState) -> NDArray[Any]:
+    """(N, H) the inner states that were left last, if the composite state and the inner state still exist."""
+    last = _taken(state.last, _by_name(new.histories, old.histories), blank.last)
+    layers = [new_layer.name for new_layer in new.layers]
+    for column, (layer, _) in enumerate(new.histories):
+        before = (
+            [old_layer.name for old_layer in old.layers].index(layer) if (layer, _) in old.histories else -1
+        )
+        to = _states(old, new, before, layers.index(layer))
+        last[:, column] = np.where(last[:, column] >= 0, to[last[:, column]], -1)
+    return last
+
+
+def _states(old: Machine, new: Machine, before: int, layer: int) -> Ints:
+    """(S,) the row in a layer of the new machine of each state of the old machine, -1 if the state
+    is gone.
+    """
+    rows = {new.states[row]: row for row in new.rows(layer)}
+    return np.array(
+        [rows.get(name, -1) if old.layer_of[row] == before else -1 for row, name in enumerate(old.states)]
+    )
+
+
+def _is_same_motion(old: Machine, new: Machine, before: Ints, after: Ints) -> Bools:
+    """(N,) whether two states play the same motion, as long and in the same way."""
+    key_of = [_motions(old), _motions(new)]
+    same = {
+        (old_state, new_state): key_of[0][old_state] == key_of[1][new_state]
+        for old_state, new_state in set(zip(before.tolist(), after.tolist(), strict=True))
+    }
+    return np.array([same[pair] for pair in zip(before.tolist(), after.tolist(), strict=True)], bool)
+
+
+def _motions(machine: Machine) -> list[object]:
+    """The motion of each state, in comparable form."""
+    clips = [machine.motions[row] if row >= 0 else "" for row in machine.motion]
+    return [
+        (clip, _plain(blend), bool(loop), float(duration))
+        for clip, blend, loop, duration in zip(
+            clips, machine.blends, machine.loop, machine.duration, strict=True
+        )
+    ]
+
+
+def _by_name(names: Sequence[Hashable], known_names: Sequence[Hashable]) -> Ints:
+    """(n + 1,) the row of each name among `known_names`, -1 none; the last entry is -1, so that index -1
+    gives -1.
+    """
+    rows = {name: row for row, name in enumerate(known_names)}
+    return np.array([*(rows.get(name, -1) for name in names), -1])
+
+
+def _taken(array: NDArray[Any], columns: Iterable[int], blank: NDArray[Any]) -> NDArray[Any]:
+    """The columns of an array that the new version still has; other columns are taken from `blank`."""
+    taken = blank.copy()
+    for to, column in enumerate(list(columns)[: blank.shape[1]]):
+        if column >= 0:
+            taken[:, to] = array[:, column]
+    return taken

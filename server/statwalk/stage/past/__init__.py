@@ -1,1 +1,0 @@
-"""What a stage remembers: its log, the snapshots to go back by, and how a log becomes a stage again."""

@@ -1,0 +1,1 @@
+"""The steps of the tick, one file a step."""

@@ -1,0 +1,220 @@
+"""The steps of the tick that work on poses, each for one block of sixteen actors; `tick` calls them in order.
+
+`p` Program, `m` MotionTables, `t` PoseTables, `s` MachineState, `o` PoseOffsets, `mem` PoseMemory, `done`
+MachineEffects of the tick.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from statwalk.machine.runtime.effects import CHANGE_CURVE, CHANGE_FROM, OF_CHANGES
+from statwalk.machine.runtime.state import BEGINNING
+from statwalk.machine.runtime.timing import seams_carried
+from statwalk.maths.compiling import inlined
+from statwalk.maths.reference import called
+from statwalk.maths.scalar import modulo
+from statwalk.maths.simd.hashing import hash_row, hash_span
+from statwalk.maths.simd.lanes import load, store
+from statwalk.motion.layer_lanes import additive_block, override_block
+from statwalk.motion.sampling.blend import rate
+from statwalk.motion.sampling.root_motion import compose, way
+from statwalk.motion.sampling.sample import sample_block
+
+LANES = 16
+NONE = -1.0
+"""seconds of a transition: none begins"""
+QUINTIC = 1
+"""row of CURVES"""
+
+
+@inlined
+def _speed_of(p: Any, s: Any, row: int, state: int) -> Any:
+    """The speed factor of an actor's motion, without the factor of a blend."""
+    parameter = p.speed_parameter[state]
+    return s.smoothed[row, parameter] if parameter >= 0 else p.speed[state]
+
+
+@inlined
+def _pace_of(p: Any, m: Any, s: Any, mem: Any, row: int, state: int, time: float, dt: float) -> Any:
+    """The factor that a blend of clips adds to the speed of an actor's motion."""
+    return rate(m, state, time, dt * _speed_of(p, s, row, state), s.smoothed, row, mem.weights)
+
+
+@inlined
+def motion_seconds(p: Any, m: Any, s: Any, mem: Any, row: int, state: int, time: float, dt: float) -> Any:
+    """Returns by how many seconds an actor's motion, now at `time`, advances in `dt` seconds."""
+    return dt * (_speed_of(p, s, row, state) * _pace_of(p, m, s, mem, row, state, time, dt))
+
+
+@inlined
+def time_in(p: Any, state: int, time: float) -> Any:
+    """Returns the seconds into a state's motion: wrapped if it loops."""
+    return modulo(time, p.duration[state]) if p.loop[state] != 0 and p.duration[state] > 0.0 else time
+
+
+@inlined
+def measure(
+    p: Any,
+    m: Any,
+    t: Any,
+    s: Any,
+    mem: Any,
+    shown: Any,
+    position: Any,
+    root_delta: Any,
+    around: Any,
+    row: int,
+    dt: float,
+) -> None:
+    """Measures an actor's motion after the tick before: the speed factors of its motions, its speed, turning
+    and height.
+    """
+    for layer in range(s.state.shape[1]):
+        around.rate[row, layer] = _pace_of(p, m, s, mem, row, s.state[row, layer], s.time[row, layer], dt)
+    x, z = root_delta[row, 0], root_delta[row, 1]
+    around.measured[0, row] = np.sqrt(x * x + z * z) / dt
+    around.measured[1, row] = root_delta[row, 2] / dt
+    around.measured[2, row] = position[row, 1] + _root_height(t, shown, row)
+
+
+@inlined
+def _root_height(t: Any, shown: Any, row: int) -> Any:
+    """Metres from an actor's place up to its root joint; 0 if the machine names no root joint."""
+    joint = t.root[0]
+    if joint < 0:
+        return 0.0
+    block, lane, frame = row // LANES, row % LANES, t.root_frame
+    height = frame[1, 3]
+    for axis in range(3):
+        height += frame[1, axis] * np.float64(shown[block, 10 * joint + axis, lane])
+    return height
+
+
+@inlined
+def note_transitions(t: Any, s: Any, done: Any, mem: Any) -> None:
+    """Writes for each actor and layer the transition that the last change of its state begins; a layer that
+    shows no motion begins none.
+    """
+    for row in range(mem.seconds.shape[0]):
+        for layer in range(mem.seconds.shape[1]):
+            mem.seconds[row, layer] = NONE
+    for number in range(done.counts[OF_CHANGES]):
+        row, layer = done.changes[number, 0], done.changes[number, 1]
+        shows = layer == 0 or t.plays[done.changes[number, CHANGE_FROM]] or t.plays[s.state[row, layer]]
+        mem.seconds[row, layer] = done.blend[number] if shows else NONE
+        mem.quintic[row, layer] = done.changes[number, CHANGE_CURVE] == QUINTIC
+
+
+@called
+def sample_layers(
+    m: Any, t: Any, s: Any, masks: Any, mem: Any, states: Any, times: Any, out: Any, block: int
+) -> None:
+    """Puts the local poses of a block's motions of `states` (N, L) at `times` (N, L), upper layers over lower
+    layers, into block 0 of `out`.
+    """
+    first = LANES * block
+    count = min(LANES, s.state.shape[0] - first)
+    sample_block(m, states, times, 0, False, s.smoothed, first, count, mem.weights, mem.rows, out, 0)
+    for layer in range(1, states.shape[1]):
+        lies_over = False
+        for row in range(first, first + count):
+            parameter = t.weight_parameter[layer]
+            weight = s.smoothed[row, parameter] if parameter >= 0 else t.weight[layer]
+            mem.layer_weight[row, layer] = min(max(weight, 0.0), 1.0) if t.plays[states[row, layer]] else 0.0
+            lies_over |= mem.layer_weight[row, layer] > 0.0
+        if lies_over:
+            sample_block(
+                m, states, times, layer, False, s.smoothed, first, count, mem.weights, mem.rows, mem.over, 0
+            )
+            if t.is_additive[layer]:
+                sample_block(
+                    m,
+                    states,
+                    times,
+                    layer,
+                    True,
+                    s.smoothed,
+                    first,
+                    count,
+                    mem.weights,
+                    mem.rows,
+                    mem.first,
+                    0,
+                )
+                additive_block(out, mem.over, mem.first, 0, mem.layer_weight, masks, layer, block)
+            else:
+                override_block(out, mem.over, 0, mem.layer_weight, masks, layer, block)
+
+
+@called
+def look_ahead(p: Any, m: Any, s: Any, mem: Any, block: int, dt: float) -> None:
+    """Writes the time of each motion of a block in `dt` seconds, if no event happens."""
+    for row in range(LANES * block, min(LANES * (block + 1), s.state.shape[0])):
+        for layer in range(s.state.shape[1]):
+            state, time = s.state[row, layer], s.time[row, layer]
+            mem.ahead[row, layer] = time_in(
+                p, state, time + motion_seconds(p, m, s, mem, row, state, time, dt)
+            )
+
+
+@called
+def root_motion(p: Any, m: Any, s: Any, mem: Any, done: Any, row: int) -> Any:
+    """Returns the root motion of an actor's base layer in a tick, x, z (metres), yaw (radians): the rest of
+    the old motion, then the new motion if one began.
+    """
+    reached, wraps = done.reached[row, 0], done.wraps[row, 0]
+    has_changed = mem.seconds[row, 0] >= 0.0
+    entered, after = s.passed[row, 0] - BEGINNING, s.time[row, 0]
+    if (
+        has_changed and wraps > 0 and after > entered
+    ):  # a loop was left at its END; the new motion got the rest of the tick
+        reached, wraps = p.duration[mem.old_state[row, 0]], wraps - 1
+    delta = way(m, mem.old_state[row, 0], done.before[row, 0], reached, wraps, s.smoothed, row, mem.weights)
+    if has_changed:
+        laps = seams_carried(s.passed[row, 0], p.duration[s.state[row, 0]])
+        entered += laps * p.duration[s.state[row, 0]] if laps > 0 else 0.0
+        delta = compose(delta, way(m, s.state[row, 0], entered, after, laps, s.smoothed, row, mem.weights))
+    return delta
+
+
+@inlined
+def move_root(position: Any, heading: Any, root_delta: Any, row: int) -> None:
+    """Moves an actor by the root motion of this tick."""
+    place, delta = (
+        (position[row, 0], position[row, 2], heading[row]),
+        (root_delta[row, 0], root_delta[row, 1], root_delta[row, 2]),
+    )
+    position[row, 0], position[row, 2], heading[row] = compose(place, delta)
+
+
+@called
+def hash_actor(word: Any, s: Any, o: Any, position: Any, heading: Any, root_delta: Any, row: int) -> Any:
+    """Returns the hash after hashing an actor's rows, without poses; of the queue only the places in use
+    count.
+    """
+    layers = s.state.shape[1]
+    word = hash_row(hash_row(word, s.state, row), s.age, row)
+    word = hash_row(hash_row(hash_row(word, s.time, row), s.passed, row), s.ended, row)
+    for layer in range(layers):
+        first, count = (row * layers + layer) * LANES, s.waiting[row, layer]
+        word = hash_span(hash_span(word, s.waiting_event, first, count), s.waiting_for, first, count)
+        word = hash_span(hash_span(word, s.waiting_until, first, count), s.waiting_held, first, count)
+        word = hash_span(word, s.waiting_other, first, count)
+    word = hash_row(hash_row(hash_row(word, s.waiting, row), s.held, row), s.stayed, row)
+    word = hash_row(hash_row(hash_row(word, s.parameters, row), s.smoothed, row), s.smoothed_rate, row)
+    word = hash_row(hash_row(hash_row(word, s.sensing, row), s.last, row), s.goal, row)
+    word = hash_row(hash_row(hash_row(word, position, row), heading, row), root_delta, row)
+    return hash_row(
+        hash_row(hash_row(hash_row(word, o.elapsed, row), o.duration, row), o.quintic, row), o.way, row
+    )
+
+
+@inlined
+def keep_block(coming: Any, out: Any, block: int) -> None:
+    """Copies the poses of block 0 of `coming` into a block of a buffer."""
+    base = block * out.shape[1] * LANES
+    for number in range(0, out.shape[1] * LANES, LANES):
+        store(out, base + number, load(coming, number))

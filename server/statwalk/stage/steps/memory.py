@@ -1,0 +1,148 @@
+"""Working memory of the steps of a tick.
+
+It carries no state from one tick to the next.
+"""
+
+from __future__ import annotations
+
+import threading
+from typing import Annotated, NamedTuple
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.character.role import Role
+from statwalk.machine.runtime.effects import EFFECTS, effects_for
+from statwalk.machine.runtime.state import STATE, MachineState
+from statwalk.machine.runtime.surroundings import SURROUNDINGS, Measurements
+from statwalk.maths.columns import columns
+from statwalk.maths.packed import PackedColumns, packed
+from statwalk.maths.pose_buffer import LANES, channels
+from statwalk.maths.simd.aligned import zeros
+from statwalk.rig.model_buffer import ModelBuffer
+from statwalk.stage.state.hashing import chance_keys
+from statwalk.stage.state.pose_offsets import OFFSETS, PoseOffsets
+from statwalk.stage.steps.offset_lanes import scratch_size
+
+
+class PoseMemory(NamedTuple):
+    """Working memory for N actors in L layers; poses of one block of sixteen actors."""
+
+    coming: Annotated[NDArray[np.float32], "1, channel, lane"]
+    """the poses of this tick"""
+    following: Annotated[NDArray[np.float32], "1, channel, lane"]
+    """the poses of the motions a tick later"""
+    over: Annotated[NDArray[np.float32], "1, channel, lane"]
+    """the poses of an upper layer"""
+    first: Annotated[NDArray[np.float32], "1, channel, lane"]
+    """the poses at the beginning of an upper layer's motions"""
+    rows: Annotated[NDArray[np.float32], "number"]
+    """packed rows of the sampler"""
+    weights: Annotated[NDArray[np.float64], "member"]
+    """weights of the clips of a blend space"""
+    scratch: Annotated[NDArray[np.float32], "row, lane"]
+    """working rows of pose offsets"""
+    layer_weight: Annotated[NDArray[np.float64], "actor, layer"]
+    ahead: Annotated[NDArray[np.float64], "actor, layer"]
+    """seconds into the motions a tick later"""
+    model: Annotated[NDArray[np.float32], "block, joint, number, lane"]
+    """the joints of colliders in model space, of all actors (`rig.model_buffer`)"""
+    old_state: Annotated[NDArray[np.int64], "actor, layer"]
+    """at the tick before"""
+    part_before: Annotated[NDArray[np.float32], "1, channel, lane"]
+    """the poses that the jump of one layer is taken from (see `offset_apart`): two ticks before this one"""
+    part_shown: Annotated[NDArray[np.float32], "1, channel, lane"]
+    """one tick before"""
+    part_coming: Annotated[NDArray[np.float32], "1, channel, lane"]
+    """in this tick"""
+    part_following: Annotated[NDArray[np.float32], "1, channel, lane"]
+    """a tick later"""
+    uncut_before: Annotated[NDArray[np.float32], "1, channel, lane"]
+    """the poses two ticks before, as if the motions of layers that cut in this tick had played then"""
+    uncut_shown: Annotated[NDArray[np.float32], "1, channel, lane"]
+    """the poses one tick before, in the same way"""
+    mixed_state: Annotated[NDArray[np.int64], "actor, layer"]
+    """old motions of some layers beside new motions of others"""
+    mixed_time: Annotated[NDArray[np.float64], "actor, layer"]
+    seconds: Annotated[NDArray[np.float64], "actor, layer"]
+    """duration of the transitions that begin; below 0: none begins"""
+    quintic: Annotated[NDArray[np.bool_], "actor, layer"]
+
+
+MEMORY = columns(PoseMemory)
+"""the type of PoseMemory in kernels"""
+BLOCKS = (
+    *("coming", "following", "over", "first"),
+    *("part_before", "part_shown", "part_coming", "part_following", "uncut_before", "uncut_shown"),
+)
+"""the fields that hold poses of one block"""
+
+
+class Memory:
+    """The packed memory of one role in one thread."""
+
+    def __init__(self, role: Role, actors: int) -> None:
+        layers, program = len(role.machine.layers), role.machine.program
+        around = Measurements(np.ones((actors, layers)), np.zeros((3, actors)), np.zeros(actors, np.uint64))
+        self.actors = actors
+        self.model = ModelBuffer.room(role.colliders.joints, actors)
+        self.poses = packed(_pose_memory(role, actors, layers, self.model), MEMORY)
+        self.effects = packed(effects_for(program, actors), EFFECTS)
+        self.surroundings = packed(around, SURROUNDINGS)
+        self._keyed: tuple[NDArray[np.int64], int] | None = None
+        self._machine: PackedColumns[MachineState] | None = None
+        self._offsets: PackedColumns[PoseOffsets] | None = None
+
+    def key(self, ids: NDArray[np.int64], seed: int) -> None:
+        """Writes the random keys of the actors, if the actors or the seed have changed."""
+        if self._keyed is None or self._keyed[0] is not ids or self._keyed[1] != seed:
+            self.surroundings.values.key[:] = chance_keys(seed, ids)
+            self._keyed = ids, seed
+
+    def machine(self, state: MachineState) -> PackedColumns[MachineState]:
+        """Returns the packed state; packs only a new state."""
+        if self._machine is None or self._machine.values is not state:
+            self._machine = packed(state, STATE)
+        return self._machine
+
+    def offsets(self, offsets: PoseOffsets) -> PackedColumns[PoseOffsets]:
+        """Returns the packed pose offsets; packs only new offsets."""
+        if self._offsets is None or self._offsets.values is not offsets:
+            self._offsets = packed(offsets, OFFSETS)
+        return self._offsets
+
+
+def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> PoseMemory:
+    room, motions = channels(role.character.bind_pose), role.tables
+    poses = {name: zeros(room * LANES).reshape(1, room, LANES) for name in BLOCKS}
+    return PoseMemory(
+        **poses,
+        rows=zeros(motions.memory),
+        weights=np.zeros(motions.most_members),
+        scratch=zeros(scratch_size(layers) * LANES).reshape(-1, LANES),
+        layer_weight=np.zeros((actors, layers)),
+        ahead=np.zeros((actors, layers)),
+        old_state=np.zeros((actors, layers), np.int64),
+        mixed_state=np.zeros((actors, layers), np.int64),
+        mixed_time=np.zeros((actors, layers)),
+        model=model.values,
+        seconds=np.zeros((actors, layers)),
+        quintic=np.zeros((actors, layers), bool),
+    )
+
+
+_KEPT = threading.local()
+
+
+def memory_of(role: Role, actors: int) -> Memory:
+    """Returns the memory for a cast of a role: the memory of the last tick in this thread, if the number of
+    actors is the same.
+    """
+    kept: WeakKeyDictionary[Role, Memory] | None = getattr(_KEPT, "memory", None)
+    if kept is None:
+        kept = _KEPT.memory = WeakKeyDictionary()
+    memory = kept.get(role)
+    if memory is None or memory.actors != actors:
+        memory = kept[role] = Memory(role, actors)
+    return memory

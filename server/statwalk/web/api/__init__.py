@@ -1,1 +1,0 @@
-"""The REST interface: one file for each thing that has an address."""

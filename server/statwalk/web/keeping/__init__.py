@@ -1,1 +1,0 @@
-"""What the server holds: machines and their versions, characters, stages."""

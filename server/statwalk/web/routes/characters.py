@@ -1,0 +1,75 @@
+"""GET /api/characters: the characters, their joints and clips, their models."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from fastapi import APIRouter, Depends, Response
+
+from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.model_store import UploadedCharacter
+from statwalk.web.bounded_json import BoundedRoute
+from statwalk.web.dependencies import catalogue_of
+from statwalk.web.schemas.character import (
+    CharacterView,
+    ClipView,
+    JointView,
+    PartView,
+    ShippedCharacterView,
+    UploadedCharacterView,
+)
+
+router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
+CatalogueDep = Annotated[Catalogue, Depends(catalogue_of)]
+
+
+@router.get("")
+def list_characters(catalogue: CatalogueDep) -> list[ShippedCharacterView | UploadedCharacterView]:
+    """Lists the characters, each with the machine in whose folder it is; an uploaded character has the first
+    machine made from it.
+    """
+    shipped = [ShippedCharacterView(name=name, machine=machine) for name, machine in catalogue.owners.items()]
+    return [*shipped, *(_view_upload(upload, catalogue) for upload in catalogue.uploads().values())]
+
+
+def _view_upload(upload: UploadedCharacter, catalogue: Catalogue) -> UploadedCharacterView:
+    made = [entry for entry in catalogue.entries.values() if entry.made]
+    machines = [entry.name for entry in made if entry.file.character_path.stem == upload.sha256]
+    return UploadedCharacterView(
+        name=upload.name,
+        machine=machines[0] if machines else None,
+        sha256=upload.sha256,
+        bytes=upload.bytes,
+        machines=machines,
+    )
+
+
+@router.get("/{name}")
+def get_character(name: str, catalogue: CatalogueDep) -> CharacterView:
+    """Returns the joints (parents first), clips and skins, and what the server repaired in the file."""
+    character = catalogue.character(name)
+    skeleton = character.skeleton
+    return CharacterView(
+        name=name,
+        joints=[
+            JointView(name=joint, parent=int(parent), node=int(node))
+            for joint, parent, node in zip(skeleton.names, skeleton.parent, character.node_index, strict=True)
+        ],
+        clips=[ClipView(name=clip.name, duration=float(clip.duration)) for clip in character.clips.values()],
+        skins=len(character.skins),
+        parts=[
+            PartView(node=part.node, mesh=part.mesh, primitive=part.primitive, vertices=len(part.positions))
+            for part in character.parts
+        ],
+        notes=list(character.notes),
+        model=f"/api/characters/{name}/model.glb",
+    )
+
+
+@router.get(
+    "/{name}/model.glb", response_class=Response, responses={200: {"content": {"model/gltf-binary": {}}}}
+)
+def get_model(name: str, catalogue: CatalogueDep) -> Response:
+    """Returns the model as a .glb, which any glTF viewer opens."""
+    headers = {"Cache-Control": "no-cache"}
+    return Response(catalogue.model_glb(name), media_type="model/gltf-binary", headers=headers)

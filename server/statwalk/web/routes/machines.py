@@ -1,0 +1,162 @@
+"""GET /api/machines: the tables of a machine, cell by cell and layer by layer, and the verifier's
+findings.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Depends
+
+from statwalk.character.role import Role
+from statwalk.machine.compile.machine import Machine
+from statwalk.machine.compile.resolved_table import ResolvedTable
+from statwalk.machine.definition.machine_definition import (
+    BlendDefinition,
+    SenseDefinition,
+    StateDefinition,
+    TouchDefinition,
+)
+from statwalk.machine.graph import edges, full_table
+from statwalk.services.hosting.machine_versions import MachineVersion, saved
+from statwalk.services.hosting.registry import Registry
+from statwalk.services.library.catalogue import Catalogue, Entry
+from statwalk.web.bounded_json import BoundedRoute
+from statwalk.web.dependencies import LongWorkToken, catalogue_of, registry_of
+from statwalk.web.schemas.finding import FindingsView, FindingView
+from statwalk.web.schemas.machine import MachineSummary, MachineView
+from statwalk.web.schemas.table import (
+    ColliderView,
+    KeyView,
+    LayerView,
+    MarkerView,
+    ParameterView,
+    SenseView,
+    StateView,
+    ThresholdView,
+    TouchView,
+)
+
+router = APIRouter(prefix="/api/machines", tags=["machines"], route_class=BoundedRoute)
+CatalogueDep = Annotated[Catalogue, Depends(catalogue_of)]
+
+
+def summary(entry: Entry) -> MachineSummary:
+    """Returns the summary of a machine, without loading its character."""
+    definition = entry.file.definition
+    return MachineSummary(
+        name=entry.name,
+        title=definition.title or entry.name,
+        description=definition.description,
+        character=entry.character,
+        scene=entry.scene,
+        states=list(definition.states),
+        events=list(definition.columns),
+    )
+
+
+def _state_views(role: Role, layer: int) -> list[StateView]:
+    definitions = role.definition.tables()[role.machine.layers[layer].name].states
+    return [
+        _state_view(role.machine, row, definitions[role.machine.states[row]])
+        for row in role.machine.rows(layer)
+    ]
+
+
+def _state_view(machine: Machine, row: int, definition: StateDefinition) -> StateView:
+    blend, has_motion = machine.blends[row], machine.motion[row] >= 0
+    return StateView(
+        name=machine.states[row],
+        motion=machine.motions[machine.motion[row]] if has_motion else None,
+        over=list(blend.over) if isinstance(blend, BlendDefinition) else [],
+        clips=list(definition.clips),
+        loop=bool(machine.loop[row]),
+        duration=float(machine.duration[row]) if has_motion else 0.0,
+        outer=definition.outer,
+        final=definition.final,
+        markers=[MarkerView(name=marker, phase=phase) for marker, phase in machine.markers[row]],
+    )
+
+
+def _layer_views(role: Role) -> list[LayerView]:
+    return [_layer_view(role, number, table) for number, table in enumerate(role.resolved)]
+
+
+def _layer_view(role: Role, number: int, table: ResolvedTable) -> LayerView:
+    machine, layer = role.machine, role.machine.layers[number]
+    return LayerView.model_validate(
+        {
+            "name": layer.name,
+            "mode": layer.mode,
+            "mask": list(layer.mask),
+            "weight": layer.weight
+            if layer.weight_parameter < 0
+            else machine.parameters[layer.weight_parameter].name,
+            "initial": machine.states[machine.initials[number]],
+            "states": _state_views(role, number),
+            "table": full_table(table),
+            "rows": [list(row) for row in table.definition.rows],
+            "edges": edges(table),
+        }
+    )
+
+
+def _sense_view(sense: SenseDefinition | TouchDefinition) -> SenseView:
+    if isinstance(sense, TouchDefinition):
+        return TouchView(touch=(sense.own, sense.other), on=sense.on)
+    return ThresholdView(when=sense.when, release=sense.release)
+
+
+def _parameter_views(role: Role) -> list[ParameterView]:
+    flock = role.definition.flock
+    driven = flock.sets.values() if flock else ()
+    return [
+        ParameterView(**asdict(parameter), driven=parameter.name in driven)
+        for parameter in role.machine.parameters
+    ]
+
+
+def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[str, Any]:
+    """Returns the members of `MachineView`."""
+    definition, layers = role.definition, _layer_views(role)
+    return {
+        **dict(summary(entry)),
+        "version": version.number,
+        "saved": saved(entry),
+        "initial": definition.initial,
+        "idle": definition.idle,
+        "keys": {key: KeyView.model_validate(events) for key, events in definition.keys.items()},
+        "events": list(definition.columns),
+        "parameters": _parameter_views(role),
+        "variables": list(role.machine.variables),
+        "senses": {event: _sense_view(sense) for event, sense in definition.senses.items()},
+        "colliders": {
+            name: ColliderView.model_validate(collider) for name, collider in definition.colliders.items()
+        },
+        "layers": layers,
+        "text": version.text,
+        **{name: getattr(layers[0], name) for name in ("states", "table", "rows", "edges")},
+    }
+
+
+@router.get("")
+def list_machines(catalogue: CatalogueDep) -> list[MachineSummary]:
+    """Lists the machines, the default machine first."""
+    names = sorted(catalogue.entries, key=lambda name: name != catalogue.default)
+    return [summary(catalogue.entries[name]) for name in names]
+
+
+@router.get("/{name}")
+def get_machine(name: str, registry: Annotated[Registry, Depends(registry_of)]) -> MachineView:
+    """Returns the newest version of a machine."""
+    return MachineView(**machine_members(*registry.versions.current(name)))
+
+
+@router.get("/{name}/verify")
+def verify_machine(name: str, catalogue: CatalogueDep, token: LongWorkToken) -> FindingsView:
+    """Returns the verifier's findings: errors and warnings about the tables, and the properties it proved or
+    refuted.
+    """
+    findings = catalogue.role(name).verify(token.check)
+    return FindingsView(findings=[FindingView.model_validate(finding) for finding in findings])

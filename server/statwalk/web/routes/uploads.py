@@ -1,0 +1,236 @@
+"""PUT and DELETE /api/characters/{name}: upload and delete characters."""
+
+from __future__ import annotations
+
+import errno
+from collections.abc import AsyncIterator, Iterator
+from contextlib import asynccontextmanager, contextmanager
+from functools import partial
+from pathlib import Path
+from typing import Annotated, Any
+
+import anyio
+from anyio import CancelScope, CapacityLimiter, to_thread
+from fastapi import APIRouter, Depends, Request, Response
+from starlette.requests import ClientDisconnect
+
+from statwalk.files.machine_yaml.state_names import MEANINGS, proposed
+from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.model_store import NAME, ModelStore, UploadedCharacter
+from statwalk.services.library.upload_sandbox import read_in_child
+from statwalk.services.limits import MOST_UPLOADS
+from statwalk.web.bounded_json import BoundedRoute
+from statwalk.web.dependencies import catalogue_of, token_of
+from statwalk.web.errors import Problem
+from statwalk.web.schemas.character import MappingView, UploadView
+from statwalk.web.security import MODEL
+
+router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
+CatalogueDep = Annotated[Catalogue, Depends(catalogue_of)]
+MOST_AT_ONCE = 8
+MOST_CHILDREN = 2
+CHUNK_BYTES = 1 << 20
+ARRIVAL_SECONDS = 600.0
+BODY = {
+    "requestBody": {
+        "required": True,
+        "content": {kind: {"schema": {"type": "string", "format": "binary"}} for kind in MODEL.types},
+    }
+}
+
+
+class UploadLimiter:
+    """Limits the uploads that arrive at once, and the child processes that read them. The app has one."""
+
+    def __init__(self) -> None:
+        self.arriving = 0
+        self.children = CapacityLimiter(MOST_CHILDREN)
+
+    @contextmanager
+    def place(self) -> Iterator[None]:
+        """Counts one upload as arriving while the context is open.
+
+        :raises Problem: 503, when too many uploads are arriving.
+        """
+        if self.arriving >= MOST_AT_ONCE:
+            raise Problem(503, f"{MOST_AT_ONCE} uploads are arriving already; try again later")
+        self.arriving += 1
+        try:
+            yield
+        finally:
+            self.arriving -= 1
+
+
+def _upload_limiter_of(request: Request) -> UploadLimiter:
+    state = request.app.state
+    if not hasattr(state, "upload_limiter"):
+        state.upload_limiter = UploadLimiter()
+    limiter: UploadLimiter = state.upload_limiter
+    return limiter
+
+
+def model_store_of(catalogue: Catalogue) -> ModelStore:
+    """Returns the data folder.
+
+    :raises Problem: 409, when the server has no data folder.
+    """
+    if catalogue.store is None:
+        raise Problem(409, "this server refuses uploads: it has no data folder; start it with one")
+    return catalogue.store
+
+
+@contextmanager
+def room_on_disk() -> Iterator[None]:
+    """Turns a full disk into a 507."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno in (errno.ENOSPC, errno.EDQUOT):
+            raise Problem(507, "the disk of the data folder is full; free some space") from None
+        raise
+
+
+def check_name(name: str) -> str:
+    """Returns the name of a character or machine in the data folder if it is safe as a file name.
+
+    :raises Problem: 422, when the name is not safe.
+    """
+    if not NAME.fullmatch(name):
+        raise Problem(
+            422,
+            "a name has 1 to 64 letters a-z, digits, - and _, and begins with a letter or digit",
+            field="name",
+        )
+    return name
+
+
+def _check_free(name: str, catalogue: Catalogue, store: ModelStore) -> None:
+    """Checks that a character may be uploaded under a name.
+
+    :raises Problem: 409, when the name belongs to the character of a machine folder, or the data folder holds
+        too many characters.
+    """
+    if name in catalogue.owners:
+        raise Problem(
+            409,
+            f"the character {name!r} belongs to the server; choose another name",
+            field="name",
+        )
+    if store.find(name) is None and len(store.characters()) >= MOST_UPLOADS:
+        raise Problem(409, f"the data folder holds {MOST_UPLOADS} characters, and no more; delete one first")
+
+
+@router.put(
+    "/{name}",
+    openapi_extra=BODY,
+    status_code=200,
+    responses={201: {"description": "the name is new", "model": UploadView}},
+)
+async def put_character(
+    name: str, request: Request, catalogue: CatalogueDep, response: Response
+) -> UploadView:
+    """Uploads a character: a .glb, a self-contained .gltf, or a zip of a .gltf with its files, as
+    the raw body.
+
+    Replaces an uploaded character with the same name.
+    """
+    store = model_store_of(catalogue)
+    await to_thread.run_sync(_check_free, check_name(name), catalogue, store)
+    limiter = _upload_limiter_of(request)
+    with limiter.place(), room_on_disk():
+        return await take(name, request, response, store, limiter.children)
+
+
+async def take(
+    name: str, request: Request, response: Response, store: ModelStore, children: CapacityLimiter
+) -> UploadView:
+    """Receives the body, has a child process read it, and stores it, without blocking the event loop.
+
+    Stops if the client disconnects.
+    """
+    async with _working(store) as folder:
+        await _receive(request, folder / "upload")
+        async with asynccontextmanager(token_of)(request) as token:
+            read = partial(read_in_child, folder / "upload", folder / "model.glb", name, token)
+            facts = await to_thread.run_sync(read, limiter=children)
+        replaced = await to_thread.run_sync(store.find, name)
+        upload = await to_thread.run_sync(store.keep, name, folder / "model.glb")
+    response.status_code = 200 if replaced else 201
+    response.headers["Location"] = f"/api/characters/{name}"
+    return _view(upload, facts)
+
+
+@asynccontextmanager
+async def _working(store: ModelStore) -> AsyncIterator[Path]:
+    """Yields the folder of `store.working`, which another thread makes and removes."""
+    working = store.working()
+    folder = await to_thread.run_sync(working.__enter__)
+    try:
+        yield folder
+    finally:
+        with CancelScope(shield=True):
+            await to_thread.run_sync(working.__exit__, None, None, None)
+
+
+async def _receive(request: Request, file: Path) -> None:
+    """Writes the body to a file while it arrives; the guard limits its size.
+
+    :raises Problem: 400, when the body is empty or ends early; 408, when it takes too long.
+    """
+    written = 0
+    try:
+        with anyio.fail_after(ARRIVAL_SECONDS):
+            async with await anyio.open_file(file, "wb", buffering=CHUNK_BYTES) as output:
+                async for chunk in request.stream():
+                    written += await output.write(chunk)
+    except TimeoutError:
+        raise Problem(408, f"the upload took longer than {ARRIVAL_SECONDS:.0f} s", field="body") from None
+    except ClientDisconnect:
+        raise Problem(400, "the upload ended early", field="body") from None
+    if not written:
+        raise Problem(400, "the body is empty; send the bytes of a model", field="body")
+
+
+def _view(upload: UploadedCharacter, facts: dict[str, Any]) -> UploadView:
+    return UploadView(
+        name=upload.name,
+        sha256=upload.sha256,
+        bytes=upload.bytes,
+        model=f"/api/characters/{upload.name}/model.glb",
+        **facts,
+    )
+
+
+@router.delete("/{name}", status_code=204)
+def delete_character(name: str, catalogue: CatalogueDep) -> None:
+    """Deletes an uploaded character.
+
+    409 for the character of a machine folder, and while a machine uses the uploaded character.
+    """
+    if name in catalogue.owners:
+        raise Problem(
+            409,
+            f"the character {name!r} belongs to the server; you can delete only uploaded characters",
+            field="name",
+        )
+    uploads = catalogue.uploads()
+    if name not in uploads:
+        raise Problem(404, f"no uploaded character is called {name[:80]!r}", field="name", known=uploads)
+    store = model_store_of(catalogue)
+    with store.lock:
+        machines = store.machines_of(uploads[name].sha256)
+        if machines:
+            raise Problem(
+                409,
+                f"first delete the machines that use {name!r}: {', '.join(machines)}",
+                field="name",
+                known=machines,
+            )
+        store.forget(name)
+
+
+@router.get("/{name}/mapping")
+def get_mapping(name: str, catalogue: CatalogueDep) -> MappingView:
+    """Proposes a state for each clip; change the mapping and post it to /api/machines."""
+    clips = catalogue.character(name).clips
+    return MappingView(character=name, mapping=proposed(clips), meanings=MEANINGS)

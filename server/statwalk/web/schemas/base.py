@@ -1,0 +1,50 @@
+"""The base classes of all bodies and messages, and the types that their members share.
+
+Strict: no number for a text, no text for a number, no unknown member, no NaN.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, StringConstraints
+
+LATEST_TICK = 2**31 - 1
+Name = Annotated[str, StringConstraints(min_length=1, max_length=80)]
+Coordinate = Annotated[float, Field(ge=-1e6, le=1e6)]
+Tick = Annotated[int, Field(ge=0, le=LATEST_TICK)]
+ActorId = Annotated[int, Field(ge=0, le=LATEST_TICK)]
+Ref = Annotated[str, StringConstraints(max_length=200)] | Annotated[int, Field(ge=-(2**53), le=2**53)] | None
+"""a client's name for its message, which the answer repeats; integers up to JavaScript's largest safe one"""
+VerdictWord = Literal["taken", "waits", "dropped"]
+Place = Annotated[tuple[str, str], Strict(False)]
+"""the row and the column of a cell, as the machine file writes them"""
+Vector = tuple[float, float, float]
+Values = Annotated[dict[str, float], BeforeValidator(dict)]
+"""numbers by name; pydantic also accepts pairs"""
+
+
+class RequestModel(BaseModel):
+    """The base of the bodies and messages that clients send."""
+
+    model_config = ConfigDict(
+        strict=True, extra="forbid", allow_inf_nan=False, frozen=True, use_attribute_docstrings=True
+    )
+
+
+class ResponseModel(BaseModel):
+    """The base of the bodies and messages that the server sends.
+
+    Build one from keyword arguments, or validate an object with the same attributes.
+    """
+
+    model_config = ConfigDict(
+        strict=True,
+        extra="forbid",
+        frozen=True,
+        from_attributes=True,
+        validate_by_name=True,
+        serialize_by_alias=True,
+        use_attribute_docstrings=True,
+        json_schema_serialization_defaults_required=True,
+    )

@@ -1,0 +1,93 @@
+"""The bodies about characters: lists, descriptions, uploads, and mappings from clips to states."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from statwalk.web.schemas.base import ResponseModel
+
+
+class ShippedCharacterView(ResponseModel):
+    """A character of a machine folder in the list."""
+
+    name: str
+    machine: str
+    uploaded: Literal[False] = False
+
+
+class UploadedCharacterView(ResponseModel):
+    """An uploaded character in the list; `machines` are the machines that use this model, `machine` is the
+    first of them.
+    """
+
+    name: str
+    machine: str | None
+    uploaded: Literal[True] = True
+    sha256: str
+    bytes: int
+    machines: list[str]
+
+
+class JointView(ResponseModel):
+    """A joint; `parent` -1: a root; `node` is its node in the model."""
+
+    name: str
+    parent: int
+    node: int
+
+
+class ClipView(ResponseModel):
+    """A clip; `duration` in seconds."""
+
+    name: str
+    duration: float
+
+
+class PartView(ResponseModel):
+    """A mesh primitive of the model; `vertices` is their number."""
+
+    node: int
+    mesh: int
+    primitive: int
+    vertices: int
+
+
+class CharacterView(ResponseModel):
+    """A character: its joints (parents first), clips and skins, notes on what the server repaired in the
+    file, and the address of its model.
+    """
+
+    name: str
+    joints: list[JointView]
+    clips: list[ClipView]
+    skins: int
+    parts: list[PartView]
+    notes: list[str]
+    model: str
+
+
+class UploadView(ResponseModel):
+    """An uploaded character: its numbers of joints, clips, skins and vertices, and the address of
+    its model.
+    """
+
+    name: str
+    uploaded: Literal[True] = True
+    sha256: str
+    bytes: int
+    model: str
+    joints: int
+    clips: int
+    skins: int
+    vertices: int
+    notes: list[str]
+
+
+class MappingView(ResponseModel):
+    """A proposed state for each clip of a character; `meanings` explains the states with a
+    special meaning.
+    """
+
+    character: str
+    mapping: dict[str, str]
+    meanings: dict[str, str]

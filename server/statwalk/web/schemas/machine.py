@@ -1,0 +1,108 @@
+"""The bodies about machines: lists, descriptions, new machines, edits, versions."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, StringConstraints
+
+from statwalk.files.machine_yaml.cell_text import LONGEST_CELL
+from statwalk.machine.definition.machine_definition import BASE
+from statwalk.web.schemas.base import Name, RequestModel, ResponseModel
+from statwalk.web.schemas.finding import FindingView
+from statwalk.web.schemas.table import (
+    CellView,
+    ColliderView,
+    EdgeView,
+    KeyView,
+    LayerView,
+    ParameterView,
+    SenseView,
+    StateView,
+)
+
+LONGEST_TEXT = 1 << 18
+NewState = Annotated[str, StringConstraints(max_length=80)]
+
+
+class NewMachine(RequestModel):
+    """A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
+    left out), by default the proposed mapping.
+    """
+
+    name: Name
+    character: Name
+    mapping: Annotated[dict[str, NewState | None], Field(max_length=1_000)] | None = None
+
+
+class NewText(RequestModel):
+    """The whole text of a machine file."""
+
+    text: Annotated[str, StringConstraints(min_length=1, max_length=LONGEST_TEXT)]
+
+
+class NewCell(RequestModel):
+    """A new text for one cell of a table; an empty text makes the cell blank."""
+
+    state: Name
+    event: Name
+    text: Annotated[str, StringConstraints(max_length=LONGEST_CELL)]
+    layer: Name = BASE
+
+
+class MachineSummary(ResponseModel):
+    """A machine in the list; `scene` is the scene whose folder holds it, or empty."""
+
+    name: str
+    title: str
+    description: str
+    character: str
+    scene: str
+    states: list[str]
+    events: list[str]
+
+
+class MachineView(ResponseModel):
+    """A machine; `states`, `table`, `rows` and `edges` belong to its base, the first layer."""
+
+    name: str
+    title: str
+    description: str
+    character: str
+    scene: str
+    version: int
+    """counts the edits, from 1"""
+    saved: Literal["file", "memory"]
+    """where edits are kept: in machine.yaml, or in memory until the server stops"""
+    initial: str
+    idle: str | None
+    states: list[StateView]
+    events: list[str]
+    table: dict[str, dict[str, CellView]]
+    rows: list[list[str]]
+    edges: list[EdgeView]
+    keys: dict[str, KeyView]
+    parameters: list[ParameterView]
+    variables: list[str]
+    senses: dict[str, SenseView]
+    colliders: dict[str, ColliderView]
+    layers: list[LayerView]
+    text: str
+    """the machine file"""
+
+
+class EditedMachine(MachineView):
+    """The machine after an edit, or after a dry run, with the verifier's findings."""
+
+    findings: list[FindingView]
+
+
+class VersionView(ResponseModel):
+    """A version of a machine; `at` in seconds since 1970; `what` says in a few words what the edit changed;
+    `before` is the version that an undo brings back, 0: none.
+    """
+
+    version: int
+    at: float
+    what: str
+    before: int

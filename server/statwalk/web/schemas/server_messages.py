@@ -1,0 +1,158 @@
+"""The text messages that the server sends on the socket."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from statwalk.services.hosting.commands import ClockKind
+from statwalk.services.publish.outbox import FrameKind
+from statwalk.web.schemas.actor import Accepted
+from statwalk.web.schemas.base import Place, Ref, ResponseModel, Values, Vector, VerdictWord
+from statwalk.web.schemas.problem import ProblemView
+
+
+class ActorName(ResponseModel):
+    """An actor of a cast."""
+
+    id: int
+    name: str
+
+
+class CastCollider(ResponseModel):
+    """A collider in metres, in the space of joint number `joint` (-1: the root's)."""
+
+    name: str
+    kind: Literal["sphere", "plane"]
+    joint: int
+    center: Vector
+    radius: float
+    normal: Vector
+
+
+class CastView(ResponseModel):
+    """The actors that share a character and a machine; `nodes[j]` is the model's node that joint j moves."""
+
+    role: str
+    character: str
+    model: str
+    machine: str
+    version: int
+    """the machine's version, counted by the stage"""
+    joints: int
+    weights: int
+    names: tuple[str, ...]
+    nodes: tuple[int, ...]
+    parents: tuple[int, ...]
+    layers: tuple[str, ...]
+    states: tuple[str, ...]
+    """the states of all layers"""
+    state_layers: tuple[int, ...]
+    """the layer of each state"""
+    events: tuple[str, ...]
+    colliders: tuple[CastCollider, ...]
+    actors: tuple[ActorName, ...]
+
+
+class Hello(ResponseModel):
+    """The layout of the frames that follow, and the stage's status; `epoch` numbers the layouts
+    of a stage.
+    """
+
+    type: Literal["hello"] = "hello"
+    version: str
+    stage: str
+    epoch: int
+    rate: int
+    clock: ClockKind
+    frames: FrameKind
+    tick: int
+    head: int
+    first: int
+    paused: bool
+    speed: float
+    viewers: int
+    casts: tuple[CastView, ...]
+
+
+class StatusMessage(ResponseModel):
+    """The status of the stage, sent on each change and once a second."""
+
+    type: Literal["status"] = "status"
+    tick: int
+    head: int
+    first: int
+    paused: bool
+    speed: float
+    viewers: int
+
+
+class ActionMessage(ResponseModel):
+    """An action of a machine; `seq` numbers all actions of a stage from 1."""
+
+    type: Literal["action"] = "action"
+    seq: int
+    tick: int
+    actor: int
+    name: str
+    arguments: tuple[str | float, ...]
+    other: int
+    """the actor that was touched, or that raised the event; -1: none"""
+
+
+class VerdictMessage(ResponseModel):
+    """The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
+    the event has no cell.
+    """
+
+    type: Literal["verdict"] = "verdict"
+    tick: int
+    actor: int
+    layer: int
+    event: str
+    verdict: VerdictWord
+    reason: str
+    from_state: Annotated[str, Field(alias="from")]
+    to_state: Annotated[str, Field(alias="to")]
+    cell: Place | None
+    source: str
+    line: int
+    values: Values
+    """the values that the cell's condition read"""
+    other: int
+
+
+class AcceptedMessage(Accepted):
+    """The answer to an input with this `ref`."""
+
+    type: Literal["accepted"] = "accepted"
+    ref: Ref
+
+
+class ErrorMessage(ProblemView):
+    """The problem with the message that has this `ref`; `type` is "error", no problem type."""
+
+    type: Literal["error"]
+    ref: Ref
+
+
+class Forked(ResponseModel):
+    """An input at a past tick went to this new stage."""
+
+    type: Literal["forked"] = "forked"
+    stage: str
+
+
+class Pong(ResponseModel):
+    """The answer to a ping."""
+
+    type: Literal["pong"] = "pong"
+    ref: Ref
+    tick: int
+
+
+ServerMessage = Annotated[
+    Hello | StatusMessage | ActionMessage | VerdictMessage | AcceptedMessage | ErrorMessage | Forked | Pong,
+    Field(discriminator="type"),
+]

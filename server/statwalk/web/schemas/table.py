@@ -1,0 +1,139 @@
+"""The parts of a machine: cells, states, layers, keys, parameters, senses, colliders."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from statwalk.machine.definition.cell_definition import Curve, Enter
+from statwalk.web.schemas.base import Place, ResponseModel, Vector
+
+
+class AlternativeView(ResponseModel):
+    """An alternative of a cell; `blend` in seconds, `enter` is the phase 0…1 at which the motion begins, or
+    `match`.
+    """
+
+    to: str
+    condition: str
+    weight: float | None
+    blend: float
+    curve: Curve
+    enter: Enter
+    restart: bool
+    action: str | None
+
+
+class CellView(ResponseModel):
+    """A cell of the full table with its defaults resolved; `to` is null if the cell does nothing; `source`
+    says which row the cell comes from.
+    """
+
+    to: str | None
+    when: str
+    blend: float
+    curve: Curve
+    enter: Enter
+    restart: bool
+    action: str | None
+    source: str
+    line: int
+    written: Place
+    alternatives: list[AlternativeView]
+
+
+class EdgeView(ResponseModel):
+    """An edge of the state graph, and the events that take it."""
+
+    start: Annotated[str, Field(alias="from")]
+    to: str
+    events: list[str]
+
+
+class MarkerView(ResponseModel):
+    """A marker of a motion: its name, and its phase 0…1."""
+
+    name: str
+    phase: float
+
+
+class StateView(ResponseModel):
+    """A state and its motion (null: none); `over`: the parameters of a blend; `duration` in seconds; `outer`:
+    the composite state that contains it, or empty.
+    """
+
+    name: str
+    motion: str | None
+    over: list[str]
+    clips: list[str]
+    loop: bool
+    duration: float
+    outer: str
+    final: bool
+    markers: list[MarkerView]
+
+
+class LayerView(ResponseModel):
+    """A layer and its table; `weight` is a number or a parameter's name; `rows` is the table as it is
+    written: the head, then a row for each state.
+    """
+
+    name: str
+    mode: Literal["override", "additive"]
+    mask: list[str]
+    weight: float | str
+    initial: str
+    states: list[StateView]
+    table: dict[str, dict[str, CellView]]
+    rows: list[list[str]]
+    edges: list[EdgeView]
+
+
+class KeyView(ResponseModel):
+    """The events of a key: `press` when it goes down (`hold`: held until it comes up), `release` when it
+    comes up.
+    """
+
+    press: str | None
+    release: str | None
+    hold: bool
+
+
+class ParameterView(ResponseModel):
+    """A parameter, a number that clients set; `smooth` in seconds; `driven`: a flock overwrites it."""
+
+    name: str
+    default: float
+    minimum: float
+    maximum: float
+    smooth: float
+    driven: bool
+
+
+class TouchView(ResponseModel):
+    """An event that a touch raises; `touch` names the machine's own collider, and the other collider."""
+
+    touch: Place
+    on: Literal["enter", "stay", "leave"]
+
+
+class ThresholdView(ResponseModel):
+    """An event that a condition raises; it raises the event again only after `release` was true."""
+
+    when: str
+    release: str
+
+
+SenseView = TouchView | ThresholdView
+
+
+class ColliderView(ResponseModel):
+    """A collider in metres, in the joint's space (no joint: the root's)."""
+
+    kind: Literal["sphere", "plane"]
+    line: int
+    joint: str
+    center: Vector
+    radius: float
+    normal: Vector

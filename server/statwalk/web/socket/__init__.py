@@ -1,0 +1,1 @@
+"""The WebSocket of a viewer: it sends frames and facts, and receives inputs."""

@@ -1,0 +1,217 @@
+"""Handles the messages of a viewer: acknowledgements, inputs, and the past tick that it wants to see."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+
+from anyio import CapacityLimiter, to_thread
+from pydantic import TypeAdapter, ValidationError
+
+from statwalk.errors import StatwalkError
+from statwalk.services.cancel import CancelToken
+from statwalk.services.hosting import stage_messages as ask
+from statwalk.services.hosting.commands import SendEvent, SetParameter
+from statwalk.services.hosting.stage_host import StageHost
+from statwalk.services.hosting.stage_replies import Posted
+from statwalk.services.publish.outbox import Outbox
+from statwalk.web import bounded_json
+from statwalk.web.errors import Problem, field_name, from_error
+from statwalk.web.schemas.base import Ref
+from statwalk.web.schemas.viewer_messages import (
+    Ack,
+    ChooseFrames,
+    Live,
+    Look,
+    Ping,
+    PostEvent,
+    PostParameter,
+    ViewerMessage,
+)
+from statwalk.web.socket import messages
+from statwalk.web.socket.token_bucket import TokenBucket, cost_of
+
+INPUTS_PER_SECOND = 120.0
+INPUT_BURST = 240.0
+IDLE_ACKS_PER_SECOND = 200.0
+"""acknowledgements that match no frame; the others are at most as many as the frames"""
+LONGEST_ACK = 64
+"""bytes"""
+MOST_VALUES = 64
+"""in one message"""
+SECONDS_PER_FORK = 5.0
+MOST_FORKS = 4
+"""forks in a row, before the viewer waits `SECONDS_PER_FORK` for each"""
+MESSAGES: TypeAdapter[ViewerMessage] = TypeAdapter(ViewerMessage)
+REFS: TypeAdapter[Ref] = TypeAdapter(Ref)
+
+
+class Inbox:
+    """Handles the messages of one viewer.
+
+    Acknowledging a frame is free. Every other message costs tokens, which are spent before the message is
+    parsed; a viewer without tokens is disconnected with code 4029.
+
+    `past_limiter`: limits the threads that compute past ticks for viewers.
+    """
+
+    def __init__(
+        self, host: StageHost, outbox: Outbox, token: CancelToken, past_limiter: CapacityLimiter
+    ) -> None:
+        self.host, self.outbox, self.token, self.past_limiter = host, outbox, token, past_limiter
+        self.inputs = TokenBucket(INPUTS_PER_SECOND, INPUT_BURST)
+        self.acks = TokenBucket(IDLE_ACKS_PER_SECOND, IDLE_ACKS_PER_SECOND)
+        self.forks = TokenBucket(1 / SECONDS_PER_FORK, MOST_FORKS)
+        self.looked_at: int | None = None
+        self.look_changed = asyncio.Event()
+        self.held: set[tuple[str, int | None]] = set()
+
+    async def take(self, data: str | bytes) -> None:
+        """Handles one message; answers an error instead of raising it."""
+        if not self._spend_for(data):
+            self.outbox.cut("too many messages", f"more than {INPUTS_PER_SECOND:g} messages a second")
+            return
+        ref: Ref = None
+        try:
+            raw = await bounded_json.parse_aside(data, MOST_VALUES)
+            ref = _ref_of(raw)
+            await self.act(read(raw))
+        except Problem as problem:
+            self.answer(messages.error(ref, problem))
+        except StatwalkError as error:
+            self.answer(messages.error(ref, from_error(error)))
+
+    def _spend_for(self, data: str | bytes) -> bool:
+        return self.acks.spend() if _looks_like_ack(data) else self.inputs.spend(cost_of(data))
+
+    def answer(self, text: bytes) -> None:
+        """Sends a message to this viewer alone."""
+        self.outbox.put_facts([text])
+
+    async def act(self, message: ViewerMessage) -> None:
+        """Does what a message asks."""
+        match message:
+            case Ack(tick=tick):
+                if self.outbox.acknowledge(tick):
+                    self.acks.give_back()
+            case Ping(ref=ref):
+                self.answer(messages.pong(ref, self.host.handle(ask.Status()).tick))
+            case PostEvent(ref=ref):
+                await self.post(
+                    ref, message.command(), self.looked_at if message.tick is None else message.tick
+                )
+                self.remember(message)
+            case PostParameter(ref=ref):
+                await self.post(ref, message.command(), self.looked_at)
+            case Look(tick=tick):
+                self.look(tick)
+            case Live() | ChooseFrames():
+                await self.choose(message)
+
+    async def post(self, ref: Ref, command: SendEvent | SetParameter, at: int | None) -> None:
+        """Posts an input at tick `at` (None: the playhead), and answers where it went."""
+        message = ask.Post((command,), at, may_fork=self.forks.has_one())
+        limiter = None if at is None else self.past_limiter
+        posted = await to_thread.run_sync(self.host.handle, message, self.token, limiter=limiter)
+        if posted.stage != self.host.id:
+            self.forks.spend()
+        self.accepted(ref, posted)
+
+    def remember(self, event: PostEvent) -> None:
+        """Keeps the set of events that this viewer holds."""
+        key = (event.event, event.actor)
+        if event.kind == "hold":
+            self.held.add(key)
+        elif event.kind == "release":
+            self.held.discard(key)
+
+    def release_held(self) -> None:
+        """Releases the events that the viewer still holds: a lost connection must not leave an actor walking
+        for ever.
+        """
+        for event, actor in self.held:
+            with contextlib.suppress(StatwalkError):
+                self.host.handle(ask.Post((SendEvent(event, actor, "release"),), forks=False))
+
+    def accepted(self, ref: Ref, posted: Posted) -> None:
+        """Answers where an input went; a second message names the fork, if the input made one."""
+        self.answer(messages.accepted(ref, posted))
+        if posted.stage != self.host.id:
+            self.answer(messages.forked(posted.stage))
+
+    async def choose(self, message: Live | ChooseFrames) -> None:
+        """Returns the viewer to the present, or changes its kind of frame; the viewer gets a
+        frame at once.
+        """
+        outbox = self.outbox
+        frames = message.frames if isinstance(message, ChooseFrames) else outbox.frames
+        frame = await to_thread.run_sync(self.host.handle, ask.Frame(frames))
+        outbox.frames, outbox.frame = frames, None
+        if isinstance(message, Live):
+            outbox.live, self.looked_at = True, None
+        if outbox.live:
+            outbox.put_frame(frame)
+        else:
+            self.look_changed.set()
+
+    # --- the past, for this viewer alone
+
+    def look(self, tick: int) -> None:
+        """Has `show_past` show a past tick to this viewer.
+
+        :raises Problem: 422, when the stage does not have the tick.
+        """
+        status = self.host.handle(ask.Status())
+        if not status.first <= tick <= status.head:
+            raise Problem(
+                422, f"the stage has the ticks {status.first} to {status.head}, not {tick}", field="tick"
+            )
+        self.outbox.live, self.looked_at = False, tick
+        self.look_changed.set()
+
+    async def show_past(self) -> None:
+        """Shows the past tick of the newest `look`, until the task is cancelled."""
+        while True:
+            await self.look_changed.wait()
+            self.look_changed.clear()
+            if self.looked_at is not None:
+                await self._show_tick(self.looked_at)
+
+    async def _show_tick(self, tick: int) -> None:
+        """Shows one past frame, unless the viewer returned to the present meanwhile."""
+        try:
+            frame = await to_thread.run_sync(
+                self.host.handle,
+                ask.Frame(self.outbox.frames, tick),
+                self.token,
+                limiter=self.past_limiter,
+            )
+        except StatwalkError as error:
+            self.answer(messages.error(None, from_error(error)))
+            return
+        if not self.outbox.live:
+            self.outbox.put_frame(frame)
+
+
+def _looks_like_ack(data: str | bytes) -> bool:
+    return len(data) <= LONGEST_ACK and (b'"ack"' in data if isinstance(data, bytes) else '"ack"' in data)
+
+
+def _ref_of(raw: object) -> Ref:
+    """Returns the `ref` of a message, or None if it has none that the answer can repeat."""
+    try:
+        return REFS.validate_python(raw.get("ref") if isinstance(raw, dict) else None, strict=True)
+    except ValidationError:
+        return None
+
+
+def read(raw: object) -> ViewerMessage:
+    """Returns the message that a JSON value describes.
+
+    :raises Problem: 422, naming the field, when the value is no message.
+    """
+    try:
+        return MESSAGES.validate_python(raw)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_context=False, include_input=False)[0]
+        raise Problem(422, first["msg"], field=field_name(("message", *first["loc"]))) from None

@@ -1,0 +1,77 @@
+"""uvicorn's sans-io WebSocket, which also disconnects a viewer that no longer reads.
+
+A peer with full buffers blocks every `send`, and `close` too: uvicorn then waits for a flush that
+never comes, and so does its shutdown. Only `transport.abort()` ends the connection (pipecat issue
+5789 reports the same).
+"""
+
+from __future__ import annotations
+
+import asyncio
+
+from uvicorn._types import ASGISendEvent
+from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+
+UNWRITABLE_SECONDS = 5.0
+GOODBYE_SECONDS = 1.0
+
+
+class ViewerProtocol(WebSocketsSansIOProtocol):
+    """Aborts a connection that is not writable for 5 s, or that does not end 1 s after the close frame."""
+
+    abort_timer: asyncio.TimerHandle | None = None
+    leaving = False
+
+    def _abort_after(self, seconds: float) -> None:
+        """Aborts the connection after `seconds`, unless the timer runs already."""
+        if self.abort_timer is None:
+            self.abort_timer = self.loop.call_later(seconds, self.transport.abort)
+
+    def stop_timer(self) -> None:
+        """Stops the timer that aborts the connection."""
+        if self.abort_timer is not None:
+            self.abort_timer.cancel()
+            self.abort_timer = None
+
+    def leave(self) -> None:
+        """Gives the peer a second to take the close frame, then aborts the connection."""
+        self.stop_timer()
+        self.leaving = True
+        self._abort_after(GOODBYE_SECONDS)
+
+    def pause_writing(self) -> None:
+        """Starts the timer: the buffers of the peer and of the server are full."""
+        super().pause_writing()
+        self._abort_after(UNWRITABLE_SECONDS)
+
+    def resume_writing(self) -> None:
+        """Stops the timer: the peer reads again."""
+        super().resume_writing()
+        if not self.leaving:
+            self.stop_timer()
+
+    async def send(self, message: ASGISendEvent) -> None:
+        """Sends a message of the application; waits at most a second for the peer to take a close frame."""
+        await super().send(message)
+        if message["type"] == "websocket.close":
+            self.leave()
+        elif message["type"] == "websocket.http.response.body" and not message.get("more_body"):
+            self.handshake_complete = True  # a refused upgrade is an answer too; uvicorn would log an error
+
+    def keepalive_timeout(self) -> None:
+        """Closes the connection: the peer does not answer pings."""
+        super().keepalive_timeout()
+        self.leave()
+
+    def shutdown(self) -> None:
+        """Closes the connection with code 1012 when the server stops; aborts it if it is not writable."""
+        if self.transport.is_closing() or not self.writable.is_set():
+            self.transport.abort()
+            return
+        super().shutdown()
+        self.leave()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Stops the timer: the connection is closed."""
+        self.stop_timer()
+        super().connection_lost(exc)

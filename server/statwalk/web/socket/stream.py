@@ -1,0 +1,149 @@
+"""The WebSocket route: each connection is a viewer that gets frames and facts, and sends inputs."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+
+from anyio import to_thread
+from fastapi import APIRouter, WebSocket, WebSocketDisconnect
+from starlette.types import Message as AsgiMessage
+
+from statwalk.errors import StageError, StatwalkError
+from statwalk.services.cancel import CancelToken
+from statwalk.services.hosting import stage_messages as ask
+from statwalk.services.hosting.registry import Registry
+from statwalk.services.hosting.stage_host import StageHost
+from statwalk.services.publish.outbox import FRAME_KINDS, FrameKind, Outbox
+from statwalk.web.dependencies import ENDING
+from statwalk.web.errors import Problem, answer, from_error
+from statwalk.web.socket import messages
+from statwalk.web.socket.inbox import Inbox
+
+router = APIRouter()
+
+
+@router.websocket("/api/stages/{stage_id}/stream")
+async def stream(socket: WebSocket, stage_id: str, frames: str = "pose") -> None:
+    """Streams the frames and facts of a stage; docs/api.md describes the messages."""
+    registry: Registry = socket.app.state.registry
+    try:
+        kind = _frame_kind(frames)
+        host = registry.find(stage_id)
+        _check_subprotocol(socket)
+        outbox = Outbox(kind)
+        host.fanout.join(outbox)
+    except (Problem, StatwalkError) as error:
+        problem = error if isinstance(error, Problem) else from_error(error, socket.path_params)
+        await answer(problem.body())(socket.scope, socket.receive, socket.send)
+        return
+    try:
+        await socket.accept(subprotocol=messages.VERSION if socket.scope["subprotocols"] else None)
+        await Viewer(socket, host, outbox).serve()
+    finally:
+        host.leave(outbox)
+
+
+def _frame_kind(frames: str) -> FrameKind:
+    """Returns the kind of frame.
+
+    :raises Problem: 422, when it is neither `pose` nor `glb`.
+    """
+    for kind in FRAME_KINDS:
+        if frames == kind:
+            return kind
+    raise Problem(422, f"no kind of frame is called {frames[:20]!r}", field="frames", known=FRAME_KINDS)
+
+
+def _check_subprotocol(socket: WebSocket) -> None:
+    """Accepts a client that names no version of the stream.
+
+    :raises Problem: 400, when it names only versions that the server does not have.
+    """
+    offered = socket.scope["subprotocols"]
+    if offered and messages.VERSION not in offered:
+        raise Problem(
+            400,
+            f"the server does not have this version of the stream; use {messages.VERSION}",
+            field="Sec-WebSocket-Protocol",
+            known=[messages.VERSION],
+        )
+
+
+class Viewer:
+    """One connection: a reader, a writer, and a task that shows the past; the end of one ends all."""
+
+    def __init__(self, socket: WebSocket, host: StageHost, outbox: Outbox) -> None:
+        self.socket, self.host, self.outbox = socket, host, outbox
+        self.token = CancelToken(socket.scope.get(ENDING))
+        self.inbox = Inbox(host, outbox, self.token, socket.app.state.past_limiter)
+        self.sent_layout: tuple[int, str] | None = None
+
+    async def serve(self) -> None:
+        """Serves until the viewer leaves or is disconnected, or the server stops."""
+        try:
+            self.outbox.put_frame(await to_thread.run_sync(self.host.handle, ask.Frame(self.outbox.frames)))
+        except StageError as error:
+            self.outbox.cut("too large", str(error)[:100])
+        tasks = [
+            asyncio.ensure_future(coroutine)
+            for coroutine in (self.read(), self._write_until_gone(), self.inbox.show_past())
+        ]
+        try:
+            await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            self.token.cancel()
+            for task in tasks:
+                task.cancel()
+            results = await asyncio.gather(*tasks, return_exceptions=True)
+            if self.inbox.held:
+                await to_thread.run_sync(self.inbox.release_held)
+        for result in results:
+            if isinstance(result, Exception) and not isinstance(result, OSError | WebSocketDisconnect):
+                raise result
+
+    async def read(self) -> None:
+        """Handles the viewer's messages one after another, until it disconnects."""
+        while True:
+            message: AsgiMessage = await self.socket.receive()
+            if message["type"] == "websocket.disconnect":
+                return
+            if self.outbox.closing is None:
+                await self.inbox.take(message.get("text") or message.get("bytes") or b"")
+            await asyncio.sleep(0)  # lets other viewers' tasks run between messages that arrive together
+
+    async def _write_until_gone(self) -> None:
+        """Writes; if the connection breaks, cancels long work and waits for the reader to end the viewer.
+
+        Messages that the viewer sent before it left may still be unread.
+        """
+        try:
+            await self.write()
+        except (OSError, WebSocketDisconnect):
+            self.token.cancel()
+            await asyncio.Event().wait()
+
+    async def write(self) -> None:
+        """Sends the content of the outbox, facts first and then the newest frame, until the
+        outbox is closing.
+        """
+        outbox = self.outbox
+        while outbox.closing is None:
+            await outbox.filled.wait()
+            outbox.filled.clear()
+            for text in outbox.take_texts():
+                await self.socket.send_text(text.decode())
+            await self._write_frame()
+        ending, reason = outbox.closing
+        await self.socket.close(messages.CLOSE_CODES[ending], reason)
+
+    async def _write_frame(self) -> None:
+        """Sends the newest frame, after a hello if the viewer does not have its layout."""
+        frame = self.outbox.take_frame(time.monotonic())
+        if frame is None:
+            return
+        layout = (frame.layout.epoch, frame.kind)
+        if self.sent_layout != layout:
+            self.sent_layout = layout
+            await self.socket.send_text(messages.hello(self.host, frame.layout, frame.kind).decode())
+        await self.socket.send_bytes(frame.data)

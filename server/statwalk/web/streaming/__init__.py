@@ -1,1 +1,0 @@
-"""The socket: what viewers are shown, and what they say."""

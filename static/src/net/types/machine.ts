@@ -1,0 +1,15 @@
+/** A machine as the server describes it: layers, tables, findings, versions, under the page's names. */
+
+export type {
+  AlternativeView as Alternative,
+  CellView as Cell,
+  EdgeView as Edge,
+  EditedMachine as Edited,
+  FindingView as Finding,
+  KeyView as KeyBinding,
+  LayerView as LayerInfo,
+  MachineView as MachineInfo,
+  ParameterView as Parameter,
+  StateView as StateInfo,
+  VersionView as MachineVersion,
+} from "./api.generated";

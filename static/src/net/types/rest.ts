@@ -1,0 +1,20 @@
+/** Bodies of the REST interface under /api; machine.ts and explanation.ts have the larger ones. */
+
+import type { ShippedCharacterView, UploadedCharacterView } from "./api.generated";
+
+export type {
+  EventLine,
+  HistoryView as StateHistory,
+  LogHeader,
+  LogLine,
+  MachineSummary,
+  MappingView as Mapping,
+  NewCell,
+  ProblemView as Problem,
+  SceneView as SceneSummary,
+  StageView as StageInfo,
+  StateChangeView as StateChange,
+  UploadView as UploadedCharacter,
+} from "./api.generated";
+
+export type CharacterSummary = ShippedCharacterView | UploadedCharacterView;

@@ -1,0 +1,66 @@
+/** Listens to the keyboard: the machine's keys first, then the viewer's shortcuts. */
+
+import { HeldKeys, bindingOf, mainEvent } from "../../state/keyBindings";
+import type { Shortcut } from "../../ui/shortcut";
+import type { Session } from "../../state/session";
+
+/** Returns whether the focused element uses this key itself. */
+function wanted(target: EventTarget | null, key: string): boolean {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.closest("dialog[open]")) return true;
+  if (target instanceof HTMLSelectElement || target instanceof HTMLInputElement)
+    return key.startsWith("Arrow") || key === "Home" || key === "End" || key === " ";
+  return target instanceof HTMLButtonElement && (key === " " || key === "Enter");
+}
+
+export class Keyboard {
+  private readonly held: HeldKeys;
+
+  constructor(
+    private readonly session: Session,
+    private readonly shortcuts: readonly Shortcut[],
+    private readonly shown: (event: string, down: boolean) => void,
+  ) {
+    this.held = new HeldKeys(({ kind, event }) => session.event(kind, event));
+    window.addEventListener("keydown", (press) => this.down(press));
+    window.addEventListener("keyup", (press) => this.up(press));
+    for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.letGo());
+    document.addEventListener("visibilitychange", () => document.hidden && this.letGo());
+    session.actor.on(() => this.letGo());
+    session.leaving.on(() => this.letGo());
+  }
+
+  private down(press: KeyboardEvent): void {
+    if (press.ctrlKey || press.metaKey || press.altKey || wanted(press.target, press.key)) return;
+    const keys = this.session.machine.value?.keys ?? {};
+    const name = bindingOf(keys, press.key, press.code);
+    if (name !== null) {
+      press.preventDefault();
+      this.held.press(name, keys[name]!);
+      this.show(name, true);
+      return;
+    }
+    const shortcut = press.repeat
+      ? undefined
+      : this.shortcuts.find(({ keys }) => keys.includes(press.key.toLowerCase()));
+    if (shortcut) press.preventDefault();
+    shortcut?.act();
+  }
+
+  private up(press: KeyboardEvent): void {
+    const name = bindingOf(this.session.machine.value?.keys ?? {}, press.key, press.code);
+    if (name !== null && this.held.release(name)) this.show(name, false);
+  }
+
+  private show(name: string, down: boolean): void {
+    const binding = this.session.machine.value?.keys[name];
+    const event = binding ? mainEvent(binding) : null;
+    if (event !== null) this.shown(event, down);
+  }
+
+  private letGo(): void {
+    for (const name of Object.keys(this.session.machine.value?.keys ?? {}))
+      if (this.held.has(name)) this.show(name, false);
+    this.held.releaseAll();
+  }
+}

@@ -1,0 +1,78 @@
+/** The help dialog: the machine's keys, the viewer's shortcuts, the pointer's gestures. */
+
+import "./help.css";
+import type { Shortcut } from "../../ui/shortcut";
+import { cap, onDown, onUp } from "../../state/keyBindings";
+import type { KeyBinding } from "../../net/protocol";
+import type { Session } from "../../state/session";
+import { el } from "../../ui/dom";
+
+/** Describes a key binding. */
+export function bindingWords(binding: KeyBinding): string {
+  const down = onDown(binding).map(({ kind, event }) => (kind === "hold" ? `holds ${event}` : event));
+  const up = onUp(binding)
+    .filter(({ kind }) => kind === "press")
+    .map(({ event }) => event);
+  return [down.join(", "), up.length ? `released: ${up.join(", ")}` : ""].filter(Boolean).join(" · ");
+}
+
+function row(keys: string[], text: string): HTMLElement {
+  return el(
+    "div",
+    { class: "help-row" },
+    el("dt", {}, ...keys.map((key) => el("kbd", {}, key))),
+    el("dd", {}, text),
+  );
+}
+
+const POINTER: [string, string][] = [
+  ["drag", "turn around the character"],
+  ["right drag", "move sideways and up"],
+  ["wheel", "nearer, farther"],
+  ["cell", "edit it: STATE, STATE!, -, STATE at end"],
+  ["state, twice", "travel there by the fastest events"],
+  ["timeline", "drag: the past; click: why?"],
+];
+
+export class HelpDialog {
+  private readonly dialog = el("dialog", { class: "help", "aria-label": "keys", tabindex: -1 });
+
+  constructor(
+    private readonly session: Session,
+    private readonly viewerKeys: readonly Shortcut[],
+  ) {
+    document.body.append(this.dialog);
+    session.machine.on(() => this.dialog.open && this.fill());
+    this.dialog.addEventListener("click", (click) => click.target === this.dialog && this.dialog.close());
+  }
+
+  toggle(): void {
+    if (this.dialog.open) return this.dialog.close();
+    this.fill();
+    this.dialog.showModal();
+    this.dialog.focus();
+  }
+
+  private fill(): void {
+    const machine = this.session.machine.value;
+    const keys = Object.entries(machine?.keys ?? {}).map(([key, binding]) =>
+      row([cap(key)], bindingWords(binding)),
+    );
+    const close = el("button", { type: "button", class: "plain close", "aria-label": "close" }, "esc");
+    close.addEventListener("click", () => this.dialog.close());
+    const section = (title: string, rows: HTMLElement[]): HTMLElement =>
+      el("section", {}, el("h2", {}, title), el("dl", {}, ...rows));
+    const own = this.viewerKeys.map(({ keys: [key], words }) => row([cap(key)], words));
+    const pointer = POINTER.map(([how, words]) => row([how], words));
+    const title = machine?.title ?? machine?.name ?? "machine";
+    const about = machine?.description ? el("p", { class: "about" }, machine.description) : null;
+    const sections = el(
+      "div",
+      { class: "help-columns" },
+      section(title, keys),
+      section("viewer", own),
+      section("pointer", pointer),
+    );
+    this.dialog.replaceChildren(...[close, about, sections].filter((part) => part !== null));
+  }
+}

@@ -1,0 +1,195 @@
+/** Imports a character: uploads its file, maps its clips to states, makes a machine and shows it. */
+
+import "./importDialog.css";
+import * as api from "../../net/api";
+import { nameFor, putCharacter, takenNames } from "../../net/upload";
+import type { Mapping, UploadedCharacter } from "../../net/protocol";
+import { el, say } from "../../ui/dom";
+import { MappingForm } from "./mappingForm";
+
+const ACCEPT = ".glb,.gltf,.zip,model/gltf-binary,application/zip";
+
+/** The server closes the connection on a larger file, which a page cannot tell from a lost connection. */
+const MOST_BYTES = 64 * 2 ** 20;
+
+const plural = (count: number, word: string): string =>
+  `${count.toLocaleString("en")} ${word}${count === 1 ? "" : "s"}`;
+const size = (bytes: number): string =>
+  bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
+
+export class ImportDialog {
+  private readonly dialog = el("dialog", { class: "import", "aria-labelledby": "import-title" });
+  private readonly fileInput = el("input", {
+    type: "file",
+    accept: ACCEPT,
+    hidden: true,
+    tabindex: -1,
+    "aria-hidden": "true",
+  });
+  private cancel = new AbortController();
+  /** The uploaded character that has no machine yet. */
+  private pending: string | null = null;
+
+  /** `made` gets the name of the new machine. */
+  constructor(private readonly made: (machine: string) => Promise<void>) {
+    document.body.append(this.dialog, this.fileInput);
+    this.dialog.addEventListener("close", () => this.forget());
+    this.fileInput.addEventListener("change", () => {
+      const files = [...(this.fileInput.files ?? [])];
+      this.fileInput.value = "";
+      this.take(files);
+    });
+  }
+
+  /** Opens the file picker. */
+  choose(): void {
+    this.fileInput.click();
+  }
+
+  /** Takes one dropped or chosen file. */
+  take(files: readonly File[]): void {
+    if (!files.length) return;
+    this.forget();
+    const [file, more] = files;
+    if (more) this.refuse("Import one file at a time; put a .gltf and its files into a .zip.");
+    else if (file!.size > MOST_BYTES)
+      this.refuse(`The file has ${size(file!.size)}; the server takes ${size(MOST_BYTES)} at most.`);
+    else void this.upload(file!);
+  }
+
+  private async upload(file: File): Promise<void> {
+    const cancel = (this.cancel = new AbortController());
+    const progress = this.showProgress(file);
+    try {
+      const name = nameFor(file.name, takenNames(...(await Promise.all([api.machines(), api.characters()]))));
+      const character = await putCharacter(name, file, progress, cancel.signal);
+      this.pending = name;
+      this.showMapping(character, await api.mapping(name));
+    } catch (error) {
+      if (!cancel.signal.aborted) this.refuse(error);
+    }
+  }
+
+  private show(title: string, ...parts: (Node | null)[]): void {
+    const close = el("button", { type: "button", class: "plain close", "aria-label": "close" }, "esc");
+    close.addEventListener("click", () => this.dialog.close());
+    this.dialog.replaceChildren(
+      close,
+      el("h2", { id: "import-title" }, title),
+      ...parts.filter((part) => part !== null),
+    );
+    if (!this.dialog.open) this.dialog.showModal();
+  }
+
+  private showProgress(file: File): (share: number) => void {
+    const bar = el("progress", { max: 1, value: 0, "aria-label": "upload" });
+    const words = el("span", { class: "import-share", role: "status" }, "0 %");
+    const facts = el("p", { class: "import-file" }, el("b", {}, file.name), ` ${size(file.size)}`);
+    this.show("Importing your character", facts, bar, words);
+    return (share) => {
+      if (share < 1) bar.value = share;
+      else bar.removeAttribute("value");
+      say(words, share < 1 ? `${Math.round(share * 100)} %` : "the server reads it …");
+    };
+  }
+
+  private refuse(error: unknown): void {
+    const reason = error instanceof Error ? error.message : String(error);
+    const places =
+      error instanceof api.ApiError
+        ? error.places.map(({ field }) => field).filter((field) => field && !reason.includes(field))
+        : [];
+    const place = places.length
+      ? el("p", { class: "import-place" }, "at ", el("code", {}, places.join(", ")))
+      : null;
+    const again = el("button", { type: "button", class: "primary" }, "Choose another file…");
+    again.addEventListener("click", () => this.choose());
+    const why = el("div", { class: "import-reason", role: "alert" }, el("p", {}, reason), place);
+    this.show(
+      "You cannot use this file",
+      why,
+      el("div", { class: "import-foot" }, el("span", { class: "space" }), again),
+    );
+    again.focus();
+  }
+
+  private showMapping(character: UploadedCharacter, mapping: Mapping): void {
+    if (!character.clips) return this.refuse("The model has no animations, so you cannot make states of it.");
+    const { joints, clips, vertices, notes } = character;
+    const form = new MappingForm(mapping);
+    const name = el("input", {
+      type: "text",
+      id: "import-name",
+      maxlength: 64,
+      spellcheck: "false",
+      autocomplete: "off",
+    });
+    name.value = character.name;
+    const wrong = el("p", { class: "import-wrong", role: "alert" });
+    const make = el("button", { type: "submit", class: "primary" }, "Make a machine");
+    const facts = [
+      plural(clips, "clip"),
+      plural(joints, "joint"),
+      plural(vertices, "vertex").replace("vertexs", "vertices"),
+    ].join(" · ");
+    const remarks = notes.length
+      ? el(
+          "details",
+          { class: "import-notes" },
+          el("summary", {}, plural(notes.length, "note")),
+          el("ul", {}, ...notes.map((note) => el("li", {}, note))),
+        )
+      : null;
+    const foot = el(
+      "div",
+      { class: "import-foot" },
+      el("label", { for: name.id }, "name"),
+      name,
+      el("span", { class: "space" }),
+      make,
+    );
+    const all = el("form", { class: "import-form", novalidate: true }, form.element, wrong, foot);
+    all.addEventListener("submit", (submit) => {
+      submit.preventDefault();
+      void this.make(name, make, wrong, form, character.name);
+    });
+    this.show("Which clip is which state?", el("p", { class: "import-about" }, facts), remarks, all);
+    make.focus();
+  }
+
+  private async make(
+    name: HTMLInputElement,
+    button: HTMLButtonElement,
+    wrong: HTMLElement,
+    form: MappingForm,
+    character: string,
+  ): Promise<void> {
+    button.disabled = true;
+    say(wrong, "");
+    try {
+      await api.makeMachine(name.value.trim(), character, form.states());
+      this.pending = null;
+      this.dialog.close();
+      await this.made(name.value.trim());
+    } catch (error) {
+      this.blame(error, name, wrong, form);
+    } finally {
+      button.disabled = false;
+    }
+  }
+
+  /** Shows each error beside its input, other errors below the form. */
+  private blame(error: unknown, name: HTMLInputElement, wrong: HTMLElement, form: MappingForm): void {
+    const places = error instanceof api.ApiError ? error.places : [];
+    const placed = places.map(({ field, message }) => form.refuse(field, message)).some(Boolean);
+    if (!placed) say(wrong, error instanceof Error ? error.message : String(error));
+    if (places.some(({ field }) => field === "name")) name.focus();
+  }
+
+  /** Aborts the upload and removes a character without a machine from the server. */
+  private forget(): void {
+    this.cancel.abort();
+    if (this.pending !== null) api.removeCharacter(this.pending).catch(() => undefined);
+    this.pending = null;
+  }
+}

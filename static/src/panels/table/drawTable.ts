@@ -1,0 +1,161 @@
+/** Draws the table: cells, rows, and the head of each sub-machine. */
+
+import type { Cell, LayerInfo, StateInfo } from "../../net/protocol";
+import { el, svg } from "../../ui/dom";
+import { cellSentence, glance, isDefault } from "./cellText";
+
+function fork(count: number): HTMLElement {
+  const drawing = svg(
+    "svg",
+    { viewBox: "0 0 12 12", width: 11, height: 11, "aria-hidden": true },
+    svg("path", {
+      d: "M1 6h3M4 6l5-3.5M4 6l5 3.5",
+      fill: "none",
+      stroke: "currentColor",
+      "stroke-width": 1.4,
+      "stroke-linecap": "round",
+    }),
+  );
+  return el("span", { class: "fork", "aria-label": `${count} ways` }, drawing, String(count));
+}
+
+function cellClasses(state: string, cell: Cell | undefined, known: ReadonlySet<string>): string {
+  const classes = [
+    cell && isDefault(cell) ? "default" : "",
+    cell?.to === state ? "stay" : "",
+    cell?.to && !known.has(cell.to) ? "undefined" : "",
+    cell && glance(cell).to === "–" ? "off" : "",
+  ];
+  return classes.filter(Boolean).join(" ");
+}
+
+export function drawCell(
+  { name: state, outer }: StateInfo,
+  event: string,
+  cell: Cell | undefined,
+  known: ReadonlySet<string>,
+): HTMLTableCellElement {
+  const { to, others, signs } = glance(cell);
+  // A sibling in a sub-machine has its short name, as in the file.
+  const near = outer && to.startsWith(`${outer}.`) ? to.slice(outer.length + 1) : to;
+  const parts = [
+    el("span", { class: "to" }, near),
+    others > 1 ? fork(others) : null,
+    ...signs.map((sign) => el("small", {}, sign)),
+  ];
+  const place = { "data-state": state, "data-column": event, tabindex: -1 };
+  return el(
+    "td",
+    {
+      class: cellClasses(state, cell, known),
+      title: cellSentence(state, event, cell),
+      role: "gridcell",
+      ...place,
+    },
+    ...parts,
+  );
+}
+
+/** Draws the head of a state's row; its button travels to the state. */
+export function drawState(
+  { name, outer, motion, duration, loop }: StateInfo,
+  goTo: ((state: string) => void) | null,
+): HTMLTableCellElement {
+  const short = outer ? name.slice(outer.length + 1) : name;
+  const facts = motion === null ? "no motion" : `${motion}, ${duration.toFixed(2)} s${loop ? ", loops" : ""}`;
+  const head = el(
+    "th",
+    {
+      scope: "row",
+      role: "rowheader",
+      title: `${name}: ${facts}`,
+      class: outer ? "inner" : undefined,
+      "data-state": name,
+      tabindex: goTo ? -1 : undefined,
+    },
+    short,
+  );
+  if (!goTo) return head;
+  const arrow = svg(
+    "svg",
+    { viewBox: "0 0 12 12", width: 12, height: 12, "aria-hidden": true },
+    svg("path", {
+      d: "M2 6h7M6 3l3 3-3 3",
+      fill: "none",
+      stroke: "currentColor",
+      "stroke-width": 1.5,
+      "stroke-linecap": "round",
+      "stroke-linejoin": "round",
+    }),
+  );
+  const button = el(
+    "button",
+    {
+      type: "button",
+      class: "go",
+      tabindex: -1,
+      "aria-label": `go to ${name}`,
+      title: `travel to ${name} by the fastest events`,
+    },
+    arrow,
+  );
+  button.addEventListener("click", () => goTo(name));
+  head.append(button);
+  return head;
+}
+
+export interface Drawn {
+  head: HTMLElement;
+  body: HTMLElement[];
+  rows: Map<string, HTMLTableRowElement>;
+  cells: Map<string, HTMLTableCellElement>;
+}
+
+export const cellKey = (state: string, event: string): string => JSON.stringify([state, event]);
+
+/** Returns the events that have a cell in this layer, in the order of the machine. */
+export function columns(layer: LayerInfo, events: readonly string[]): string[] {
+  const written = new Set(layer.rows[0] ?? []);
+  return events.filter(
+    (event) => written.has(event) || layer.states.some(({ name }) => layer.table[name]?.[event]),
+  );
+}
+
+/** Draws the table of a layer; states of a sub-machine come under its name. */
+export function drawTable(
+  layer: LayerInfo,
+  events: readonly string[],
+  goTo: ((state: string) => void) | null,
+): Drawn {
+  const shown = columns(layer, events);
+  const known = new Set(layer.states.map((state) => state.name));
+  const drawn: Drawn = {
+    head: el(
+      "tr",
+      {},
+      el("th", { scope: "col", class: "corner" }, "state"),
+      ...shown.map((event) => el("th", { scope: "col" }, event)),
+    ),
+    body: [],
+    rows: new Map(),
+    cells: new Map(),
+  };
+  let outer = "";
+  for (const state of layer.states) {
+    const { name } = state;
+    if (state.outer && state.outer !== outer)
+      drawn.body.push(
+        el("tr", { class: "outer" }, el("th", { colspan: shown.length + 1 }, el("span", {}, state.outer))),
+      );
+    outer = state.outer;
+    const cells = shown.map((event) => {
+      const cell = drawCell(state, event, layer.table[name]?.[event], known);
+      drawn.cells.set(cellKey(name, event), cell);
+      return cell;
+    });
+    const row = el("tr", {}, drawState(state, goTo), ...cells);
+    drawn.rows.set(name, row);
+    drawn.body.push(row);
+  }
+  return drawn;
+}

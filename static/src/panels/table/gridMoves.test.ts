@@ -1,0 +1,14 @@
+import { describe, expect, it } from "vitest";
+import { moved } from "./gridMoves";
+
+describe("moved", () => {
+  it.each([
+    ["ArrowDown", { row: 2, column: 1 }],
+    ["ArrowLeft", { row: 1, column: 0 }],
+    ["End", { row: 1, column: 4 }],
+    ["x", null],
+  ])("%s", (key, spot) => expect(moved({ row: 1, column: 1 }, key, 3, 5)).toEqual(spot));
+
+  it("stays within", () =>
+    expect(moved({ row: 2, column: 4 }, "ArrowDown", 3, 5)).toEqual({ row: 2, column: 4 }));
+});

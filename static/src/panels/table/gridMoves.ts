@@ -1,0 +1,24 @@
+/** Moves from cell to cell by the arrow keys. */
+
+export interface Spot {
+  row: number;
+  column: number;
+}
+
+const STEPS: Record<string, [number, number]> = {
+  ArrowUp: [-1, 0],
+  ArrowDown: [1, 0],
+  ArrowLeft: [0, -1],
+  ArrowRight: [0, 1],
+};
+
+/** Returns the cell that `key` leads to, or null if the key does not move. */
+export function moved(from: Spot, key: string, rows: number, columns: number): Spot | null {
+  const within = (value: number, size: number): number => Math.min(size - 1, Math.max(0, value));
+  if (key === "Home") return { row: from.row, column: 0 };
+  if (key === "End") return { row: from.row, column: columns - 1 };
+  const step = STEPS[key];
+  return step
+    ? { row: within(from.row + step[0], rows), column: within(from.column + step[1], columns) }
+    : null;
+}

@@ -1,0 +1,64 @@
+/** Shows the version, the last edit and the number of findings above the table, and a button to undo. */
+
+import type { Editing } from "../../state/editing";
+import type { Session } from "../../state/session";
+import { el, say } from "../../ui/dom";
+import { countWords } from "./findings";
+
+export class VersionBar {
+  private readonly version = el("b", { class: "version" });
+  private readonly what = el("span", { class: "what" });
+  private readonly findings = el("button", {
+    type: "button",
+    class: "plain count",
+    title: "what the verifier says of the table",
+  });
+  private readonly undo = el(
+    "button",
+    { type: "button", class: "undo", title: "the version before (Ctrl+Z)" },
+    "undo",
+  );
+
+  constructor(
+    host: HTMLElement,
+    private readonly session: Session,
+    private readonly editing: Editing,
+    showFindings: () => void,
+  ) {
+    host.append(this.version, this.what, this.findings, this.undo);
+    this.findings.addEventListener("click", showFindings);
+    this.undo.addEventListener("click", () => void editing.undo());
+    window.addEventListener("keydown", (press) => this.pressed(press));
+    session.machine.on(() => this.show());
+    for (const signal of [editing.newest, editing.findings]) signal.on(() => this.show());
+  }
+
+  private pressed(press: KeyboardEvent): void {
+    const typing = press.target instanceof HTMLInputElement && press.target.type === "text";
+    if (
+      typing ||
+      press.key.toLowerCase() !== "z" ||
+      !(press.ctrlKey || press.metaKey) ||
+      press.shiftKey ||
+      this.undo.disabled
+    )
+      return;
+    press.preventDefault();
+    void this.editing.undo();
+  }
+
+  private show(): void {
+    const machine = this.session.machine.value;
+    const newest = this.editing.newest.value;
+    if (!machine) return;
+    say(this.version, `v${machine.version}`);
+    const kept = machine.saved === "file" ? "in machine.yaml" : "until the server stops";
+    const edited = machine.version > 1 && newest?.version === machine.version;
+    say(this.what, edited ? `${newest.what}, kept ${kept}` : `edits are kept ${kept}`);
+    this.what.title = this.what.textContent ?? "";
+    const words = countWords(this.editing.findings.value);
+    say(this.findings, words === "nothing is wrong" ? "✓" : words);
+    this.findings.setAttribute("aria-label", `findings: ${words}`);
+    this.undo.disabled = machine.version < 2 || (edited && newest.before === 0);
+  }
+}

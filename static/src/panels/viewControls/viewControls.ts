@@ -1,0 +1,101 @@
+/** Controls over the stage view: the live state and its phase, skin modes, choice of stream, notices. */
+
+import "./viewControls.css";
+import type { Session } from "../../state/session";
+import type { Modes, StageView } from "../../view/stageView";
+import { el, say } from "../../ui/dom";
+import { icon } from "../../ui/icons";
+
+const JOINTS_NEEDED: ReadonlySet<keyof Modes> = new Set(["bones", "tetra"]);
+const MODES: [keyof Modes, string, string][] = [
+  ["skin", "1", "the skin with its materials"],
+  ["wire", "2", "the skin's triangles"],
+  ["bones", "3", "a line for each bone, a circle for each joint"],
+  ["tetra", "4", "a tetrahedron for each bone"],
+];
+
+/** Turns a mode on or off, if the stream can show it: a GLB frame has no joints. */
+export function toggleMode(session: Session, stageView: StageView, mode: keyof Modes): void {
+  if (session.frames.value === "glb" && JOINTS_NEEDED.has(mode)) return;
+  stageView.modes.set({ ...stageView.modes.value, [mode]: !stageView.modes.value[mode] });
+}
+
+function modeButton(
+  session: Session,
+  stageView: StageView,
+  [mode, key, title]: (typeof MODES)[number],
+): HTMLButtonElement {
+  const made = el("button", { type: "button" }, mode);
+  made.addEventListener("click", () => toggleMode(session, stageView, mode));
+  session.frames.on((frames) => {
+    made.disabled = frames === "glb" && JOINTS_NEEDED.has(mode);
+    made.title = made.disabled ? `${title}: in the pose stream only` : `${title} (${key})`;
+  });
+  stageView.modes.on((modes) => made.setAttribute("aria-pressed", String(modes[mode])));
+  return made;
+}
+
+/** Makes the bar of buttons at the foot of the stage view. */
+export function modeBar(host: HTMLElement, session: Session, stageView: StageView): void {
+  const skin = el(
+    "div",
+    { class: "group", role: "group", "aria-label": "what is drawn" },
+    ...MODES.map((mode) => modeButton(session, stageView, mode)),
+  );
+  const streams = (["pose", "glb"] as const).map((kind) => {
+    const title =
+      kind === "pose"
+        ? "the browser skins: local transforms are streamed"
+        : "the server skins: each message is a complete GLB";
+    const made = el("button", { type: "button", title: `${title} (G)` }, kind);
+    made.addEventListener("click", () => session.stream(kind));
+    session.frames.on((frames) => made.setAttribute("aria-pressed", String(frames === kind)));
+    return made;
+  });
+  const frame = el(
+    "button",
+    {
+      type: "button",
+      class: "square",
+      "aria-label": "frame the character",
+      title: "frame the character (F)",
+    },
+    icon("frame"),
+  );
+  frame.addEventListener("click", () => stageView.frame());
+  const stream = el("div", { class: "group choice", role: "group", "aria-label": "stream" }, ...streams);
+  host.append(skin, el("span", { class: "space" }), stream, el("div", { class: "group" }, frame));
+}
+
+/** Shows the live state's name and phase. */
+export class StateBadge {
+  private readonly name = el("strong");
+  private readonly bar = el("i");
+  private readonly note = el("span", { class: "note" });
+
+  constructor(host: HTMLElement, session: Session, stageView: StageView) {
+    host.append(this.name, el("span", { class: "phase", "aria-hidden": true }, this.bar), this.note);
+    session.state.on((state) => say(this.name, session.stateName(state)));
+    session.hello.on(() => say(this.name, session.stateName(session.state.value)));
+    session.looking.on((tick) => say(this.note, tick === null ? "" : "looking back"));
+    stageView.loading.on((text) => say(host.parentElement!.querySelector("#loading")!, text));
+  }
+
+  /** Shows a phase 0…1, or none if null; called once per drawn frame. */
+  update(phase: number | null): void {
+    this.bar.parentElement!.hidden = phase === null;
+    this.bar.style.transform = `scaleX(${(phase ?? 0).toFixed(3)})`;
+  }
+}
+
+const NOTICE_MS = 6000;
+
+/** Shows notices for a few seconds; screen readers read them out. */
+export function notices(host: HTMLElement, session: Session): void {
+  session.notices.on((text) => {
+    const note = el("p", {}, text);
+    host.append(note);
+    while (host.children.length > 3) host.firstElementChild?.remove();
+    setTimeout(() => note.remove(), NOTICE_MS);
+  });
+}

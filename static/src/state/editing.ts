@@ -1,0 +1,89 @@
+/**
+ * Edits the machine: tries and keeps cells, goes back one version, holds the newest version and its findings.
+ */
+
+import * as api from "../net/api";
+import type { Edited, MachineVersion, Finding, MachineInfo, NewCell } from "../net/protocol";
+import type { Session } from "./session";
+import { Signal } from "./signal";
+
+/** The answer to an edit. `stale`: another editor was first, and the machine was read again. */
+export interface Answer {
+  kind: "fine" | "refused" | "stale";
+  words: string;
+  findings: Finding[];
+}
+
+/** A cell of a layer. */
+export type CellPlace = Required<Omit<NewCell, "text">>;
+
+/** Returns the findings about a refused edit: the verifier's, or one at the cell with the parser's words. */
+export function refusal(error: api.ApiError, { layer, state, event }: CellPlace): Finding[] {
+  if (error.findings.length) return [...error.findings];
+  const line = Number(/\bline (\d+)/.exec(error.message)?.[1] ?? 0);
+  const message = error.message.replace(/^[^:]*\bline \d+: /, "");
+  return [{ kind: "refused", severity: "error", message, line, layer, state, event, replay: [] }];
+}
+
+export class Editing {
+  /** The newest version of the machine that is shown. */
+  readonly newest = new Signal<MachineVersion | null>(null);
+  /** The verifier's findings about that version. */
+  readonly findings = new Signal<readonly Finding[]>([]);
+  private checked = "";
+
+  constructor(private readonly session: Session) {
+    session.machine.on((machine) => machine && void this.look(machine));
+  }
+
+  private async look({ name, version }: MachineInfo): Promise<void> {
+    const wanted = `${name} ${version}`;
+    if (wanted === this.checked) return;
+    this.checked = wanted;
+    const [machineVersions, verified] = await Promise.all([
+      api.versions(name).catch(() => []),
+      api.verify(name).catch(() => null),
+    ]);
+    if (wanted !== this.checked) return;
+    this.newest.set(machineVersions.at(-1) ?? null);
+    this.findings.set(verified?.findings ?? []);
+  }
+
+  /** Keeps an edit, or only verifies it (`dry`). Throws errors other than a refusal or a conflict. */
+  async cell(place: CellPlace, text: string, dry: boolean): Promise<Answer> {
+    const machine = this.session.machine.value;
+    if (!machine) return { kind: "refused", words: "the machine is not known yet", findings: [] };
+    try {
+      const edited = await api.patchCell(machine.name, machine.version, { ...place, text }, dry);
+      if (!dry) this.take(edited);
+      return { kind: "fine", words: "", findings: edited.findings };
+    } catch (error) {
+      if (!(error instanceof api.ApiError)) throw error;
+      if (error.status !== 412)
+        return { kind: "refused", words: error.message, findings: refusal(error, place) };
+      await this.reload(machine.name);
+      return { kind: "stale", words: error.message, findings: [] };
+    }
+  }
+
+  /** Goes back to the version before; a refusal is shown as a notice. */
+  async undo(): Promise<void> {
+    const machine = this.session.machine.value;
+    if (!machine) return;
+    await api.undo(machine.name, machine.version).then(
+      (edited) => this.take(edited),
+      async (error: Error) => {
+        this.session.notices.emit(error.message);
+        if (error instanceof api.ApiError && error.status === 412) await this.reload(machine.name);
+      },
+    );
+  }
+
+  private take(edited: Edited): void {
+    this.session.takeMachine(edited);
+  }
+
+  private async reload(name: string): Promise<void> {
+    this.session.takeMachine(await api.machine(name));
+  }
+}

@@ -1,0 +1,285 @@
+/** Holds the state of the watched stage and sends commands to it. Views and panels read from here. */
+
+import * as api from "../net/api";
+import { Connection, type Link } from "../net/connection";
+import { type GlbChunks, chunksOf, tickOf } from "../net/glb";
+import { Meter, RoundTrip } from "../net/meter";
+import type {
+  Action,
+  EventKind,
+  FrameKind,
+  Hello,
+  MachineInfo,
+  Refused,
+  ServerMessage,
+  Status,
+  Verdict,
+} from "../net/protocol";
+import type { Delivery } from "../net/relay";
+import { type PoseFrame, isGlb, readPoseFrame } from "../net/wire";
+import { blendTicks } from "./blendTicks";
+import { laneKey } from "./history";
+import { Scrubber } from "./scrubber";
+import { Event, Signal } from "./signal";
+import { ActorSelection } from "./actorSelection";
+
+export class Session extends ActorSelection {
+  readonly link = new Signal<{ state: Link; detail: string }>({ state: "connecting", detail: "" });
+  readonly status = new Signal<Pick<Status, "paused" | "speed" | "viewers">>({
+    paused: false,
+    speed: 1,
+    viewers: 1,
+  });
+  readonly frames = new Signal<FrameKind>("pose");
+  private readonly scrubber = new Scrubber((message) => this.connection.send(message));
+  /** The past tick that this page shows, or null while it follows the stage. */
+  readonly looking = this.scrubber.looking;
+  readonly verdicts = new Event<Verdict>();
+  readonly actions = new Event<Action>();
+  readonly notices = new Event<string>();
+  /** Emitted before this page leaves its stage: held events must be released. */
+  readonly leaving = new Event<null>();
+  readonly received = new Meter();
+  readonly trip = new RoundTrip();
+  /** The newest frame of each stream, until it is drawn. */
+  pose: PoseFrame | null = null;
+  glb: GlbChunks | null = null;
+  tick = 0;
+  head = 0;
+  first = 0;
+  hash = "";
+  stage = "";
+  private playedVersion: number | undefined;
+  private lastPhase: number | null = null;
+  private refs = 1;
+  private readonly connection: Connection;
+
+  constructor() {
+    super();
+    this.connection = new Connection({
+      link: (state, detail) => {
+        if (state === "lost") this.history.markGap();
+        this.link.set({ state, detail });
+      },
+      message: (message) => this.hear(message),
+      frame: (delivery) => this.take(delivery),
+      failed: () => void this.findStage(),
+    });
+  }
+
+  /** Leaves the present stage and watches `stage`. */
+  watch(stage: string): void {
+    this.leaving.emit(null);
+    this.stage = stage;
+    this.forgetPast();
+    this.scrubber.forget();
+    this.state.set(null);
+    this.pose = this.glb = null;
+    this.connection.connect(stage, () => this.frames.value);
+  }
+
+  private forgetPast(): void {
+    this.history.clear();
+    this.eventLog.clear();
+  }
+
+  retry(): void {
+    this.connection.retryNow();
+  }
+
+  /** Returns the phase of the watched actor's motion, 0…1, or null if the stream does not carry it. */
+  phase(): number | null {
+    return this.frames.value === "pose" ? this.lastPhase : null;
+  }
+
+  private take({ frame, skipped, skippedBytes }: Delivery): void {
+    const now = performance.now();
+    this.received.add(now, frame.byteLength);
+    for (let i = 0; i < skipped; i++) this.received.add(now, skippedBytes / skipped);
+    if (isGlb(frame)) this.takeGlb(frame);
+    else this.takePose(frame);
+  }
+
+  private takePose(buffer: ArrayBuffer): void {
+    const frame = readPoseFrame(buffer);
+    if (frame.epoch !== this.hello.value?.epoch) return;
+    this.pose = frame;
+    this.hash = frame.hash;
+    this.moved(frame.tick, frame.head);
+    frame.casts.forEach((cast, c) => this.remember(frame.tick, cast, c));
+    const place = this.place();
+    const cast = place && frame.casts[place.cast];
+    if (cast) this.showStates(cast, place.row);
+    this.lastPhase = cast ? (cast.phase[place.row * cast.layers] ?? null) : null;
+  }
+
+  private takeGlb(buffer: ArrayBuffer): void {
+    this.glb = chunksOf(buffer);
+    const tick = tickOf(this.glb);
+    if (tick === null) return;
+    this.moved(tick, this.looking.value === null ? tick : this.head);
+    const actor = this.actor.value;
+    if (actor === null) return;
+    // A GLB frame carries no states: the last state goes on until a verdict changes it.
+    const live = this.looking.value === null;
+    if (live)
+      this.layerStates.value.forEach((state, layer) => this.history.see(laneKey(actor, layer), tick, state));
+    else
+      this.tellStates(
+        (this.cast?.layers ?? []).map((_, layer) => this.history.stateAt(laneKey(actor, layer), tick) ?? ""),
+      );
+    const base = this.stateIndex(actor, this.layerStates.value[0] ?? "");
+    this.state.set(base >= 0 ? base : null);
+  }
+
+  private moved(tick: number, head: number): void {
+    this.tick = tick;
+    this.head = Math.max(this.head, head);
+    this.scrubber.arrived(tick);
+  }
+
+  private hear(message: ServerMessage): void {
+    if (message.type === "hello") this.greet(message);
+    else if (message.type === "status") this.report(message);
+    else if (message.type === "verdict") this.judge(message);
+    else if (message.type === "action") this.act(message);
+    else if (message.type === "forked") this.fork(message.stage);
+    else if (message.type === "pong") this.trip.answer(message.ref, performance.now());
+    else if (message.type === "error") this.refused(message);
+  }
+
+  private refused({ ref, title, detail }: Refused): void {
+    if (this.trip.answer(ref, performance.now())) return;
+    this.scrubber.refused();
+    this.notices.emit(detail ?? title ?? "refused");
+  }
+
+  private greet(hello: Hello): void {
+    const same = hello.stage === this.hello.value?.stage;
+    const restarted = !same || hello.head < this.head;
+    if (restarted) this.forgetPast();
+    // The server may have read another table when it started again.
+    if (same && restarted) this.machine.set(null);
+    this.stage = hello.stage;
+    Object.assign(this, { tick: hello.tick, head: hello.head, first: hello.first });
+    this.status.set({ paused: hello.paused, speed: hello.speed, viewers: this.status.value.viewers });
+    this.hello.set(hello);
+    if (!this.place()) this.actor.set(hello.casts[0]?.actors[0]?.id ?? null);
+    if (restarted) this.scrubber.forget();
+    else this.scrubber.again();
+    void this.learn(hello, restarted);
+  }
+
+  private async learn(hello: Hello, restarted: boolean): Promise<void> {
+    await this.loadMachine();
+    const { stage } = hello;
+    await api.history(stage).then(
+      (past) => this.recall(stage, past),
+      () => undefined,
+    );
+    if (!restarted) return;
+    await api.log(stage).then(
+      (entries) => stage === this.stage && this.eventLog.remember(entries, hello.tick),
+      () => undefined,
+    );
+  }
+
+  /** Fetches the watched actor's machine, unless it is already here in the version that the stage plays. */
+  async loadMachine(): Promise<void> {
+    const { machine: name, version } = this.cast ?? {};
+    const known = this.machine.value;
+    if (name === undefined || (name === known?.name && version === this.playedVersion)) return;
+    await api.machine(name).then(
+      (machine) => this.takeMachine(machine, version),
+      (error: Error) => this.notices.emit(error.message),
+    );
+  }
+
+  /**
+   * Shows `machine`, unless a newer version is already shown; `played`: the version in the stage's own count.
+   */
+  takeMachine(machine: MachineInfo, played = this.playedVersion): void {
+    this.playedVersion = played;
+    const known = this.machine.value;
+    if (known?.name === machine.name && known.version >= machine.version) return;
+    if (known?.name !== machine.name || this.layer.value >= machine.layers.length) this.layer.set(0);
+    this.machine.set(machine);
+  }
+
+  private report({ head, first, paused, speed, viewers }: Status): void {
+    Object.assign(this, { head: Math.max(head, this.head), first });
+    const old = this.status.value;
+    if (old.paused !== paused || old.speed !== speed || old.viewers !== viewers)
+      this.status.set({ paused, speed, viewers });
+  }
+
+  private judge(verdict: Verdict): void {
+    const { actor, layer, tick, to } = verdict;
+    const rate = this.hello.value?.rate ?? 60;
+    this.eventLog.judge(
+      verdict,
+      this.place(actor) && this.cast?.machine === this.machine.value?.name
+        ? blendTicks(this.machine.value, verdict, rate)
+        : 0,
+    );
+    const led = verdict.verdict === "taken" && to ? this.stateIndex(actor, to, layer) : -1;
+    if (led >= 0) this.history.see(laneKey(actor, layer), tick, to!);
+    if (actor !== this.actor.value) return;
+    if (this.frames.value === "glb" && this.looking.value === null && led >= 0) this.leads(layer, led, to!);
+    // While the past is shown, present verdicts stay out of the panels.
+    if (this.looking.value === null) this.verdicts.emit(verdict);
+  }
+
+  private act(action: Action): void {
+    this.eventLog.act(action);
+    if (this.looking.value === null) this.actions.emit(action);
+  }
+
+  private fork(stage: string): void {
+    this.notices.emit(`You sent an event to the past: you now watch a fork, stage ${stage}.`);
+    this.watch(stage);
+  }
+
+  private async findStage(): Promise<void> {
+    const gone = await api.stage(this.stage).then(
+      () => false,
+      (error: unknown) => error instanceof api.ApiError && error.status === 404,
+    );
+    if (!gone || this.stage === "main") return;
+    this.notices.emit(`Stage ${this.stage} is gone: you now watch main.`);
+    this.watch("main");
+  }
+
+  /** Sends an event to the watched actor; in the past it makes a fork. */
+  event(kind: EventKind, event: string): void {
+    const actor = this.actor.value;
+    if (actor === null) return;
+    const past = this.looking.value === null ? {} : { tick: this.looking.value };
+    this.connection.send({ type: "event", kind, actor, event, ref: `event ${this.refs++}`, ...past });
+  }
+
+  ping(): void {
+    this.connection.send({ type: "ping", ref: this.trip.ask(performance.now()) });
+  }
+
+  /** Shows `tick` on this page only. */
+  look(tick: number): void {
+    this.scrubber.look(Math.round(Math.min(this.head, Math.max(this.first, tick))));
+  }
+
+  live(): void {
+    this.scrubber.live();
+  }
+
+  stream(frames: FrameKind): void {
+    if (frames === this.frames.value) return;
+    this.pose = this.glb = null;
+    this.frames.set(frames);
+    this.connection.send({ type: "frames", frames });
+  }
+
+  /** Runs a REST request on the stage; a refusal is shown. */
+  async command(request: (stage: string) => Promise<unknown>): Promise<void> {
+    await request(this.stage).catch((error: Error) => this.notices.emit(error.message));
+  }
+}

@@ -1,0 +1,142 @@
+/**
+ * `window.__viewer`: the page's state for tests in a real browser. Reading it changes nothing.
+ *
+ * ready        the watched actor is drawn and its machine is known (keys need the machine)
+ * stage() tick() head() hash() state() looking() link() frames() quality()
+ *              as shown now; state() is a name, looking() is null while live
+ * posed() shown()
+ *              tick and stream ("pose", "glb") of the frame that is drawn
+ * layerStates() version() played()
+ *              the state of each layer; the version of the table; the version that the stage plays,
+ *              in the stage's own count
+ * overlays()   number of actors whose bones are drawn
+ * lanes()      [first tick, last tick, state] of every known run of the watched actor's base layer
+ * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
+ * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres (pose stream)
+ * pixels()     draws the characters alone: { covered: share of the picture 0…1,
+ *              box: [left, top, right, bottom] 0…1, colour: mean [r, g, b] 0…255 of what is covered }
+ * listen(s)    counts messages for s seconds: { perSecond, gapP99Ms, ticks: number of distinct ticks }
+ */
+
+import * as THREE from "three";
+import { laneKey } from "./state/history";
+import type { Meter } from "./net/meter";
+import type { Session } from "./state/session";
+import type { StageView } from "./view/stageView";
+
+const [WIDTH, HEIGHT] = [320, 240];
+
+interface Pixels {
+  covered: number;
+  box: [number, number, number, number];
+  colour: [number, number, number];
+}
+
+/** Draws the characters alone; returns RGBA rows, bottom row first. */
+function drawBodies(stageView: StageView): Uint8Array {
+  const { renderer, world, view } = stageView.scene;
+  const target = new THREE.WebGLRenderTarget(WIDTH, HEIGHT);
+  const bodies = new Set(stageView.bodies());
+  const others = world.children.filter(
+    (child) => !bodies.has(child) && child.visible && !(child instanceof THREE.Light),
+  );
+  for (const other of others) other.visible = false;
+  const data = new Uint8Array(WIDTH * HEIGHT * 4);
+  renderer.setRenderTarget(target);
+  renderer.clear();
+  renderer.render(world, view.camera);
+  renderer.readRenderTargetPixels(target, 0, 0, WIDTH, HEIGHT, data);
+  renderer.setRenderTarget(null);
+  target.dispose();
+  for (const other of others) other.visible = true;
+  stageView.scene.invalidate();
+  return data;
+}
+
+function measure(data: Uint8Array): Pixels {
+  let count = 0;
+  const sum: [number, number, number] = [0, 0, 0];
+  const box: Pixels["box"] = [1, 1, 0, 0];
+  for (let i = 0; i < WIDTH * HEIGHT; i++) {
+    if (data[i * 4 + 3]! < 128) continue;
+    count++;
+    const [x, y] = [(i % WIDTH) / WIDTH, 1 - Math.floor(i / WIDTH) / HEIGHT];
+    box.splice(0, 4, Math.min(box[0], x), Math.min(box[1], y), Math.max(box[2], x), Math.max(box[3], y));
+    for (const channel of [0, 1, 2] as const) sum[channel] += data[i * 4 + channel]!;
+  }
+  const mean = sum.map((value) => Math.round(value / Math.max(1, count))) as Pixels["colour"];
+  return { covered: count / (WIDTH * HEIGHT), box, colour: mean };
+}
+
+function jointsByName(stageView: StageView): Record<string, number[]> {
+  const actor = stageView.selected();
+  if (!actor) return {};
+  const world = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
+  return Object.fromEntries(actor.cast.names.map((name, j) => [name, [...world.subarray(j * 3, j * 3 + 3)]]));
+}
+
+/** Counts messages for `seconds`, looking once per animation frame, as the page does. */
+async function listen(session: Session, seconds: number): Promise<object> {
+  const [start, before] = [performance.now(), session.received.total];
+  const ticks = new Set<number>();
+  const gaps: number[] = [];
+  let [last, total] = [start, before];
+  while (performance.now() - start < seconds * 1000) {
+    await new Promise(requestAnimationFrame);
+    const now = performance.now();
+    if (session.received.total > total) gaps.push(now - last);
+    if (session.received.total > total) [last, total] = [now, session.received.total];
+    ticks.add(session.tick);
+  }
+  gaps.sort((a, b) => a - b);
+  const elapsed = (performance.now() - start) / 1000;
+  return {
+    perSecond: (session.received.total - before) / elapsed,
+    gapP99Ms: gaps[Math.floor(gaps.length * 0.99)] ?? null,
+    ticks: ticks.size,
+  };
+}
+
+export function exposeForTests(session: Session, stageView: StageView, drawn: Meter): void {
+  const stats = (): object => {
+    const now = performance.now();
+    const { received, trip } = session;
+    const rates = {
+      hz: received.perSecond(now),
+      fps: drawn.perSecond(now),
+      kBps: received.amountPerSecond(now) / 1000,
+      latencyMs: trip.milliseconds,
+    };
+    return { received: received.total, drawn: drawn.total, ...rates };
+  };
+  const hook = {
+    get ready(): boolean {
+      const known = session.machine.value !== null && session.machine.value.name === session.cast?.machine;
+      return stageView.ready.value && known && session.stage === session.hello.value?.stage;
+    },
+    stage: () => session.stage,
+    tick: () => session.tick,
+    head: () => session.head,
+    hash: () => session.hash,
+    state: () => session.stateName(session.state.value),
+    layerStates: () => session.layerStates.value,
+    version: () => session.machine.value?.version ?? 0,
+    played: () => session.cast?.version ?? 0,
+    looking: () => session.looking.value,
+    link: () => session.link.value.state,
+    frames: () => session.frames.value,
+    posed: () => stageView.posed,
+    shown: () => stageView.stream,
+    overlays: () => stageView.overlays,
+    quality: () => stageView.scene.quality,
+    lanes: () =>
+      session.history
+        .between(laneKey(session.actor.value ?? -1), 0, Infinity)
+        .map(({ start, end, state }) => [start, end, state]),
+    stats,
+    joints: () => jointsByName(stageView),
+    pixels: () => measure(drawBodies(stageView)),
+    listen: (seconds: number) => listen(session, seconds),
+  };
+  Object.defineProperty(window, "__viewer", { value: hook });
+}

@@ -1,0 +1,82 @@
+/** Shows one actor: its skinned model, its bones, and the shadow below it. */
+
+import type { CastHello } from "../net/protocol";
+import { PosedModel } from "./posedModel";
+import { contactShadow } from "./ground";
+import type { Model } from "./model";
+import { BoneOverlay } from "./overlays";
+import type { Scene } from "./scene";
+import { type SkinLook, showSkin } from "./skinMode";
+
+export interface ActorColours {
+  ink: string;
+  accent: string;
+  bone: string;
+}
+
+export class ActorView {
+  readonly view: PosedModel;
+  readonly bones: BoneOverlay;
+  private readonly spot = contactShadow();
+
+  constructor(
+    id: number,
+    cast: CastHello,
+    model: Model,
+    private readonly scene: Scene,
+  ) {
+    this.view = new PosedModel(id, cast, model, scene.quality === "high");
+    this.bones = new BoneOverlay(this.view, scene.renderer.getPixelRatio());
+    // Hidden until the first frame: the bind pose is not shown.
+    this.hide();
+    scene.world.add(this.view.root, this.bones.object, this.spot);
+  }
+
+  /**
+   * Changes with the actor and the model, not with a fork or a reconnection; the camera frames each key once.
+   */
+  get key(): string {
+    return `${this.view.id} ${this.view.model.url}`;
+  }
+
+  /** Heading, radians about +Y; 0 is +Z. */
+  get heading(): number {
+    const { x, y, z, w } = this.view.root.quaternion;
+    return Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y));
+  }
+
+  /** Updates bones and shadow after a frame was applied. */
+  settle(): void {
+    const { root } = this.view;
+    root.visible = true;
+    root.updateMatrixWorld(true);
+    this.bones.update();
+    this.spot.visible = this.scene.quality === "low";
+    this.spot.position.set(root.position.x, 0.002, root.position.z);
+  }
+
+  hide(): void {
+    this.view.root.visible = false;
+    this.spot.visible = false;
+  }
+
+  show(look: SkinLook, lines: boolean, solids: boolean): void {
+    showSkin(this.view.meshes, look);
+    this.bones.show(lines, solids);
+    this.bones.update();
+  }
+
+  colour({ ink, accent, bone }: ActorColours): void {
+    this.bones.colour(ink, accent, bone);
+  }
+
+  /** Sets the radius of the shadow, metres. */
+  shade(radius_m: number): void {
+    this.spot.scale.setScalar(radius_m);
+  }
+
+  dispose(): void {
+    this.bones.dispose();
+    this.scene.world.remove(this.view.root, this.spot);
+  }
+}

@@ -1,0 +1,137 @@
+/**
+ * Draws the glb stream: each message is a complete, skinned GLB; after the first one only positions and
+ * normals are read.
+ */
+
+import * as THREE from "three";
+import { toTrianglesDrawMode } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import {
+  type ArraySlice,
+  type GlbChunks,
+  type GlbLayout,
+  type PrimitiveLayout,
+  layoutOf,
+  view,
+} from "../net/glb";
+
+const TRIANGLES = 4;
+/** Every thirteenth vertex counts for the middle of the skin. */
+const SAMPLED = 13;
+
+/** Finds the material of a primitive in the loaded model, which has the textures. */
+export type MaterialLookup = (index: number, name: string | undefined) => THREE.Material | undefined;
+
+function attribute(bin: Uint8Array, slice: ArraySlice): THREE.BufferAttribute {
+  return new THREE.BufferAttribute(view(bin, slice).slice(), slice.size, slice.normalized);
+}
+
+function geometryOf(bin: Uint8Array, layout: PrimitiveLayout): THREE.BufferGeometry {
+  const geometry = new THREE.BufferGeometry();
+  const named = { position: layout.positions, normal: layout.normals, uv: layout.uvs, color: layout.colours };
+  for (const [name, slice] of Object.entries(named))
+    if (slice) geometry.setAttribute(name, attribute(bin, slice));
+  if (layout.indices) geometry.setIndex(attribute(bin, layout.indices));
+  return layout.mode > TRIANGLES
+    ? toTrianglesDrawMode(
+        geometry,
+        layout.mode === 5 ? THREE.TriangleStripDrawMode : THREE.TriangleFanDrawMode,
+      )
+    : geometry;
+}
+
+/** Fits a material to a primitive: flat if it has no normals, coloured by vertex if it has colours. */
+function fitted(material: THREE.Material, { normals, colours }: PrimitiveLayout): THREE.Material {
+  const flatShading = normals === null;
+  const vertexColors = colours !== null;
+  const own = material as THREE.MeshStandardMaterial;
+  if ((own.flatShading ?? flatShading) === flatShading && own.vertexColors === vertexColors) return material;
+  return Object.assign(material.clone(), { flatShading, vertexColors });
+}
+
+function worldOf(layout: GlbLayout, node: number): THREE.Matrix4 {
+  const world = new THREE.Matrix4();
+  for (let at = node; at >= 0; at = layout.nodes[at]!.parent) {
+    const { translation, rotation, scale } = layout.nodes[at]!;
+    const [t, r, s] = [new THREE.Vector3(), new THREE.Quaternion(), new THREE.Vector3(1, 1, 1)];
+    if (translation) t.fromArray(translation);
+    if (rotation) r.fromArray(rotation);
+    if (scale) s.fromArray(scale);
+    world.premultiply(new THREE.Matrix4().compose(t, r, s));
+  }
+  return world;
+}
+
+export class GlbStage {
+  readonly root = new THREE.Group();
+  readonly meshes: THREE.Mesh[] = [];
+  private layout: GlbLayout | null = null;
+  private shape = "";
+  /** glTF's default material. */
+  private readonly plain = new THREE.MeshStandardMaterial({ color: 0xffffff, metalness: 1, roughness: 1 });
+
+  constructor(
+    private readonly shadows: boolean,
+    private readonly material: MaterialLookup,
+  ) {}
+
+  /** Shows a frame; returns whether it has a new layout, and so new meshes. */
+  apply(chunks: GlbChunks): boolean {
+    const shape = `${chunks.json.length}/${chunks.bin.length}`;
+    const fresh = shape !== this.shape;
+    if (fresh) this.build(chunks, shape);
+    else this.rewrite(chunks.bin);
+    return fresh;
+  }
+
+  private build(chunks: GlbChunks, shape: string): void {
+    this.clear();
+    this.layout = layoutOf(chunks);
+    this.shape = shape;
+    this.layout.primitives = this.layout.primitives.filter(({ mode }) => mode >= TRIANGLES);
+    for (const primitive of this.layout.primitives) {
+      const name = this.layout.materialNames[primitive.material];
+      const material = fitted(this.material(primitive.material, name) ?? this.plain, primitive);
+      const mesh = new THREE.Mesh(geometryOf(chunks.bin, primitive), material);
+      mesh.applyMatrix4(worldOf(this.layout, primitive.node));
+      Object.assign(mesh, { frustumCulled: false, castShadow: this.shadows, receiveShadow: this.shadows });
+      this.meshes.push(mesh);
+      this.root.add(mesh);
+    }
+  }
+
+  private rewrite(bin: Uint8Array): void {
+    this.layout!.primitives.forEach((primitive, i) => {
+      const { position, normal } = this.meshes[i]!.geometry.attributes;
+      this.copy(bin, primitive.positions, position as THREE.BufferAttribute);
+      if (primitive.normals) this.copy(bin, primitive.normals, normal as THREE.BufferAttribute);
+    });
+  }
+
+  private copy(bin: Uint8Array, slice: ArraySlice, into: THREE.BufferAttribute): void {
+    (into.array as Float32Array).set(view(bin, slice));
+    into.needsUpdate = true;
+  }
+
+  /** Returns the middle of the skin on the ground, or null before the first frame. */
+  centre(): THREE.Vector3 | null {
+    const sum = new THREE.Vector3();
+    const vertex = new THREE.Vector3();
+    let count = 0;
+    for (const mesh of this.meshes) {
+      const positions = mesh.geometry.getAttribute("position") as THREE.BufferAttribute;
+      for (let i = 0; i < positions.count; i += SAMPLED) {
+        sum.add(vertex.fromBufferAttribute(positions, i).applyMatrix4(mesh.matrix));
+        count++;
+      }
+    }
+    return count ? sum.divideScalar(count).setY(0) : null;
+  }
+
+  /** Removes the meshes and the layout. */
+  clear(): void {
+    for (const mesh of this.meshes) mesh.geometry.dispose();
+    this.root.clear();
+    this.meshes.length = 0;
+    this.shape = "";
+  }
+}

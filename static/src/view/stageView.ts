@@ -1,0 +1,230 @@
+/** Draws the session's frames: actors of the pose stream, or the server's skin of the glb stream. */
+
+import * as THREE from "three";
+import type { FrameKind, Hello } from "../net/protocol";
+import type { Session } from "../state/session";
+import { Signal } from "../state/signal";
+import { token } from "../ui/dom";
+import type { PosedModel } from "./posedModel";
+import { ActorView } from "./actorView";
+import { GlbStage } from "./glbStage";
+import { type Model, Models } from "./model";
+import type { Scene } from "./scene";
+import { showSkin, wireColour } from "./skinMode";
+
+export interface Modes {
+  skin: boolean;
+  wire: boolean;
+  bones: boolean;
+  tetra: boolean;
+}
+
+/** Actors within this distance, in sizes of the watched actor, are framed with it. */
+const COMPANY_REACH = 3;
+
+export class StageView {
+  readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false });
+  /** True while the watched actor is drawn. */
+  readonly ready = new Signal(false);
+  readonly loading = new Signal<string>("");
+  private readonly models = new Models();
+  private readonly glb: GlbStage;
+  private actors = new Map<number, ActorView>();
+  private generation = 0;
+  /** Tick and stream of the drawn frame. */
+  posed = -1;
+  stream: FrameKind = "pose";
+  private framed = "";
+  private built = "";
+  private readonly toRoot = new THREE.Vector3();
+
+  constructor(
+    readonly scene: Scene,
+    private readonly session: Session,
+  ) {
+    this.glb = new GlbStage(scene.quality === "high", (index, name) => this.materialFor(index, name));
+    scene.world.add(this.glb.root);
+    session.hello.on((hello) => hello && void this.cast(hello));
+    session.frames.on(() => this.switchStream());
+    this.modes.on(() => this.restyle());
+  }
+
+  /** Loads the models of a hello and puts its actors on the stage. */
+  private async cast(hello: Hello): Promise<void> {
+    // A change of stream brings a hello, too; the same epoch means the same actors.
+    const cast = `${hello.stage}/${hello.epoch}`;
+    if (cast === this.built) return;
+    this.built = cast;
+    const generation = ++this.generation;
+    this.clear();
+    this.loading.set("loading the character");
+    try {
+      const models = await Promise.all(
+        hello.casts.map((cast) => this.models.get(new URL(cast.model, document.baseURI).href)),
+      );
+      if (generation !== this.generation) return;
+      this.build(hello, models);
+      this.loading.set("");
+    } catch (error) {
+      if (generation !== this.generation) return;
+      this.built = "";
+      this.loading.set(
+        `The character cannot be loaded: ${error instanceof Error ? error.message : String(error)}`,
+      );
+    }
+  }
+
+  /** Takes the actors off the stage; frames of other actors must not move them. */
+  private clear(): void {
+    for (const actor of this.actors.values()) actor.dispose();
+    this.actors.clear();
+    this.glb.clear();
+    this.ready.set(false);
+    this.scene.invalidate();
+  }
+
+  private build(hello: Hello, models: Model[]): void {
+    hello.casts.forEach((cast, c) => {
+      for (const { id } of cast.actors) this.actors.set(id, new ActorView(id, cast, models[c]!, this.scene));
+    });
+    this.recolour();
+    this.restyle();
+  }
+
+  /** Shows the newest frame, if the models are loaded. */
+  update(): void {
+    if (!this.actors.size) return;
+    if (this.session.pose) this.showPose();
+    if (this.session.glb) this.showGlb();
+  }
+
+  private showPose(): void {
+    const frame = this.session.pose!;
+    const hello = this.session.hello.value;
+    if (frame.epoch !== hello?.epoch) return;
+    this.session.pose = null;
+    Object.assign(this, { posed: frame.tick, stream: "pose" });
+    hello.casts.forEach((cast, c) =>
+      cast.actors.forEach(({ id }, row) => this.actors.get(id)?.view.apply(frame.casts[c]!, row)),
+    );
+    for (const actor of this.actors.values()) actor.settle();
+    this.followSelected();
+  }
+
+  private showGlb(): void {
+    const fresh = this.glb.apply(this.session.glb!);
+    Object.assign(this, { posed: this.session.tick, stream: "glb" });
+    this.session.glb = null;
+    if (fresh) this.restyle();
+    for (const actor of this.actors.values()) actor.hide();
+    this.followGlb(fresh);
+  }
+
+  /** A GLB frame does not carry the root: the camera keeps its offset from the middle of the skin. */
+  private followGlb(fresh: boolean): void {
+    const centre = this.glb.centre();
+    if (centre && fresh) this.toRoot.copy(this.scene.view.aimed).sub(centre);
+    if (centre) this.scene.follow(centre.add(this.toRoot));
+    this.scene.invalidate();
+    this.ready.set(true);
+  }
+
+  private followSelected(): void {
+    const actor = this.actor;
+    if (actor) this.scene.follow(actor.view.root.position, actor.heading);
+    if (actor && this.framed !== actor.key) this.frame();
+    this.scene.invalidate();
+    this.ready.set(actor !== null);
+  }
+
+  private get actor(): ActorView | null {
+    return this.actors.get(this.session.actor.value ?? -1) ?? null;
+  }
+
+  /** Frames the watched actor. */
+  frame(): void {
+    const actor = this.actor;
+    if (!actor) return;
+    const box = actor.view.box();
+    const height = box.max.y - Math.min(0, box.min.y);
+    const span = Math.max(box.max.x - box.min.x, box.max.z - box.min.z);
+    this.scene.fit(Math.max(height, 0.5 * span));
+    for (const other of this.actors.values()) other.shade(Math.max(0.2 * height, 0.32 * span));
+    const company = this.actors.size > 1;
+    this.scene.view.subject(company ? this.around(actor, box) : box);
+    this.scene.view.frame(company);
+    this.framed = actor.key;
+    this.scene.invalidate();
+  }
+
+  /** Returns the box of an actor and the actors near it, around its root. */
+  private around(actor: ActorView, own: THREE.Box3): THREE.Box3 {
+    const reach = own.getSize(new THREE.Vector3()).length() * COMPANY_REACH;
+    const near = new THREE.Box3().setFromCenterAndSize(
+      new THREE.Vector3(),
+      new THREE.Vector3().setScalar(2 * reach),
+    );
+    const all = own.clone();
+    for (const other of this.actors.values()) {
+      const away = other.view.root.position.clone().sub(actor.view.root.position);
+      if (near.containsPoint(away)) all.union(other.view.box().translate(away));
+    }
+    return all;
+  }
+
+  private switchStream(): void {
+    const pose = this.session.frames.value === "pose";
+    this.glb.root.visible = !pose;
+    this.glb.clear();
+    this.restyle();
+  }
+
+  /** Finds a material of the loaded models by index; a name must agree. */
+  private materialFor(index: number, name: string | undefined): THREE.Material | undefined {
+    const models = new Set([...this.actors.values()].map(({ view }) => view.model));
+    let first = 0;
+    for (const model of models) {
+      const own = model.materials.get(index - first);
+      if (own && (!name || own.name === name)) return own;
+      first += model.materialCount;
+    }
+    return undefined;
+  }
+
+  private restyle(): void {
+    const { skin, wire, ...overlays } = this.modes.value;
+    // A GLB frame has vertices and no joints, so there is nothing to draw bones from.
+    const jointed = this.session.frames.value === "pose";
+    const [bones, tetra] = [jointed && overlays.bones, jointed && overlays.tetra];
+    const look = { skin, wire, ghost: skin && tetra };
+    for (const actor of this.actors.values()) actor.show(look, bones, tetra);
+    showSkin(this.glb.meshes, look);
+    this.scene.invalidate();
+  }
+
+  /** Applies the theme's colours. */
+  recolour(): void {
+    const colours = { ink: token("--ink"), accent: token("--accent"), bone: token("--bone") };
+    for (const actor of this.actors.values()) actor.colour(colours);
+    wireColour(token("--ink"));
+    this.scene.ground.colour(token("--grid"), Number(token("--grid-strength")) || 1);
+    this.scene.invalidate();
+  }
+
+  /** The watched actor's model, for tests. */
+  selected(): PosedModel | null {
+    return this.actor?.view ?? null;
+  }
+
+  /** Number of actors whose bones are drawn. */
+  get overlays(): number {
+    return [...this.actors.values()].filter(({ bones }) => bones.visible).length;
+  }
+
+  /** The objects of the characters, without ground and overlays. */
+  bodies(): THREE.Object3D[] {
+    return this.session.frames.value === "glb"
+      ? [this.glb.root]
+      : [...this.actors.values()].map(({ view }) => view.root);
+  }
+}

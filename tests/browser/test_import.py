@@ -1,0 +1,115 @@
+"""Imports a character: a dropped file becomes a machine and walks; a broken file is refused with a reason and
+changes nothing.
+"""
+
+import base64
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import httpx
+import pytest
+from browser.conftest import Server, until
+from paths import GLTF, needs_assets
+from playwright.sync_api import Page
+
+DROP = """([name, base64]) => {
+  const bytes = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
+  const carried = new DataTransfer();
+  carried.items.add(new File([bytes], name));
+  const options = { dataTransfer: carried, bubbles: true, cancelable: true };
+  for (const type of ['dragover', 'drop'])
+    document.body.dispatchEvent(new DragEvent(type, options));
+}"""
+ROBOT = GLTF / "RobotExpressive.glb"
+HOSTILE = "<img src=x onerror=\"document.title='owned'\">.glb"
+
+
+def drop(page: Page, name: str, content: bytes) -> None:
+    page.evaluate(DROP, [name, base64.b64encode(content).decode()])
+
+
+@pytest.fixture
+def own(server: Server) -> Iterator[Callable[[], set[str]]]:
+    """Returns the names of the server's machines and characters; removes new ones afterwards."""
+
+    def names() -> set[str]:
+        return {
+            f"{kind}/{one['name']}"
+            for kind in ("machines", "characters")
+            for one in httpx.get(f"{server.url}/api/{kind}").json()
+        }
+
+    before = names()
+    yield names
+    for stage in httpx.get(f"{server.url}/api/stages").json():
+        if stage["id"] != "main":
+            httpx.delete(f"{server.url}/api/stages/{stage['id']}")
+    for name in sorted(names() - before, reverse=True):
+        httpx.delete(f"{server.url}/api/{name}").raise_for_status()
+
+
+@needs_assets
+def test_a_dropped_robot_walks(own: Callable[[], set[str]], viewer: Page) -> None:
+    drop(viewer, "Robot Expressive.glb", ROBOT.read_bytes())
+    viewer.get_by_label("Walking", exact=True).wait_for()
+    assert viewer.get_by_label("Walking", exact=True).input_value() == "WALK"
+    viewer.keyboard.press("Enter")
+    until(viewer, "__viewer.stage() !== 'main' && __viewer.ready && __viewer.state() === 'STAT'")
+    assert viewer.evaluate("__viewer.pixels().covered") > 0.02
+    start = viewer.evaluate("__viewer.joints()")
+    viewer.keyboard.down("ArrowUp")
+    until(viewer, "__viewer.state() === 'WALK'")
+    until(
+        viewer,
+        "Object.entries(__viewer.joints()).some(([name, at]) => Math.hypot(...at.map((v, i) => v - "
+        "arg[name][i])) > 0.2)",
+        start,
+    )
+    viewer.keyboard.up("ArrowUp")
+    until(viewer, "__viewer.state() === 'STAT'")
+    assert {"machines/Robot-Expressive", "characters/Robot-Expressive"} <= own()
+
+
+@needs_assets
+def test_states_can_be_renamed_and_are_checked_in_place(
+    own: Callable[[], set[str]], viewer: Page, allowed: list[str]
+) -> None:
+    allowed.append("422")
+    chosen: Path = ROBOT
+    with viewer.expect_file_chooser() as choosing:
+        viewer.get_by_role("button", name="add your own character").click()
+    choosing.value.set_files(chosen)
+    viewer.get_by_label("Dance", exact=True).fill("WALK")
+    viewer.get_by_role("button", name="Make a machine").click()
+    viewer.locator("[aria-invalid]").wait_for()
+    assert "already" in viewer.locator(".map-row:has([aria-invalid]) .map-says").inner_text()
+    viewer.locator("[aria-invalid]").fill("DISCO")
+    viewer.get_by_label("Dance", exact=True).fill("WALTZ")
+    viewer.keyboard.press("Enter")
+    until(viewer, "document.querySelector('#table')?.textContent.includes('WALTZ')")
+
+
+def test_a_broken_file_says_why_and_changes_nothing(
+    own: Callable[[], set[str]], viewer: Page, allowed: list[str]
+) -> None:
+    allowed.append("422")
+    before, stage = own(), viewer.evaluate("__viewer.stage()")
+    drop(viewer, HOSTILE, b"glTF\x02\0\0\0 this is none")
+    viewer.get_by_role("alert").filter(has_text="byte").wait_for()
+    assert viewer.locator("img").count() == 0
+    assert own() == before
+    viewer.keyboard.press("Escape")
+    assert viewer.get_by_role("dialog").count() == 0
+    assert viewer.evaluate("[__viewer.stage(), __viewer.state()]") == [stage, "STAT"]
+
+
+@needs_assets
+def test_a_cancelled_import_leaves_nothing_behind(
+    server: Server, viewer: Page, own: Callable[[], set[str]]
+) -> None:
+    before = own()
+    drop(viewer, "robot.glb", ROBOT.read_bytes())
+    viewer.get_by_role("button", name="Make a machine").wait_for()
+    with viewer.expect_response(lambda answer: answer.request.method == "DELETE"):
+        viewer.keyboard.press("Escape")
+    assert own() == before

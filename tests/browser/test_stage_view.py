@@ -1,0 +1,70 @@
+"""Looks at the stage view: the character in both streams, and its bones."""
+
+from browser.conftest import until
+from playwright.sync_api import Page
+
+MOST_COLOUR = 14
+MOST_AREA = 0.004
+MOST_BOX = 0.03
+
+
+def test_the_character_is_there(viewer: Page) -> None:
+    drawn = viewer.evaluate("__viewer.pixels()")
+    left, top, right, bottom = drawn["box"]
+    assert drawn["covered"] > 0.02
+    assert bottom - top > 0.5
+    assert 0.2 < (left + right) / 2 < 0.8
+
+
+def test_it_is_in_the_page_as_well(viewer: Page) -> None:
+    """Without its skin the canvas looks different."""
+    shot = viewer.locator("#stage-view").screenshot()
+    viewer.keyboard.press("1")
+    until(viewer, "__viewer.pixels().covered === 0")
+    assert viewer.locator("#stage-view").screenshot() != shot
+
+
+def test_software_rendering_means_low_quality(viewer: Page) -> None:
+    assert viewer.evaluate("__viewer.quality()") == "low"
+
+
+def test_server_and_gpu_skin_alike(viewer: Page) -> None:
+    """Both streams show the same paused tick: same silhouette, same colours."""
+    viewer.keyboard.press("p")
+    viewer.wait_for_selector("[data-link=paused]")
+    by_gpu = viewer.evaluate("__viewer.pixels()")
+    viewer.keyboard.press("g")
+    until(viewer, "__viewer.frames() === 'glb' && __viewer.shown() === 'glb'")
+    by_server = viewer.evaluate("__viewer.pixels()")
+    viewer.keyboard.press("g")
+    viewer.keyboard.press("p")
+    viewer.wait_for_selector("[data-link=live]")
+    assert abs(by_gpu["covered"] - by_server["covered"]) < MOST_AREA
+    assert max(abs(a - b) for a, b in zip(by_gpu["box"], by_server["box"], strict=True)) < MOST_BOX
+    assert max(abs(a - b) for a, b in zip(by_gpu["colour"], by_server["colour"], strict=True)) < MOST_COLOUR
+
+
+def test_bones_are_drawn_over_the_skin(viewer: Page) -> None:
+    """RD1, RD2: the overlays change the picture, and their buttons say that they are on."""
+    for name in ("bones", "tetra", "wire"):
+        button = viewer.get_by_role("button", name=name)
+        before = viewer.evaluate("__viewer.stats().drawn")
+        button.click()
+        until(viewer, "__viewer.stats().drawn > arg", before)
+        assert button.get_attribute("aria-pressed") == "true"
+
+
+def test_the_glb_stream_draws_no_bones(viewer: Page) -> None:
+    """Its frames have no joints: bones of the pose stream would stay where they were.
+
+    They come back with it.
+    """
+    bones = viewer.get_by_role("button", name="bones")
+    bones.click()
+    until(viewer, "__viewer.overlays() === 1")
+    viewer.keyboard.press("g")
+    until(viewer, "__viewer.shown() === 'glb'")
+    assert viewer.evaluate("__viewer.overlays()") == 0
+    assert bones.is_disabled()
+    viewer.keyboard.press("g")
+    until(viewer, "__viewer.shown() === 'pose' && __viewer.overlays() === 1")

@@ -1,0 +1,56 @@
+"""Kernels keep the rules of IEEE arithmetic, and can stay plain Python."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+from statwalk.maths import compiling
+
+SOURCE = "def double(numbers):\n    for row in range(numbers.shape[0]):\n        numbers[row] *= 2\n"
+PLAIN = """
+import numpy as np
+from statwalk.maths.kernels import hierarchy
+out = np.zeros((1, 1, 3, 4), np.float32)
+shapes = (1, 1, 3), (1, 1, 4), (1, 1, 3), (1, 1, 3, 4)
+hierarchy.placed(np.array([-1], np.int32), *(np.ones(shape, np.float32) for shape in shapes), out)
+print(type(hierarchy.placed).__name__, type(hierarchy.local).__name__, out.tolist())
+"""
+
+
+def made(source, name):
+    place = {}
+    exec(source, place)
+    return place[name]
+
+
+def test_a_kernel_without_a_file_works():
+    numbers = np.array([1, 2], np.float32)
+    compiling.kernel(compiling.write(compiling.FLOAT, 1))(made(SOURCE, "double"))(numbers)
+    assert numbers.tolist() == [2, 4]
+
+
+def test_sums_of_products_are_not_fused_behind_ones_back():
+    product = made("def product(a, out):\n    out[0] = a[0] * a[1] + a[2]\n", "product")
+    a = np.array([1 + 2**-12, 1 + 2**-12, -1 - 2**-11], np.float32)
+    out = np.empty(1, np.float32)
+    compiling.kernel(compiling.read(compiling.FLOAT, 1), compiling.write(compiling.FLOAT, 1))(product)(a, out)
+    assert out[0] == 0  # the product is rounded before the sum; fused it would be 2**-24
+
+
+def told(compiled):
+    environment = {
+        **os.environ,
+        "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
+        "STATWALK_COMPILED": compiled,
+    }
+    return subprocess.run(
+        [sys.executable, "-c", PLAIN], env=environment, capture_output=True, text=True, check=True
+    ).stdout.split(" ", 2)
+
+
+def test_one_switch_leaves_kernels_and_what_they_call_plain_python():
+    kinds_plain, kinds_compiled = told("0"), told("1")
+    assert kinds_plain[:2] == ["function", "function"]
+    assert "function" not in kinds_compiled[:2]
+    assert kinds_plain[2] == kinds_compiled[2]

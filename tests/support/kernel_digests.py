@@ -1,0 +1,181 @@
+"""What kernels make of fixed inputs, as hashes by name: `main` prints them.
+
+A kernel is added as a function below that returns the arrays it wrote. Kernels that were compiled now, and
+not taken from the disk, can be looked into: `wide` lists those among them that use 512-bit registers.
+"""
+
+import hashlib
+import json
+from contextlib import suppress
+
+import numpy as np
+import random_motions
+import wild_machines
+from playing import role_of
+from statwalk.errors import StageError
+from statwalk.maths import compiling
+from statwalk.maths.kernels import hierarchy, morphing, reading
+from statwalk.motion.tables.build import tables_of
+from statwalk.skin.deform import surface
+from statwalk.skin.primitive import Primitive, Skin
+from statwalk.stage.stage import Stage
+
+CHANCE = np.random.default_rng(17)
+CASES = []
+
+
+def case(function):
+    CASES.append(function)
+    return function
+
+
+def numbers(*shape):
+    return CHANCE.normal(size=shape).astype(np.float32)
+
+
+def rotations(*shape):
+    values = numbers(*shape, 4)
+    return values / np.sqrt((values * values).sum(-1, keepdims=True))
+
+
+@case
+def skinned():
+    """Parts of one to eight influences, with morph targets; one of them overflows, and is repaired."""
+    bones = numbers(6, 3, 4)
+    skin = Skin("skin", np.arange(6, dtype=np.int32), numbers(6, 3, 4))
+    parts = [soft(count, influences) for count, influences in ((16, 1), (130, 4), (45, 8))]
+    whole = surface(parts, [skin])
+    out = [np.zeros((2, whole.positions.size), np.float32) for _ in range(2)]
+    limits = [np.zeros((3, 6), np.float32) for _ in range(2)]
+    for scale, flat, bounds in zip((1, 1e37), out, limits, strict=True):
+        whole.pose_into(bones * np.float32(scale), numbers(2), flat[0], flat[1], bounds)
+    return *out, *limits
+
+
+def soft(vertices, influences):
+    joints = CHANCE.integers(0, 6, (vertices, influences)).astype(np.uint16)
+    weights = np.full((vertices, influences), 1 / influences, np.float32)
+    targets = numbers(2, vertices, 3)
+    return Primitive(
+        0,
+        0,
+        0,
+        0,
+        numbers(vertices, 3),
+        numbers(vertices, 3),
+        None,
+        4,
+        None,
+        0,
+        joints,
+        weights,
+        targets,
+        targets,
+    )
+
+
+@case
+def placed():
+    out = np.zeros((3, 5, 3, 4), np.float32)
+    hierarchy.placed(
+        np.array([-1, 0, 1, 1, 3], np.int32),
+        numbers(3, 5, 3),
+        rotations(3, 5),
+        numbers(3, 5, 3),
+        numbers(3, 1, 3, 4),
+        out,
+    )
+    return (out,)
+
+
+@case
+def inbetween():
+    out = np.zeros(1003, np.float32)
+    morphing.inbetween(numbers(1003), numbers(1003), 0.3, out)
+    return (out,)
+
+
+@case
+def segments():
+    rows = [np.zeros((20, 2 * width), np.float32) for width in (3, 4, 1)]
+    ends = np.array([3, 4, 20])
+    reading.turns(numbers(20, 4), ends, rows[1])
+    reading.lines(numbers(20, 3), ends, rows[0])
+    reading.lines(numbers(20, 1), ends, rows[2])
+    return tuple(rows)
+
+
+@case
+def looked_at():
+    vectors, weights = rotations(77)[:, :3], np.full((33, 4), 0.25, np.float32)
+    found = (
+        reading.unit_length(vectors.copy(), np.float32(0.5)),
+        reading.normalised(weights, np.float32(1e-6)),
+    )
+    return (np.array([*found, reading.within(weights.ravel(), np.float32(0), np.float32(0.3))]),)
+
+
+@case
+def sampled():
+    """Every kind of keys, alone and blended, in lanes that are full and that are not; pace and root
+    motion.
+    """
+    rows = [
+        random_motions.blocks(
+            tables_of(random_motions.motions(even), random_motions.REST), *random_motions.crowd()
+        )
+        for even in (0, 1)
+    ]
+    start, end, speeds = np.linspace(0, 0.9, 40), np.linspace(0.9, 0.1, 40), np.linspace(0, 5, 40)[:, None]
+    walk = random_motions.walks()[0]
+    rates, ways = (
+        walk.rate(start, np.full(40, 1 / 60), speeds),
+        walk.way(start, end, np.arange(40) % 3, speeds),
+    )
+    return *(buffer.values for buffer in rows), rates, ways, walk.pose(start, speeds).rotation
+
+
+@case
+def ticks():
+    """Wild machines with layers, blends, senses and travel, twenty actors: every step of the tick, poses,
+    places and hashes.
+    """
+    found = []
+    for seed in (0, 3):
+        stage = Stage(seed=seed)
+        stage.add_many(
+            role_of(wild_machines.machine(seed)), [((place / 2, 0, 0), place) for place in range(20)]
+        )
+        for told in wild_machines.inputs(seed, 90, 20).values():
+            for kind, actor, name, value in told:
+                with suppress(StageError):  # travel: there may be no way
+                    getattr(stage, "send" if kind == "press" else kind)(
+                        actor, name, *([value] if kind == "set" else [])
+                    )
+            stage.step()
+        (cast,) = stage.casts
+        found += [cast.shown.rows(), cast.position, cast.heading, cast.hash]
+    return found
+
+
+def digest(arrays):
+    state = hashlib.sha256()
+    for array in arrays:
+        state.update(np.ascontiguousarray(array).tobytes())
+    return state.hexdigest()[:16]
+
+
+def of_the_product():
+    """The kernels of this process without those that only tests have."""
+    return [made for made in compiling.KERNELS if (made.__module__ or "").startswith("statwalk.")]
+
+
+def main():
+    results = {function.__name__: digest(function()) for function in CASES}
+    compiled = [made for made in of_the_product() if made.stats.cache_misses]
+    wide = [made.__name__ for made in compiled if uses_512_bits(made)]
+    print(json.dumps({"digests": results, "compiled": [made.__name__ for made in compiled], "wide": wide}))
+
+
+def uses_512_bits(made):
+    return any("zmm" in text for text in made.inspect_asm().values())

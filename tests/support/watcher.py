@@ -1,0 +1,87 @@
+"""A viewer in Python: reads the stream as docs/api.md says it, and acknowledges unless told not to."""
+
+import json
+from types import TracebackType
+from typing import Any, Self
+
+from statwalk.services.publish.pose_message import PoseMessage, decode
+from websockets.sync.client import connect
+
+PATIENCE = 20.0
+MOST_MESSAGES = 2_000
+
+
+class Watcher:
+    """`frames` and `facts` fill up as messages are received."""
+
+    def __init__(
+        self, address: str, stage: str, frames: str = "pose", acknowledge: bool = True, **options: Any
+    ) -> None:
+        self.opened = connect(
+            f"ws://{address}{stage}/stream?frames={frames}",
+            subprotocols=["statwalk.v1"],
+            compression=None,
+            max_size=None,
+            **options,
+        )
+        self.socket = self.opened.__enter__()
+        self.acknowledge = acknowledge
+        self.texts: list[dict[str, Any]] = []
+        self.hello = self.text("hello")
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.opened.__exit__(kind, error, trace)
+
+    def say(self, **message: Any) -> None:
+        self.socket.send(json.dumps(message))
+
+    def receive(self) -> dict[str, Any] | bytes:
+        message = self.socket.recv(timeout=PATIENCE)
+        if isinstance(message, bytes):
+            return message
+        self.texts.append(json.loads(message))
+        return self.texts[-1]
+
+    def text(self, kind: str) -> dict[str, Any]:
+        """The next message of a kind; frames on the way are acknowledged."""
+        for _ in range(MOST_MESSAGES):
+            message = self.receive()
+            if isinstance(message, bytes):
+                self.acknowledged(message)
+            elif message["type"] == kind:
+                return message
+        raise AssertionError(f"no {kind} among {MOST_MESSAGES} messages")
+
+    def acknowledged(self, data: bytes) -> None:
+        if self.acknowledge:
+            self.say(type="ack", tick=decode(data).tick if data[:4] == b"STW1" else glb_tick(data))
+
+    def data(self) -> bytes:
+        """The next frame's bytes."""
+        for _ in range(MOST_MESSAGES):
+            message = self.receive()
+            if isinstance(message, bytes):
+                self.acknowledged(message)
+                return message
+        raise AssertionError(f"no frame among {MOST_MESSAGES} messages")
+
+    def frame(self) -> PoseMessage:
+        """The next frame."""
+        return decode(self.data())
+
+    def frame_at(self, tick: int) -> PoseMessage:
+        """The next frame of a tick."""
+        while (frame := self.frame()).tick != tick:
+            pass
+        return frame
+
+
+def glb_tick(data: bytes) -> int:
+    """The tick that a posed GLB says it shows."""
+    document = json.loads(data[20 : 20 + int.from_bytes(data[12:16], "little")])
+    return int(document["asset"]["extras"]["tick"])

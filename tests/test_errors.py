@@ -1,0 +1,33 @@
+"""Every error survives the way between two processes: its kind, its sentence and what it carries."""
+
+import pickle
+
+import pytest
+from statwalk import errors
+
+SAMPLES = [
+    errors.ContentError("no", file="a.glb", place="byte 3"),
+    errors.ModelError("no", place="/nodes/3"),
+    errors.TextError("no", file="a.txt"),
+    errors.MachineError("no", file="machine.yaml", place="line 12"),
+    errors.UnknownNameError("state", "WALX", ["WALK", "STAT"]),
+    errors.StageError("no"),
+    errors.RefusedEditError("no", field="text", findings=["one"]),
+    errors.ConflictError("no", field="actor"),
+    errors.LimitError("no", field="actors"),
+    errors.VersionConflictError("no", field="version"),
+    errors.BusyError("no"),
+    errors.CancelledError("no"),
+]
+
+
+@pytest.mark.parametrize("error", SAMPLES, ids=lambda error: type(error).__name__)
+def test_an_error_survives_pickling(error: errors.StatwalkError) -> None:
+    back = pickle.loads(pickle.dumps(error))
+    assert (type(back), str(back), vars(back)) == (type(error), str(error), vars(error))
+
+
+def test_all_errors_are_tried() -> None:
+    kinds = {kind for kind in vars(errors).values() if isinstance(kind, type)}
+    tried = {type(error) for error in SAMPLES} | {errors.StatwalkError}
+    assert {kind for kind in kinds if issubclass(kind, errors.StatwalkError)} == tried

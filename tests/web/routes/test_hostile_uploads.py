@@ -1,0 +1,113 @@
+"""Two dozen hostile files are put to a server that runs as users run it, while a viewer watches another
+stage.
+"""
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from time import perf_counter
+from typing import NamedTuple
+
+import httpx
+import numpy as np
+import pytest
+from paths import ASSETS
+from torture.mutate import memory, mutated, sources
+from watcher import Watcher
+from zipped import packed
+
+FILES, AT_A_TIME = 24, 4
+LONG_GAP_SECONDS = 0.5
+MIB = 1 << 20
+
+
+class Witnessed(NamedTuple):
+    """What came of the files, when which tick was seen, and the server's memory before and after, bytes."""
+
+    statuses: list[int]
+    ticks: list[int]
+    seconds: list[float]
+    before: int
+    after: int
+
+
+def hostile() -> list[bytes]:
+    """Malformed files of all kinds, and mutations that may or may not be read."""
+    listed = sorted(path for path in ASSETS.glob("invalid/**/*") if path.suffix in (".glb", ".gltf", ".md2"))
+    odd = [packed({"a.gltf": b"{" * 100_000}), b"PK\x05\x06", b"glTF" * 1_000, bytes(MIB)]
+    files = [*odd, *(path.read_bytes() for path in listed[:: max(1, len(listed) // 10)])]
+    known = sources()
+    return [*files, *(mutated(seed, known) for seed in range(FILES))][:FILES]
+
+
+def put(address: str, number: int, data: bytes) -> int:
+    """The status of the answer to one file."""
+    kind = {"content-type": "application/octet-stream"}
+    return httpx.put(
+        f"http://{address}/api/characters/x{number}", content=data, headers=kind, timeout=60
+    ).status_code
+
+
+def witness(address: str, process: int) -> Witnessed:
+    """Watch the stage `main` while the files are put, several at a time.
+
+    Vertices are asked for first, so that the server has its compiled kernels: an idle server, too, grows by
+    57 MiB while it compiles them.
+    """
+    files = hostile()
+    httpx.get(f"http://{address}/api/stages/main/frame.glb", timeout=100).raise_for_status()
+    put(address, 0, files[0])
+    with Watcher(address, "/api/stages/main") as viewer, ThreadPoolExecutor(AT_A_TIME) as aside:
+        viewer.frame()
+        before = memory(process)
+        answers = [aside.submit(put, address, number, data) for number, data in enumerate(files)]
+        seen = []
+        while not all(answer.done() for answer in answers):
+            seen.append((viewer.frame().tick, perf_counter()))
+    ticks, seconds = (list(column) for column in zip(*seen, strict=True))
+    return Witnessed([answer.result() for answer in answers], ticks, seconds, before, memory(process))
+
+
+@pytest.fixture(scope="module")
+def witnessed(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Witnessed]:
+    command = [
+        sys.executable,
+        "-m",
+        "statwalk.cli",
+        "serve",
+        "--port",
+        "0",
+        "--data",
+        str(tmp_path_factory.mktemp("data")),
+    ]
+    environment = os.environ | {"COLUMNS": "200", "PYTHONUNBUFFERED": "1"}
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as server:
+        try:
+            assert server.stdout is not None
+            line = server.stdout.readline()
+            yield witness(line.split("http://")[1].split("/")[0], server.pid)
+        finally:
+            server.kill()
+
+
+def test_each_is_taken_or_refused(witnessed: Witnessed) -> None:
+    assert {status // 100 for status in witnessed.statuses} <= {2, 4}
+    assert sum(status // 100 == 4 for status in witnessed.statuses) > FILES / 2
+
+
+def test_the_other_stage_s_ticks_keep_their_pace(witnessed: Witnessed) -> None:
+    passed = witnessed.seconds[-1] - witnessed.seconds[0]
+    assert witnessed.ticks[-1] - witnessed.ticks[0] >= 0.9 * 60 * passed
+
+
+def test_no_frame_comes_twice_or_late(witnessed: Witnessed) -> None:
+    assert witnessed.ticks == sorted(set(witnessed.ticks))
+    assert (
+        np.quantile(np.diff(witnessed.seconds), 0.99) <= LONG_GAP_SECONDS
+    )  # one in a hundred is the machine's: it may be busy
+
+
+def test_the_server_s_memory_is_back_where_it_was(witnessed: Witnessed) -> None:
+    assert witnessed.after - witnessed.before <= 32 * MIB

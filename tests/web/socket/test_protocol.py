@@ -1,0 +1,86 @@
+"""A viewer that reads no more is let go, and does not hold up the server's end."""
+
+import logging
+import threading
+import time
+from typing import Any
+
+import pytest
+from serving import open_and_never_read, serving, wait_for
+from statwalk.web.socket import protocol
+from websockets.exceptions import InvalidStatus
+from websockets.sync.client import connect
+
+LARGE = b"x" * (1 << 20)
+
+
+class Flood:
+    """Sends large messages for ever; counts how its connections ended."""
+
+    def __init__(self) -> None:
+        self.ended = threading.Event()
+        self.sent = 0
+
+    async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
+        if scope["type"] == "lifespan":
+            await receive()
+            await send({"type": "lifespan.startup.complete"})
+            await receive()
+            await send({"type": "lifespan.shutdown.complete"})
+            return
+        await send({"type": "websocket.accept"})
+        try:
+            while True:
+                await send({"type": "websocket.send", "bytes": LARGE})
+                self.sent += 1
+        finally:
+            self.ended.set()
+
+
+def is_stuck(flood: Flood) -> bool:
+    """Whether nothing went out between two looks."""
+    before = flood.sent
+    time.sleep(0.05)
+    return flood.sent == before
+
+
+def test_a_viewer_that_never_reads_is_cut_off(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(protocol, "UNWRITABLE_SECONDS", 0.2)
+    flood = Flood()
+    with serving(flood) as address:
+        client = open_and_never_read(address, "/")
+        assert flood.ended.wait(5)
+        client.close()
+
+
+def test_the_server_ends_although_a_viewer_never_reads() -> None:
+    flood = Flood()
+    with serving(flood) as address:
+        client = open_and_never_read(address, "/")
+        wait_for(lambda: is_stuck(flood))
+        started = time.monotonic()
+    assert time.monotonic() - started < 4.5
+    assert flood.ended.is_set()
+    client.close()
+
+
+def test_a_viewer_that_reads_again_in_time_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(protocol, "UNWRITABLE_SECONDS", 20.0)
+    flood = Flood()
+    with serving(flood) as address, connect(f"ws://{address}/", max_size=None, compression=None) as viewer:
+        wait_for(lambda: is_stuck(flood))
+        stuck_at = flood.sent
+        for _ in range(stuck_at + 2):
+            assert viewer.recv(timeout=5) == LARGE
+        assert not flood.ended.is_set()
+
+
+def test_a_refusal_is_no_error_in_the_log(address: str, caplog: pytest.LogCaptureFixture) -> None:
+    """Asked for twice: when the second is answered, the first has been logged."""
+    log = logging.getLogger("uvicorn.error")
+    log.addHandler(caplog.handler)
+    for _ in range(2):
+        with pytest.raises(InvalidStatus):
+            connect(f"ws://{address}/api/stages/nowhere/stream")
+    log.removeHandler(caplog.handler)
+    assert caplog.messages == []

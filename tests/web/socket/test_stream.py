@@ -1,0 +1,260 @@
+"""The stream over a real socket: hello, one frame a tick, credits, facts in order, the past for one viewer
+alone.
+"""
+
+import contextlib
+
+import httpx
+import khronos
+import numpy as np
+import pytest
+from serving import open_and_never_read, wait_for
+from statwalk.services.publish import outbox
+from watcher import Watcher
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import connect
+
+MAIN = "/api/stages/main"
+
+
+def test_the_hello_describes_the_frames(address: str, stage: str) -> None:
+    with Watcher(address, stage) as viewer:
+        frame = viewer.frame()
+        cast, said = frame.casts[0], viewer.hello["casts"][0]
+    assert frame.epoch == viewer.hello["epoch"]
+    assert cast.translation.shape == (len(said["actors"]), said["joints"], 3)
+    assert cast.weights.shape[1] == said["weights"]
+    assert len(said["names"]) == len(said["nodes"]) == len(said["parents"]) == said["joints"]
+    assert said["states"][cast.state[0, 0]] == "STAT"
+
+
+def test_sixty_frames_a_second(address: str) -> None:
+    """Counted over ticks: of 120 ticks at least 110 arrive."""
+    with Watcher(address, MAIN) as viewer:
+        first = viewer.frame().tick
+        ticks = [viewer.frame().tick for _ in range(110)]
+    assert ticks == sorted(set(ticks))
+    assert ticks[-1] - first <= 120
+
+
+def test_one_frame_for_each_step(address: str, stage: str, rest: httpx.Client) -> None:
+    with Watcher(address, stage) as viewer:
+        assert viewer.frame().tick == 0
+        for tick in range(1, 6):
+            rest.post(f"{stage}/step", json={"ticks": 1})
+            assert viewer.frame().tick == tick
+
+
+def test_the_frame_is_the_pose_that_rest_tells(address: str, stage: str, rest: httpx.Client) -> None:
+    with Watcher(address, stage) as viewer:
+        rest.post(f"{stage}/events", json={"event": "FORWARD"})
+        rest.post(f"{stage}/step", json={"ticks": 9})
+        frame = viewer.frame_at(9)
+        actor = viewer.hello["casts"][0]["actors"][0]["id"]
+        told = rest.get(f"{stage}/actors/{actor}/pose").json()
+        seen = rest.get(stage).json()
+    assert np.array_equal(frame.casts[0].rotation[0], np.array(told["rotation"], np.float32))
+    assert np.array_equal(frame.casts[0].translation[0], np.array(told["translation"], np.float32))
+    assert f"{frame.hash:016x}" == seen["hash"]
+
+
+def test_no_more_than_three_frames_without_acknowledgement(
+    address: str, stage: str, rest: httpx.Client
+) -> None:
+    """Three are sent; after an acknowledgement comes the newest, not the fourth."""
+    with Watcher(address, stage, acknowledge=False) as viewer:
+        assert viewer.frame().tick == 0
+        for tick in (1, 2):
+            rest.post(f"{stage}/step", json={"ticks": 1})
+            assert viewer.frame().tick == tick
+        rest.post(f"{stage}/step", json={"ticks": 10})
+        viewer.say(type="ping")
+        assert viewer.receive() == viewer.texts[-1]
+        viewer.say(type="ack", tick=2)
+        assert viewer.frame().tick == 12
+
+
+def test_a_viewer_that_never_acknowledges_is_cut_off(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(outbox, "ACKNOWLEDGE_SECONDS", 0.1)
+    with Watcher(address, MAIN, acknowledge=False) as viewer:
+        with pytest.raises(ConnectionClosed) as closed:
+            viewer.text("nothing")
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code == 4008
+
+
+def test_verdicts_come_once_each_in_order(address: str, stage: str, rest: httpx.Client) -> None:
+    with Watcher(address, stage) as viewer:
+        for event in ("FORWARD", "STOP", "JUMP"):
+            rest.post(f"{stage}/events", json={"event": event})
+            rest.post(f"{stage}/step", json={"ticks": 5})
+        viewer.frame_at(15)
+    told = [(text["tick"], text["event"]) for text in viewer.texts if text["type"] == "verdict"]
+    assert told == sorted(set(told))
+    assert {event for _, event in told} >= {"FORWARD", "STOP", "JUMP"}
+
+
+def test_looking_back_moves_only_the_one_who_looks(address: str, stage: str, rest: httpx.Client) -> None:
+    with Watcher(address, stage) as one, Watcher(address, stage) as other:
+        rest.post(f"{stage}/events", json={"event": "FORWARD"})
+        rest.post(f"{stage}/step", json={"ticks": 30})
+        now = other.frame_at(30)
+        one.frame_at(30)
+        one.say(type="look", tick=10)
+        past = one.frame()
+        rest.post(f"{stage}/step", json={"ticks": 1})
+        assert other.frame().tick == 31
+        one.say(type="live")
+        assert one.frame().tick == 31
+    assert (past.tick, past.head) == (10, 30)
+    assert past.hash != now.hash
+
+
+def test_an_event_for_a_tick_of_the_past_forks_there(address: str, stage: str, rest: httpx.Client) -> None:
+    rest.post(f"{stage}/step", json={"ticks": 20})
+    with Watcher(address, stage) as viewer:
+        viewer.say(type="event", event="FORWARD", kind="press", tick=5, ref="then")
+        assert viewer.text("accepted")["tick"] == 5
+        branch = viewer.text("forked")["stage"]
+    assert rest.get(f"/api/stages/{branch}").json()["head"] == 5
+
+
+def test_an_event_in_the_past_forks(address: str, stage: str, rest: httpx.Client) -> None:
+    with Watcher(address, stage) as viewer:
+        rest.post(f"{stage}/step", json={"ticks": 30})
+        viewer.say(type="look", tick=10)
+        viewer.frame_at(10)
+        viewer.say(type="event", event="FORWARD", ref=7)
+        accepted, forked = viewer.text("accepted"), viewer.text("forked")
+    branch = rest.get(f"/api/stages/{forked['stage']}").json()
+    assert (accepted["ref"], accepted["stage"], accepted["tick"]) == (7, forked["stage"], 10)
+    assert branch["head"] == 10
+    assert rest.get(stage).json()["head"] == 30
+
+
+def test_actors_that_come_and_go_are_announced(address: str, stage: str, rest: httpx.Client) -> None:
+    with Watcher(address, stage) as viewer:
+        viewer.frame()
+        added = rest.post(
+            f"{stage}/actors", json={"machine": "faq-walker", "name": "second", "position": [1, 0, 0]}
+        ).json()
+        hello = viewer.text("hello")
+        frame = viewer.frame()
+        rest.delete(f"{stage}/actors/{added['id']}")
+        assert len(viewer.text("hello")["casts"][0]["actors"]) == 1
+    assert hello["casts"][0]["actors"][1] == {"id": added["id"], "name": "second"}
+    assert frame.epoch == hello["epoch"] > viewer.hello["epoch"]
+    assert frame.casts[0].root[1, 0] == 1
+
+
+def test_what_a_viewer_holds_is_released_when_it_leaves(address: str, stage: str, rest: httpx.Client) -> None:
+    with Watcher(address, stage) as viewer:
+        viewer.say(type="event", event="LEFT", kind="hold")
+        viewer.text("accepted")
+        rest.post(f"{stage}/step", json={"ticks": 1})
+    wait_for(lambda: '"release"' in rest.get(f"{stage}/log").text)
+
+
+WRONG = {
+    "not json": "{",
+    "no object": "[]",
+    "no type": "{}",
+    "unknown type": '{"type": "explode"}',
+    "NaN": '{"type": "ack", "tick": NaN}',
+    "text for a number": '{"type": "ack", "tick": "1"}',
+    "unknown member": '{"type": "live", "please": true}',
+    "unknown event": '{"type": "event", "event": "DANCE"}',
+    "no such tick": '{"type": "look", "tick": 99999}',
+    "unknown actor": '{"type": "event", "event": "FORWARD", "actor": 999}',
+}
+
+
+@pytest.mark.parametrize("message", WRONG.values(), ids=WRONG)
+def test_a_wrong_message_is_answered_and_the_viewer_stays(address: str, stage: str, message: str) -> None:
+    with Watcher(address, stage) as viewer:
+        viewer.socket.send(message)
+        assert 400 <= viewer.text("error")["status"] < 500
+        viewer.say(type="ping", ref=1)
+        assert viewer.text("pong")["ref"] == 1
+
+
+def test_an_unknown_event_is_answered_with_those_there_are(address: str, stage: str) -> None:
+    with Watcher(address, stage) as viewer:
+        viewer.say(type="event", event="DANCE", ref="x")
+        error = viewer.text("error")
+    assert error["ref"] == "x"
+    assert "FORWARD" in error["known"]
+
+
+def test_a_message_that_is_too_long_ends_the_connection(address: str, stage: str) -> None:
+    with Watcher(address, stage) as viewer:
+        viewer.socket.send("x" * (65 << 10))
+        with pytest.raises(ConnectionClosed) as closed:
+            viewer.text("pong")
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code == 1009
+
+
+def test_who_floods_is_cut_off(address: str, stage: str) -> None:
+    with Watcher(address, stage) as viewer:
+        with contextlib.suppress(ConnectionClosed):
+            for _ in range(2_000):
+                viewer.say(type="ping")
+        with pytest.raises(ConnectionClosed) as closed:
+            viewer.text("nothing")
+    assert closed.value.rcvd is not None
+    assert closed.value.rcvd.code == 4029
+
+
+@pytest.mark.parametrize(
+    ("path", "options", "status"),
+    [
+        ("/api/stages/nowhere/stream", {}, 404),
+        ("/api/stages/main/stream?frames=film", {}, 422),
+        ("/api/stages/main/stream", {"subprotocols": ["statwalk.v9"]}, 400),
+        ("/api/stages/main/stream", {"origin": "https://evil.example"}, 403),
+    ],
+)
+def test_refused_before_the_upgrade(address: str, path: str, options: dict, status: int) -> None:
+    with pytest.raises(InvalidStatus) as refused:
+        connect(f"ws://{address}{path}", **options)
+    assert refused.value.response.status_code == status
+
+
+def test_deleting_a_stage_sends_its_viewers_away(address: str, rest: httpx.Client) -> None:
+    stage = rest.post("/api/stages", json={"clock": "manual"}).headers["Location"]
+    with Watcher(address, stage) as viewer:
+        rest.delete(stage)
+        with pytest.raises(ConnectionClosed) as closed:
+            viewer.text("nothing")
+        assert closed.value.rcvd is not None
+        assert closed.value.rcvd.code == 4404
+
+
+def test_a_stalled_viewer_harms_nobody(address: str) -> None:
+    """One never reads its GLB frames; another still gets its 110 of 120."""
+    stalled = open_and_never_read(address, f"{MAIN}/stream?frames=glb")
+    with Watcher(address, MAIN) as viewer:
+        first = viewer.frame().tick
+        ticks = [viewer.frame().tick for _ in range(220)]
+    stalled.close()
+    assert ticks[-1] - first <= 240
+
+
+def test_every_glb_frame_is_a_valid_model(address: str, stage: str, rest: httpx.Client) -> None:
+    frames = [rest.get(f"{stage}/frame.glb").content]
+    with Watcher(address, stage, frames="glb") as viewer:
+        for _ in range(3):
+            rest.post(f"{stage}/step", json={"ticks": 7})
+            frames.append(viewer.data())
+        viewer.say(type="look", tick=3)
+        frames.append(viewer.data())
+    assert khronos.errors(*frames) == []
+
+
+def test_the_kind_of_frame_can_be_changed(address: str, stage: str) -> None:
+    with Watcher(address, stage) as viewer:
+        assert viewer.data()[:4] == b"STW1"
+        viewer.say(type="frames", frames="glb")
+        assert viewer.text("hello")["frames"] == "glb"
+        assert viewer.data()[:4] == b"glTF"
