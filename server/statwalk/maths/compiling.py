@@ -14,13 +14,19 @@ import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import IO, Any, TypeVar
 
 from numba import config, extending, njit, types
 from numba.core import caching
 
 from statwalk.errors import StatwalkError
 from statwalk.maths.code_folder import PACKAGE, folder
+from statwalk.maths.kernel_parts import part
+
+try:
+    import fcntl
+except ImportError:  # Windows: two processes may compile the same kernel
+    fcntl = None  # type: ignore[assignment]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -70,7 +76,7 @@ def inlined(function: Function) -> Function:
     """Compiles the function into each kernel that calls it."""
     if not IS_COMPILED:
         return function
-    compiled_function: Function = njit(inline="never", forceinline=True, **OPTIONS)(function)
+    compiled_function: Function = part(function, is_inlined=True, **OPTIONS)
     return compiled_function
 
 
@@ -138,19 +144,42 @@ class _Place(caching.CompileResultCacheImpl):
 
 class _KeptCode(caching.FunctionCache):
     _impl_class = _Place
+    _turn: IO[bytes] | None = None
 
     def load_overload(self, signature: Any, context: Any) -> Any:
-        try:
-            overload = super().load_overload(signature, context)
-        except Exception:  # a damaged file
-            overload = None
-            with suppress(OSError):
-                self.flush()
+        overload = self._load(signature, context)
+        if overload is None:
+            self._wait_for_turn()
+            overload = self._load(signature, context)
         if overload is None:
             for listener in LISTENERS:
                 listener(len(KERNELS) + 1, self._py_func.__name__)
+        else:
+            self._end_turn()
         return overload
 
     def save_overload(self, signature: Any, data: Any) -> None:
         with suppress(OSError):  # a full disk, or a folder of another user: compiled for this process alone
             super().save_overload(signature, data)
+        self._end_turn()
+
+    def _load(self, signature: Any, context: Any) -> Any:
+        try:
+            return super().load_overload(signature, context)
+        except Exception:  # a damaged file
+            with suppress(OSError):
+                self.flush()
+            return None
+
+    def _wait_for_turn(self) -> None:
+        """Waits while another process compiles this kernel."""
+        if fcntl is None:
+            return
+        with suppress(OSError):
+            self._turn = open(Path(self._cache_path) / f"{self._impl.filename_base}.turn", "wb")  # noqa: SIM115 - until saved
+            fcntl.flock(self._turn, fcntl.LOCK_EX)
+
+    def _end_turn(self) -> None:
+        if self._turn is not None:
+            self._turn.close()
+            self._turn = None

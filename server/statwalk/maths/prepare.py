@@ -22,9 +22,16 @@ from statwalk.maths import code_folder
 
 KERNEL = re.compile(r"^@kernel\b", re.MULTILINE)
 LOG = logging.getLogger(__name__)
-BESIDE_MACHINES = ("maths", "motion", "rig", "skin")
-"""folders whose kernels need no machine"""
-MACHINES = ("statwalk.machine.model_checker.explore", "statwalk.stage.steps.step_machines")
+MACHINES = tuple(
+    f"statwalk.{name}"
+    for name in (
+        "machine.model_checker.explore",
+        "machine.model_checker.longest",
+        "machine.runtime.seen",
+        "stage.steps.step_machines",
+    )
+)
+"""modules that a second process compiles at the same time; what they share is then compiled once"""
 NO_NUMBA = (
     "numba, which compiles the inner loops of statwalk, can't be imported here: {}. Install it: "
     "python -m pip install numba"
@@ -34,18 +41,15 @@ NO_NUMBA = (
 def prepare(alone: bool = False) -> None:
     """Imports every module with kernels, and reports compilation on stderr.
 
-    Unless `alone`, a second process compiles the kernels of machines at the same time: no other folder of
-    their floor needs them.
+    Unless `alone`, a second process compiles the kernels of machines at the same time.
 
     :raises StatwalkError: when numba can't be imported.
     """
     compiling = compiler()
     listed = kernels_by_module(code_folder.PACKAGE)
     progress = _Progress(sum(listed.values()))
-    with compiling.announced(progress.compiles), _helper(alone or _mark().is_file()) as helper:
-        for name in sorted(listed, key=lambda name: name.split(".")[1] not in BESIDE_MACHINES):
-            if helper and name.split(".")[1] not in BESIDE_MACHINES:
-                helper.wait()  # its kernels are on the disk now; if it failed, they are compiled here
+    with compiling.announced(progress.compiles), _helper(alone or _mark().is_file()):
+        for name in sorted(listed, key=_is_beside_poses):
             import_module(name)
     progress.end()
     LOG.info("%d kernels for the processor %s", len(compiling.KERNELS), code_folder.processor()[0])
@@ -54,16 +58,20 @@ def prepare(alone: bool = False) -> None:
             _mark().touch()
 
 
+def _is_beside_poses(module: str) -> bool:
+    return module in MACHINES or not module.startswith(("statwalk.motion.", "statwalk.stage."))
+
+
 @contextmanager
-def _helper(is_needless: bool) -> Iterator[subprocess.Popen[bytes] | None]:
-    """A process that compiles the kernels of machines; None if it is needless or there is one processor."""
+def _helper(is_needless: bool) -> Iterator[None]:
+    """A process that compiles the kernels of machines; none if it is needless or there is one processor."""
     if is_needless or (os.cpu_count() or 1) < 2:
-        yield None
+        yield
         return
     code = f"from importlib import import_module as load; [load(name) for name in {MACHINES!r}]"
     arguments = [sys.executable, "-c", code]
-    with subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as helper:  # noqa: S603 - our own text
-        yield helper
+    with subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stderr=subprocess.DEVNULL):  # noqa: S603 - our own text
+        yield
 
 
 def prepare_once() -> None:

@@ -11,13 +11,14 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 from zlib import crc32
 
-from numba import njit, types
+from numba import types
 from numba.core import cgutils
 from numba.core.typing.templates import AttributeTemplate
 from numba.extending import infer_getattr, intrinsic, lower_getattr_generic, models, register_model
 
 from statwalk.maths import compiling
 from statwalk.maths.compiling import IS_COMPILED, OPTIONS
+from statwalk.maths.kernel_parts import part
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -77,7 +78,7 @@ by_reference = _by_reference if IS_COMPILED else _itself
 
 def called(function: Function) -> Function:
     """Compiles a part of kernels once, to be called: for long functions, or functions with many callers."""
-    return _widening(njit(**OPTIONS)(function)) if IS_COMPILED else function
+    return _widening(part(function, is_inlined=False, **OPTIONS)) if IS_COMPILED else function
 
 
 def inlined(function: Function) -> Function:
