@@ -65,13 +65,18 @@ def test_escape_closes_it(still: Page) -> None:
     until(still, "document.querySelector('#why').hidden")
 
 
-def test_why_not_proposes_what_helps_and_the_cell_takes_it(still: Page) -> None:
-    """JUMP does nothing in STAT; the remedy that changes the cell is put into it, to be kept or dropped."""
+def test_why_not_proposes_what_helps_and_the_cell_takes_it(still: Page, allowed: list[str]) -> None:
+    """JUMP does nothing in STAT; the remedy that changes the cell is put into it, and tried. The table
+    declares that JUMP comes only after WALK, so the trial is refused.
+    """
+    allowed.append("422")
     why(still, 5)
     still.locator(".why-not select").select_option("JUMP")
     until(still, "document.querySelector('.remedies [data-kind=cell] button')")
     still.locator(".remedies [data-kind=cell] button").first.click()
     until(still, "document.querySelector('.cell-field').value.startsWith('JUMP')")
+    until(still, "document.querySelector('.cell-field').ariaInvalid === 'true'")
+    assert "only after WALK" in still.locator("#cell-inspector").inner_text()
     still.keyboard.press("Escape")
 
 
