@@ -208,7 +208,9 @@ def hash_actor(word: Any, s: Any, o: Any, position: Any, heading: Any, root_delt
     word = hash_row(hash_row(hash_row(word, s.sensing, row), s.last, row), s.goal, row)
     word = hash_row(hash_row(hash_row(word, position, row), heading, row), root_delta, row)
     return hash_row(
-        hash_row(hash_row(hash_row(word, o.elapsed, row), o.duration, row), o.quintic, row), o.way, row
+        hash_row(hash_row(hash_row(word, o.elapsed, row), o.duration, row), o.quintic, row),
+        o.old_root_delta,
+        row,
     )
 
 
