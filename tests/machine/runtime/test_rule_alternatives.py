@@ -7,7 +7,6 @@ from collections import Counter
 import numpy as np
 import pytest
 from statwalk.machine.compile.compile_machine import MIXED, OFF
-from statwalk.machine.runtime.chance import chance
 from statwalk.machine.runtime.state import fresh
 from statwalk.machine.runtime.surroundings import Inputs, Measurements
 from ticking import DT, Ticking, machine_of, stepped, verdicts_of
@@ -166,21 +165,6 @@ def test_weights_are_shares():
     counts = Counter(drawn(key, tick)[0][0] for key in range(25) for tick in range(1, 41))
     assert 750 < counts["JUMP"] < 850
     assert counts["JUMP"] + counts["STUP"] == 1000
-
-
-def test_chance_follows_from_key_tick_layer_event_and_count_alone():
-    parts = [
-        (7, 1, 0, 1, 0),
-        (8, 1, 0, 1, 0),
-        (7, 2, 0, 1, 0),
-        (7, 1, 1, 1, 0),
-        (7, 1, 0, 2, 0),
-        (7, 1, 0, 1, 1),
-        (7, 0, 1, 1, 0),
-    ]
-    assert len({chance(*some) for some in parts}) == len(parts)
-    assert [chance(*some) for some in parts] == [chance(*some) for some in parts]
-    assert all(0 <= chance(*some) < 1 for some in parts)
 
 
 def test_the_same_key_draws_the_same_in_a_crowd():

@@ -8,7 +8,6 @@ import numpy as np
 
 from statwalk.machine.compile.alternatives import AT_END, BLANK, MIXED, NOW, OFF, UNDEFINED
 from statwalk.machine.compile.program import NO_CONDITION, NO_WEIGHT, Program
-from statwalk.machine.runtime.chance import chance
 from statwalk.machine.runtime.condition_values import is_true
 from statwalk.machine.runtime.effects import MOST_CHANGES, MOST_DRAWS, MachineEffects
 from statwalk.machine.runtime.event_queue import append, forget
@@ -33,6 +32,7 @@ from statwalk.machine.runtime.state import FOR_BUFFER, FOR_END, FOR_MOMENT, LOOK
 from statwalk.machine.runtime.state_change import take
 from statwalk.machine.runtime.surroundings import Measurements
 from statwalk.machine.runtime.timing import is_its_moment
+from statwalk.maths.random import chance
 from statwalk.maths.reference import called
 
 NO_ALTERNATIVE = -1

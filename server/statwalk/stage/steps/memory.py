@@ -19,9 +19,9 @@ from statwalk.machine.runtime.surroundings import SURROUNDINGS, Measurements
 from statwalk.maths.columns import columns
 from statwalk.maths.packed import PackedColumns, packed
 from statwalk.maths.pose_buffer import LANES, channels
+from statwalk.maths.random import actor_keys
 from statwalk.maths.simd.aligned import zeros
 from statwalk.rig.model_buffer import ModelBuffer
-from statwalk.stage.state.hashing import chance_keys
 from statwalk.stage.state.pose_offsets import OFFSETS, PoseOffsets
 from statwalk.stage.steps.offset_lanes import scratch_size
 
@@ -97,7 +97,7 @@ class Memory:
     def key(self, ids: NDArray[np.int64], seed: int) -> None:
         """Writes the random keys of the actors, if the actors or the seed have changed."""
         if self._keyed is None or self._keyed[0] is not ids or self._keyed[1] != seed:
-            self.surroundings.values.key[:] = chance_keys(seed, ids)
+            self.surroundings.values.key[:] = actor_keys(seed, ids)
             self._keyed = ids, seed
 
     def machine(self, state: MachineState) -> PackedColumns[MachineState]:
