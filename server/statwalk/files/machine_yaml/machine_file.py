@@ -14,7 +14,7 @@ from pathlib import Path
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml import fields, flock_part, inputs, layers, levels, senses, whole_table
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
-from statwalk.machine.compile.alternatives import MEASURED
+from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import (
     END,
     EventDefinition,
@@ -128,7 +128,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
     parameters = inputs.parameters(entries.get("parameters"))
     colliders, variables = (
         senses.colliders(entries.get("colliders")),
-        (*parameters, *(name for name in MEASURED if name not in parameters)),
+        variables_of(parameters),
     )
     base, layer_parts = (
         levels.read(root, parameters, folder),

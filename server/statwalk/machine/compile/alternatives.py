@@ -18,8 +18,6 @@ CURVES = ("cubic", "quintic")
 """the curves, by their numbers"""
 MATCH = -2.0
 """the `enter` of a motion that begins at the phase of the old motion"""
-MEASURED = ("speed", "turning", "height", "phase", "time")
-"""what conditions may ask of an actor beside its parameters; a parameter of the same name comes first"""
 
 
 class Outcome(NamedTuple):

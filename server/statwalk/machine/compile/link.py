@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from statwalk.machine.compile.alternatives import BLANK, MATCH, MEASURED, OFF, Outcome
+from statwalk.machine.compile.alternatives import BLANK, MATCH, OFF, Outcome
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.program import (
     NO_CONDITION,
@@ -16,6 +16,7 @@ from statwalk.machine.compile.program import (
     ProgramText,
     program,
 )
+from statwalk.machine.conditions.condition_code import condition_arrays
 from statwalk.maths.formula.postfix import Formula as Condition
 from statwalk.maths.phases import Warp, warp
 
@@ -47,7 +48,7 @@ def _program_of(machine: Machine) -> Program:
         inside=machine.inside,
         **_markers(machine),
         **_warps(machine),
-        **_code(machine, conditions),
+        **condition_arrays(conditions.values(), machine.variables, len(machine.parameters)),
         **_parameters(machine),
         **_senses(machine, conditions),
         initials=machine.initials,
@@ -185,22 +186,6 @@ def _landings(machine: Machine, outcome: Outcome) -> list[int]:
     """The states that an outcome may lead to: several if it resumes a composite state."""
     inside = machine.inside[:, outcome.resume].nonzero()[0].tolist() if outcome.resume >= 0 else []
     return [state for state in (outcome.target, *inside) if state >= 0]
-
-
-def _code(machine: Machine, conditions: dict[int, Condition]) -> dict[str, Any]:
-    steps = [condition.code(machine.variables) for condition in conditions.values()]
-    asked = [
-        [machine.variables.index(name) for name in condition.variables] for condition in conditions.values()
-    ]
-    parameters = len(machine.parameters)
-    return {
-        "code": _firsts(map(len, steps)),
-        "opcode": [opcode for code in steps for opcode, _ in code],
-        "operand": [operand for code in steps for _, operand in code],
-        "asks": _firsts(map(len, asked)),
-        "asked": [row for code in asked for row in code],
-        "measured": [*[-1] * parameters, *(MEASURED.index(name) for name in machine.variables[parameters:])],
-    }
 
 
 def _parameters(machine: Machine) -> dict[str, Any]:

@@ -96,8 +96,8 @@ class Machine:
     keys: Mapping[str, Key]
     parameters: tuple[Parameter, ...]
     variables: tuple[str, ...]
-    """the names that conditions may ask for: the parameters, then the names of MEASURED that are no
-    parameter
+    """the names that conditions may ask for: the parameters, then `conditions.variables.NAMES` that
+    are no parameter
     """
     senses: tuple[Sense, ...]
     touches: tuple[Touch, ...]

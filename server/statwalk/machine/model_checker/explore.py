@@ -8,6 +8,7 @@ from numba import types
 
 from statwalk.machine.compile.alternatives import BLANK, MIXED
 from statwalk.machine.compile.program import PROGRAM, Program
+from statwalk.machine.conditions.condition_values import UNKNOWN
 from statwalk.machine.model_checker.found_ticks import EVERYTHING, TOO_MUCH, add_tick, room
 from statwalk.machine.model_checker.guesses import guess_nothing, guess_otherwise, is_asked, make_known
 from statwalk.machine.model_checker.moment_rows import NOW, put_in_place, read_moment, write_moment
@@ -27,7 +28,6 @@ from statwalk.machine.model_checker.moments import (
     Guesses,
     Moments,
 )
-from statwalk.machine.runtime.condition_values import UNKNOWN
 from statwalk.machine.runtime.effects import EFFECTS, MachineEffects
 from statwalk.machine.runtime.scratch import CHANGES, DRAWS, DT, TICK
 from statwalk.machine.runtime.state import FOR_END, MachineState

@@ -8,7 +8,7 @@ import numpy as np
 
 from statwalk.machine.compile.alternatives import AT_END, BLANK, MIXED, NOW, OFF, UNDEFINED
 from statwalk.machine.compile.program import NO_CONDITION, NO_WEIGHT, Program
-from statwalk.machine.runtime.condition_values import is_true
+from statwalk.machine.conditions.condition_values import is_true
 from statwalk.machine.runtime.effects import MOST_CHANGES, MOST_DRAWS, MachineEffects
 from statwalk.machine.runtime.event_queue import append, forget
 from statwalk.machine.runtime.reasons import (
@@ -137,7 +137,9 @@ def _choose(
         return _drawn(p, around, out, i, layer, event, first, past)
     for row in range(first, past):
         scratch[PAST_TRIED] = row + 1
-        if p.condition[row] == NO_CONDITION or is_true(p, s, out.work, around, i, layer, p.condition[row]):
+        if p.condition[row] == NO_CONDITION or is_true(
+            p, s, around, out.work.conditions, i, layer, p.condition[row]
+        ):
             return row
     return NO_ALTERNATIVE
 

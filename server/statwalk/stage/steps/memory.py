@@ -84,12 +84,11 @@ class Memory:
 
     def __init__(self, role: Role, actors: int) -> None:
         layers, program = len(role.machine.layers), role.machine.program
-        around = Measurements(np.ones((actors, layers)), np.zeros((3, actors)), np.zeros(actors, np.uint64))
         self.actors = actors
         self.model = ModelBuffer.room(role.colliders.joints, actors)
         self.poses = packed(_pose_memory(role, actors, layers, self.model), MEMORY)
         self.effects = packed(effects_for(program, actors), EFFECTS)
-        self.surroundings = packed(around, SURROUNDINGS)
+        self.surroundings = packed(Measurements.none(actors, layers), SURROUNDINGS)
         self._keyed: tuple[NDArray[np.int64], int] | None = None
         self._machine: PackedColumns[MachineState] | None = None
         self._offsets: PackedColumns[PoseOffsets] | None = None
