@@ -180,13 +180,14 @@ def test_off_makes_a_cell_a_dash_without_deleting_what_it_says():
     assert actor.machine.target[0].tolist()[1] == OFF
 
 
-def test_cells_of_several_outcomes_are_mixed_in_the_array():
+def test_cells_of_several_alternatives_are_mixed_in_the_array():
     machine = machine_of(TABLE, TICKS, JUMP_OR_STUP)
     assert machine.target[0, 0] == MIXED
-    assert [(one.to, one.said, one.weight) for one in machine.alternatives[0, 0]] == [
-        ("JUMP", "stamina > 10", None),
-        ("STUP", "", None),
+    assert [(one.to, one.weight) for one in machine.alternatives[0, 0]] == [
+        ("JUMP", None),
+        ("STUP", None),
     ]
+    assert machine.text.conditions[:2] == ("stamina > 10", "")
 
 
 def test_a_tap_on_what_is_never_true_does_not_wait_for_ever_in_a_loop():

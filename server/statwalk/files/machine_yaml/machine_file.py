@@ -144,11 +144,11 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         initial=base.initial,
         events=events,
         cells=whole_table.cells_of(base, events, variables, root.file),
-        outers=base.outers,
+        composites=base.composites,
         layers={layer: _layer_of(part, events, variables, root.file) for layer, part in layer_parts.items()},
         defaults=inputs.defaults(entries.get("defaults")),
         idle=fields.chosen(entries["idle"], "event", events) if "idle" in entries else None,
-        fallback=base.start(fields.chosen(entries["fallback"], "state", (*base.states, *base.outers)))
+        fallback=base.start(fields.chosen(entries["fallback"], "state", (*base.states, *base.composites)))
         if "fallback" in entries
         else "",
         keys=inputs.keys(entries.get("keys"), events),
@@ -176,7 +176,7 @@ def _layer_of(
         mask=layer.mask,
         mode=layer.mode,
         weight=layer.weight,
-        outers=flat.outers,
+        composites=flat.composites,
         cells=whole_table.cells_of(flat, events, variables, file),
         rows=flat.top.table.rows,
     )

@@ -140,7 +140,7 @@ def _senses_of(definition: MachineDefinition, conditions: Conditions) -> dict[st
             touches.append(Touch(event, sense.own, sense.other, sense.on))
         else:
             release = conditions(sense.release, sense.line) if sense.release else None
-            senses.append(Sense(event, conditions(sense.when, sense.line), release, sense.when))
+            senses.append(Sense(event, conditions(sense.when, sense.line), release))
     return {"senses": tuple(senses), "touches": tuple(touches)}
 
 

@@ -136,7 +136,7 @@ class ProgramText(NamedTuple):
     """(A,) the condition of each alternative as written, empty for none"""
     senses: tuple[str, ...]
     """(Q,) the condition of each sense as written"""
-    moments: dict[tuple[int, int], str]
+    timings: dict[tuple[int, int], str]
     """the marker (`marker NAME`) or window (`window A..B`) of the cells that have one"""
     cells: dict[tuple[int, int], tuple[str, str]]
     """the row and column of the file in which each cell is written"""

@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.model_checker.lengths import TICKS_PER_SECOND
-from statwalk.machine.model_checker.moments import NOTHING
 from statwalk.machine.model_checker.search import SearchStep
+from statwalk.machine.model_checker.state_space import NOTHING
 
 MOST_CHANGES_SAID = 12
 

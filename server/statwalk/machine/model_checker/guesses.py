@@ -7,7 +7,7 @@ import numpy as np
 from statwalk.machine.compile.alternatives import MIXED
 from statwalk.machine.compile.program import NO_WEIGHT, Program
 from statwalk.machine.conditions.condition_values import UNKNOWN
-from statwalk.machine.model_checker.moments import MOST_GUESSES, Guesses
+from statwalk.machine.model_checker.state_space import MOST_GUESSES, Guesses
 from statwalk.machine.runtime.effects import ALTERNATIVE, EVENT, FROM, OF_VERDICTS, MachineEffects
 from statwalk.machine.runtime.scratch import DRAWS
 from statwalk.maths.reference import called

@@ -1,7 +1,7 @@
 """Sentences about a table: `A only after B`, `never A -> B`, `A leads to B within T`, `from A, EVENT reaches
 B within T`.
 
-A and B are states of the base, or outer ones, which stand for all that is within them.
+A and B are states of the base, or composite ones, which stand for all that is within them.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from statwalk.machine.definition.machine_definition import END, MachineDefinitio
 from statwalk.machine.lint.findings import Finding, Severity
 from statwalk.machine.lint.reach import Graph, reached, way
 from statwalk.machine.model_checker.lengths import TICKS_PER_SECOND
-from statwalk.machine.model_checker.moments import NOTHING
+from statwalk.machine.model_checker.state_space import NOTHING
 from statwalk.machine.model_checker.timed import Timed, TimedQuestion, timed
 from statwalk.machine.model_checker.work import Checkpoint, Work
 
@@ -101,7 +101,7 @@ class PropertyChecker:
 
     def unknown(self, match: re.Match[str]) -> str:
         """Which name of a property does not exist; empty where all do."""
-        states = (*self.definition.states, *self.definition.outers)
+        states = (*self.definition.states, *self.definition.composites)
         for name in (match["first"], match["second"]):
             if name not in states:
                 return f"no state is called {name!r}{nearest(name, states)}"
