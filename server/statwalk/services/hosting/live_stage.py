@@ -41,6 +41,7 @@ class LiveStage:
         self.id, self.stage, self.clock_kind, self.services = stage_id, stage, clock_kind, services
         self.clock = Clock(stage.rate)
         self.encoder = Encoder(services.encode_fact)
+        self.fanout = self.encoder.fanout
 
     # --- time
 
@@ -65,18 +66,18 @@ class LiveStage:
         """Computes the state at a tick; yields after each tick it computes. The playhead moves at the end."""
         yield from self.stage.seeking(tick, most=1)
         self.show(facts=False)
-        self._announce()
+        self.announce()
 
     def pause(self, paused: bool) -> None:
         """Stops or starts the clock."""
         self.clock.due(time.perf_counter())  # the time until now passed in the old setting
         self.clock.paused = paused
-        self._announce()
+        self.announce()
 
     def set_speed(self, speed: float) -> None:
         """Makes the clock run faster or slower."""
         self.clock.speed = speed
-        self._announce()
+        self.announce()
 
     # --- inputs
 
@@ -109,13 +110,15 @@ class LiveStage:
 
     def show(self, *, facts: bool) -> None:
         """Publishes the frame at the playhead, and (`facts`) the actions and verdicts of its tick."""
-        if self.encoder.fanout.outboxes:  # without viewers no frame is made
+        if self.fanout.outboxes:  # without viewers no frame is made
             self.encoder.show(
                 self.stage.frame, self.stage.head, partial(self.layout, self.stage), facts=facts
             )
 
-    def _announce(self) -> None:
-        self.encoder.fanout.tell(self.services.encode_fact(self.status()))
+    def announce(self) -> None:
+        """Sends the status to the viewers."""
+        if self.fanout.outboxes:
+            self.fanout.tell(self.services.encode_fact(self.status()))
 
     def encode(self, stage: Stage, kind: FrameKind) -> EncodedFrame:
         """Returns the encoded frame at the playhead of `stage`: the live stage, or a copy of it."""
@@ -131,7 +134,7 @@ class LiveStage:
         """Returns the status of the stage; safe to call while another thread holds the lock."""
         stage, clock = self.stage, self.clock
         return StageStatus(
-            stage.tick, stage.head, stage.first, clock.paused, clock.speed, len(self.encoder.fanout.outboxes)
+            stage.tick, stage.head, stage.first, clock.paused, clock.speed, len(self.fanout.outboxes)
         )
 
     def facts(self) -> StageFacts:

@@ -13,18 +13,18 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Protocol
 
-from statwalk.errors import BusyError, CancelledError, LimitError
-from statwalk.services.cancel import NEVER, SLICE_SECONDS, CancelToken
+from statwalk.errors import CancelledError, LimitError
+from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.commands import AddActor, ClockKind
 from statwalk.services.hosting.live_stage import LiveStage, StageServices
 from statwalk.services.hosting.past_stages import PastStages
+from statwalk.services.hosting.stage_lock import StageLock
 from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, ON_A_COPY
 from statwalk.services.hosting.stage_replies import Posted, StageFacts, StageStatus
 from statwalk.services.publish.outbox import EncodedFrame, Outbox
 from statwalk.stage.stage import Stage
 
-BUSY_SECONDS = 20.0
 LOOK_SECONDS = 0.1
 """between two looks at the token while a log makes commands durable"""
 MANUAL_WAIT_SECONDS = 0.25
@@ -51,12 +51,10 @@ class StageHost:
 
     def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, home: Home) -> None:
         self.id, self.clock_kind, self.rate, self.home = stage_id, clock_kind, stage.rate, home
-        self.touched = time.monotonic()
         self._live = LiveStage(stage_id, stage, clock_kind, home)
-        self._lock = threading.Lock()
+        self._lock = StageLock()
         self._closed = threading.Event()
         self._past = PastStages(self._copy)
-        self.fanout = self._live.encoder.fanout
 
     def handle(self, message: ask.Message[ask.Reply], token: CancelToken = NEVER) -> ask.Reply:
         """Does what a message asks, and returns the reply.
@@ -89,55 +87,63 @@ class StageHost:
 
         The ticker calls this. Takes no step while another thread holds the stage.
         """
-        if self.clock_kind == "manual" or not self._lock.acquire(blocking=False):
+        if self.clock_kind == "manual" or not self._lock.lock.acquire(blocking=False):
             return MANUAL_WAIT_SECONDS if self.clock_kind == "manual" else 1 / self.rate
         try:
             for _ in range(self._live.clock.due(now)):
                 self._live.tick()
             return self._live.clock.wait(now)
         finally:
-            self._lock.release()
+            self._lock.lock.release()
+
+    def join(self, outbox: Outbox) -> None:
+        """Adds a viewer, whose outbox gets the frames and facts from now on. Call it in the event loop.
+
+        :raises BusyError: when the stage has the most viewers that it may have.
+        """
+        self._live.fanout.join(outbox)
 
     def leave(self, outbox: Outbox) -> None:
         """Removes a viewer; the stage counts as idle from now on if it was the last one."""
-        self.fanout.leave(outbox)
-        if not self.fanout.outboxes:
+        self._live.fanout.leave(outbox)
+        if not self._live.fanout.outboxes:
             self._past.forget()
-        self.touched = time.monotonic()
+        self._lock.touched = time.monotonic()
+
+    def look_after_viewers(self, now: float) -> None:
+        """Disconnects the viewers that leave frames unacknowledged, and sends the others the status.
+
+        `now`: seconds of the monotonic clock. Call it in the event loop.
+        """
+        self._live.fanout.cut_overdue(now)
+        self._live.announce()
+
+    def idle_for(self, now: float) -> float:
+        """Returns the seconds without a request or a viewer until `now`, on the monotonic clock."""
+        return 0.0 if self._live.fanout.outboxes else now - self._lock.touched
 
     @contextmanager
     def _locked(self) -> Iterator[LiveStage]:
-        """Yields the live stage while this thread holds the lock.
-
-        :raises BusyError: when another thread holds the stage for 20 s.
-        """
-        if not self._lock.acquire(timeout=BUSY_SECONDS):
-            raise BusyError("the stage is busy with a long step; try again")
-        try:
-            self.touched = time.monotonic()
+        """Yields the live stage while this thread holds the lock."""
+        with self._lock.held():
             yield self._live
-        finally:
-            self._lock.release()
 
     def _copy(self) -> Stage:
         with self._locked() as live:
             return live.stage.copy()
 
     def _in_slices(self, work: Iterator[int], token: CancelToken) -> StageStatus:
-        """Runs long work, holding the lock for 5 ms at a time; what is done stays if the work is cancelled.
+        """Runs long work; what is done stays if the work is cancelled.
 
         :raises CancelledError: when the token is cancelled, or the stage is closed, before the work is done.
         """
-        unfinished = True
-        while unfinished:
+
+        def check() -> None:
             token.check()
             if self._closed.is_set():
                 raise CancelledError("the work is cancelled: the stage is closed")
-            with self._locked():
-                slice_end = time.perf_counter() + SLICE_SECONDS
-                while unfinished and time.perf_counter() < slice_end:
-                    unfinished = next(work, None) is not None
-            time.sleep(0)  # lets a thread that waits for the lock run
+
+        self._lock.in_slices(work, check)
         return self._live.status()
 
     # --- one method for each message
@@ -170,9 +176,8 @@ class StageHost:
 
     def _fork(self, message: ask.Fork, token: CancelToken) -> str:
         past = self._copy()
-        return self.home.hold(
-            self._branch(past, past.tick if message.tick is None else message.tick, token)
-        ).id
+        tick = past.tick if message.tick is None else message.tick
+        return self.home.hold(self._branch(past, tick, token)).id
 
     def _branch(self, past: Stage, tick: int, token: CancelToken) -> StageHost:
         """Returns the host of a fork of `past` at a tick; `past` is a copy that this method may change."""
@@ -225,7 +230,7 @@ class StageHost:
 
     def _close(self, _: ask.Close, __: CancelToken) -> None:
         self._closed.set()
-        self.fanout.end("deleted", "the stage was deleted")
+        self._live.fanout.end("deleted", "the stage was deleted")
 
 
 _HANDLERS: dict[type[ask.Message[Any]], Callable[[StageHost, Any, CancelToken], Any]] = {
