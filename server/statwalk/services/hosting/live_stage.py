@@ -17,11 +17,15 @@ from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.limits import Limits
 from statwalk.services.publish.encoder import Encoder
 from statwalk.services.publish.layout import CastLayout, cast_layout
-from statwalk.services.publish.outbox import EncodedFrame, FrameKind
+from statwalk.services.publish.outbox import MOST_FACTS, EncodedFrame, FrameKind
+from statwalk.services.publish.waiting_facts import WaitingFacts
 from statwalk.stage.clock import Clock
 from statwalk.stage.stage import Stage
 from statwalk.stage.state.frame import Action, CastFrame, Verdict
 
+FACTS_SECONDS = 0.005
+"""between two looks at the log while facts wait for durability"""
+MANUAL_WAIT_SECONDS = 0.25
 EncodeFact = Callable[[Action | Verdict | StageStatus], bytes]
 """encodes an action, a verdict or a status as a text message for viewers"""
 
@@ -40,10 +44,23 @@ class LiveStage:
     def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, services: StageServices) -> None:
         self.id, self.stage, self.clock_kind, self.services = stage_id, stage, clock_kind, services
         self.clock = Clock(stage.rate)
-        self.encoder = Encoder(services.encode_fact)
-        self.fanout = self.encoder.fanout
+        self.encoder = Encoder()
+        self.fanout, self.facts_waiting = self.encoder.fanout, WaitingFacts()
 
     # --- time
+
+    def advance_to(self, now: float) -> float:
+        """Takes the steps that are due at `now` (perf_counter seconds), and publishes the facts that waited
+        for durability; returns the seconds until the next call.
+        """
+        if self.facts_waiting:
+            self.fanout.publish({}, self._durable_facts())
+        wait = MANUAL_WAIT_SECONDS
+        if self.clock_kind == "real":
+            for _ in range(self.clock.due(now)):
+                self.tick()
+            wait = self.clock.wait(now)
+        return min(wait, FACTS_SECONDS) if self.facts_waiting else wait
 
     def tick(self) -> None:
         """Steps the stage by one tick, and publishes the frame."""
@@ -109,11 +126,25 @@ class LiveStage:
     # --- frames and facts
 
     def show(self, *, facts: bool) -> None:
-        """Publishes the frame at the playhead, and (`facts`) the actions and verdicts of its tick."""
-        if self.fanout.outboxes:  # without viewers no frame is made
-            self.encoder.show(
-                self.stage.frame, self.stage.head, partial(self.layout, self.stage), facts=facts
-            )
+        """Publishes the frame at the playhead at once, and (`facts`) the actions and verdicts of its tick as
+        soon as the commands so far are durable: a crash may take back a frame, but no fact.
+        """
+        if not self.fanout.outboxes:
+            return  # without viewers no frame is made
+        frame = self.stage.frame
+        if facts:
+            encode = self.services.encode_fact
+            texts = [*map(encode, frame.actions), *map(encode, frame.verdicts)]
+            self.facts_waiting.put(self.stage.newest, texts)
+        self.encoder.show(frame, self.stage.head, partial(self.layout, self.stage), self._durable_facts())
+
+    def _durable_facts(self) -> list[bytes]:
+        """Removes and returns the facts that need not wait; disconnects the viewers if too many wait."""
+        durable = self.facts_waiting.take(self.stage.durable)
+        if len(self.facts_waiting) > MOST_FACTS:
+            self.facts_waiting.drop()
+            self.fanout.end("slow", "the log takes too long to make commands durable")
+        return durable
 
     def announce(self) -> None:
         """Sends the status to the viewers."""

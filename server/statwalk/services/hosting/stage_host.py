@@ -27,7 +27,6 @@ from statwalk.stage.stage import Stage
 
 LOOK_SECONDS = 0.1
 """between two looks at the token while a log makes commands durable"""
-MANUAL_WAIT_SECONDS = 0.25
 
 
 class Home(StageServices, Protocol):
@@ -82,17 +81,15 @@ class StageHost:
         return reply
 
     def advance_to(self, now: float) -> float:
-        """Takes the steps that are due at `now` (perf_counter seconds); returns the seconds until the next
-        one.
+        """Takes the steps that are due at `now` (perf_counter seconds), and publishes the facts that waited
+        for durability; returns the seconds until the next call.
 
-        The ticker calls this. Takes no step while another thread holds the stage.
+        The ticker calls this. Does nothing while another thread holds the stage.
         """
-        if self.clock_kind == "manual" or not self._lock.lock.acquire(blocking=False):
-            return MANUAL_WAIT_SECONDS if self.clock_kind == "manual" else 1 / self.rate
+        if not self._lock.lock.acquire(blocking=False):
+            return 1 / self.rate
         try:
-            for _ in range(self._live.clock.due(now)):
-                self._live.tick()
-            return self._live.clock.wait(now)
+            return self._live.advance_to(now)
         finally:
             self._lock.lock.release()
 
@@ -144,6 +141,8 @@ class StageHost:
                 raise CancelledError("the work is cancelled: the stage is closed")
 
         self._lock.in_slices(work, check)
+        if self._live.facts_waiting:
+            self.home.wake()
         return self._live.status()
 
     # --- one method for each message
