@@ -11,8 +11,7 @@ from statwalk.character.role import Role
 from statwalk.errors import StageError
 from statwalk.services.hosting.apply_commands import apply_commands
 from statwalk.services.hosting.commands import AddActor, ClockKind, Command, RemoveActor
-from statwalk.services.hosting.stage_queries import actor_facts
-from statwalk.services.hosting.stage_replies import Posted, StageFacts, StageStatus
+from statwalk.services.hosting.stage_replies import Posted, StageStatus
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.limits import Limits
 from statwalk.services.publish.encoder import Encoder
@@ -136,7 +135,7 @@ class LiveStage:
             encode = self.services.encode_fact
             texts = [*map(encode, frame.actions), *map(encode, frame.verdicts)]
             self.facts_waiting.put(self.stage.newest, texts)
-        self.encoder.show(frame, self.stage.head, partial(self.layout, self.stage), self._durable_facts())
+        self.encoder.show(frame, self.stage.head, self._layout(self.stage), self._durable_facts())
 
     def _durable_facts(self) -> list[bytes]:
         """Removes and returns the facts that need not wait; disconnects the viewers if too many wait."""
@@ -151,27 +150,26 @@ class LiveStage:
         if self.fanout.outboxes:
             self.fanout.tell(self.services.encode_fact(self.status()))
 
-    def encode(self, stage: Stage, kind: FrameKind) -> EncodedFrame:
-        """Returns the encoded frame at the playhead of `stage`: the live stage, or a copy of it."""
-        return self.encoder.encode(stage.frame, kind, self.stage.head, partial(self.layout, stage))
+    def taken_frame(self, stage: Stage, kind: FrameKind) -> Callable[[], EncodedFrame]:
+        """Takes the frame at the playhead of `stage`, the live stage or a copy of it; returns the function
+        that encodes it, which may be called while the stage goes on.
+        """
+        return partial(self.encoder.encode, stage.frame, kind, self.stage.head, self._layout(stage))
 
-    def layout(self, stage: Stage, cast: CastFrame) -> CastLayout:
-        """Returns the layout of a cast in a frame of `stage`: the live stage, or a copy of it."""
-        numbers = {role: number for number, role in enumerate(stage.roles.values(), 1)}  # rise with each edit
-        character = self.services.catalogue.character_of(cast.role)
-        return cast_layout(cast, character, numbers[cast.role], lambda actor: stage.actor(actor).name)
+    def _layout(self, stage: Stage) -> Callable[[CastFrame], CastLayout]:
+        """Returns the function that makes the layouts of the frame that `stage` shows now."""
+        roles, name_of = tuple(stage.roles.values()), stage.state.names.__getitem__
+
+        def layout(cast: CastFrame) -> CastLayout:
+            character = self.services.catalogue.character_of(cast.role)
+            version = 1 + roles.index(cast.role)  # rises with each edit
+            return cast_layout(cast, character, version, name_of)
+
+        return layout
 
     def status(self) -> StageStatus:
         """Returns the status of the stage; safe to call while another thread holds the lock."""
         stage, clock = self.stage, self.clock
         return StageStatus(
             stage.tick, stage.head, stage.first, clock.paused, clock.speed, len(self.fanout.outboxes)
-        )
-
-    def facts(self) -> StageFacts:
-        """Returns the facts of the stage and its actors."""
-        stage = self.stage
-        actors = tuple(actor_facts(actor) for actor in stage.actors)
-        return StageFacts(
-            self.id, self.clock_kind, stage.rate, stage.seed, stage.seconds, stage.hash, self.status(), actors
         )

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Protocol
 
+from statwalk.character.role import Role
 from statwalk.errors import CancelledError, LimitError
 from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.hosting import stage_messages as ask
@@ -20,13 +21,10 @@ from statwalk.services.hosting.commands import AddActor, ClockKind
 from statwalk.services.hosting.live_stage import LiveStage, StageServices
 from statwalk.services.hosting.past_stages import PastStages
 from statwalk.services.hosting.stage_lock import StageLock
-from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, ON_A_COPY
-from statwalk.services.hosting.stage_replies import Posted, StageFacts, StageStatus
+from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, LOOK_SECONDS, ON_A_COPY, finished
+from statwalk.services.hosting.stage_replies import Posted, StageStatus
 from statwalk.services.publish.outbox import EncodedFrame, Outbox
 from statwalk.stage.stage import Stage
-
-LOOK_SECONDS = 0.1
-"""between two looks at the token while a log makes commands durable"""
 
 
 class Home(StageServices, Protocol):
@@ -70,11 +68,13 @@ class StageHost:
         answer: Any
         if query := AT_PLAYHEAD.get(kind):
             with self._locked() as live:
-                answer = query(live.stage, message)
-        elif query := ON_A_COPY.get(kind):
+                rest = query(live, message)
+                next(rest)
+            answer = finished(rest, token.check)
+        elif on_a_copy := ON_A_COPY.get(kind):
             copy = self._copy()
             copy.before_tick = token.check
-            answer = query(copy, message)
+            answer = on_a_copy(copy, message)
         else:
             answer = _HANDLERS[kind](self, message, token)
         reply: ask.Reply = answer
@@ -108,9 +108,8 @@ class StageHost:
         self._lock.touched = time.monotonic()
 
     def look_after_viewers(self, now: float) -> None:
-        """Disconnects the viewers that leave frames unacknowledged, and sends the others the status.
-
-        `now`: seconds of the monotonic clock. Call it in the event loop.
+        """Disconnects viewers that leave frames unacknowledged, and sends the others the status; `now` on the
+        monotonic clock. Call it in the event loop.
         """
         self._live.fanout.cut_overdue(now)
         self._live.announce()
@@ -157,7 +156,7 @@ class StageHost:
 
     def _applied(self, message: ask.Post, token: CancelToken) -> tuple[Stage, Posted]:
         machines = {command.machine for command in message.commands if isinstance(command, AddActor)}
-        roles = {machine: self.home.catalogue.role(machine) for machine in machines}
+        roles = {machine: _packed(self.home.catalogue.role(machine)) for machine in machines}
         with self._locked() as live:
             stage = live.stage
             tick = stage.tick if message.at is None else min(message.at, stage.head)
@@ -188,7 +187,7 @@ class StageHost:
         return StageHost(secrets.token_hex(4), branch, self.clock_kind, self.home)
 
     def _edit(self, message: ask.Edit, _: CancelToken) -> bool:
-        role = self.home.catalogue.version(message.machine, message.text)
+        role = _packed(self.home.catalogue.version(message.machine, message.text))
         with self._locked() as live:
             return live.edit(role, message.text)
 
@@ -216,20 +215,24 @@ class StageHost:
     def _frame(self, message: ask.Frame, token: CancelToken) -> EncodedFrame:
         if message.tick is None:
             with self._locked() as live:
-                return live.encode(live.stage, message.kind)
-        with self._past.at(message.tick, token) as past:
-            return self._live.encode(past, message.kind)
+                encode = live.taken_frame(live.stage, message.kind)
+        else:
+            with self._past.at(message.tick, token) as past:
+                encode = self._live.taken_frame(past, message.kind)
+        return encode()
 
     def _status(self, _: ask.Status, __: CancelToken) -> StageStatus:
         return self._live.status()
 
-    def _describe(self, _: ask.Describe, __: CancelToken) -> StageFacts:
-        with self._locked() as live:
-            return live.facts()
-
     def _close(self, _: ask.Close, __: CancelToken) -> None:
         self._closed.set()
         self._live.fanout.end("deleted", "the stage was deleted")
+
+
+def _packed(role: Role) -> Role:
+    """Returns the role once the arrays that ticks read are made, without the lock of a stage."""
+    role.packed  # noqa: B018 - kept in the role
+    return role
 
 
 _HANDLERS: dict[type[ask.Message[Any]], Callable[[StageHost, Any, CancelToken], Any]] = {
@@ -243,6 +246,5 @@ _HANDLERS: dict[type[ask.Message[Any]], Callable[[StageHost, Any, CancelToken], 
     ask.SetSpeed: StageHost._set_speed,
     ask.Close: StageHost._close,
     ask.Status: StageHost._status,
-    ask.Describe: StageHost._describe,
     ask.Frame: StageHost._frame,
 }
