@@ -47,7 +47,7 @@ function viewerKeys(
   const mode = (key: string, name: "skin" | "wire" | "bones" | "tetra"): Shortcut => ({
     keys: [key],
     words: `show ${name}`,
-    act: () => toggleMode(session, stageView, name),
+    act: () => toggleMode(stageView, name),
   });
   return [
     { keys: ["p"], words: "pause, play", act: () => transport.toggle() },

@@ -12,7 +12,7 @@
  * overlays()   number of actors whose bones are drawn
  * lanes()      [first tick, last tick, state] of every known run of the watched actor's base layer
  * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
- * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres (pose stream)
+ * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres
  * pixels()     draws the characters alone: { covered: share of the picture 0…1,
  *              box: [left, top, right, bottom] 0…1, colour: mean [r, g, b] 0…255 of what is covered }
  * listen(s)    counts messages for s seconds: { perSecond, gapP99Ms, ticks: number of distinct ticks }
