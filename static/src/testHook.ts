@@ -9,6 +9,7 @@
  * layerStates() version() played()
  *              the state of each layer; the version of the table; the version that the stage plays,
  *              in the stage's own count
+ * viewers()    number of pages at this stage
  * overlays()   number of actors whose bones are drawn
  * lanes()      [first tick, last tick, state] of every known run of the watched actor's base layer
  * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
@@ -123,6 +124,7 @@ export function exposeForTests(session: Session, stageView: StageView, drawn: Me
     version: () => session.machine.value?.version ?? 0,
     played: () => session.cast?.version ?? 0,
     looking: () => session.looking.value,
+    viewers: () => session.status.value.viewers,
     link: () => session.link.value.state,
     frames: () => session.frames.value,
     posed: () => stageView.posed,

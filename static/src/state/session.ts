@@ -37,6 +37,8 @@ export class Session extends ActorSelection {
   readonly verdicts = new Event<Verdict>();
   readonly actions = new Event<Action>();
   readonly notices = new Event<string>();
+  /** Emitted with the stage that an event in the past has made, before this page watches it. */
+  readonly forked = new Event<string>();
   /** Emitted before this page leaves its stage: held events must be released. */
   readonly leaving = new Event<null>();
   readonly received = new Meter();
@@ -162,7 +164,7 @@ export class Session extends ActorSelection {
     if (same && restarted) this.machine.set(null);
     this.stage = hello.stage;
     Object.assign(this, { tick: hello.tick, head: hello.head, first: hello.first });
-    this.status.set({ paused: hello.paused, speed: hello.speed, viewers: this.status.value.viewers });
+    this.status.set({ paused: hello.paused, speed: hello.speed, viewers: hello.viewers });
     this.hello.set(hello);
     if (!this.place()) this.actor.set(hello.casts[0]?.actors[0]?.id ?? null);
     if (restarted) this.scrubber.forget();
@@ -173,11 +175,12 @@ export class Session extends ActorSelection {
   private async learn(hello: Hello, restarted: boolean): Promise<void> {
     await this.loadMachine();
     const { stage } = hello;
+    if (stage !== this.stage) return;
     await api.history(stage).then(
       (past) => this.recall(stage, past),
       () => undefined,
     );
-    if (!restarted) return;
+    if (!restarted || stage !== this.stage) return;
     await api.log(stage).then(
       (entries) => stage === this.stage && this.eventLog.remember(entries, hello.tick),
       () => undefined,
@@ -237,6 +240,7 @@ export class Session extends ActorSelection {
 
   private fork(stage: string): void {
     this.notices.emit(`You sent an event to the past: you now watch a fork, stage ${stage}.`);
+    this.forked.emit(stage);
     this.watch(stage);
   }
 
