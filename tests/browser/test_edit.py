@@ -62,9 +62,8 @@ def own(playing: Server) -> Iterator[Server]:
 
 
 @pytest.fixture
-def table(own: Server, opened: Callable[[str], Page], allowed: list[str]) -> Page:
+def table(own: Server, opened: Callable[[str], Page]) -> Page:
     """The page, with the version that it began with."""
-    allowed.append(REFUSED_ANSWER)
     page = opened(own.url)
     page.evaluate("Object.assign(window, {start: __viewer.version(), played: __viewer.played()})")
     return page
@@ -104,7 +103,8 @@ def test_enter_keeps_what_is_typed(own: Server, folder: Path, table: Page) -> No
     ]
 
 
-def test_what_is_refused_stays_in_the_cell(own: Server, table: Page) -> None:
+def test_what_is_refused_stays_in_the_cell(own: Server, table: Page, allowed: list[str]) -> None:
+    allowed.append(REFUSED_ANSWER)
     type_in_cell(table, "TLXT")
     table.keyboard.press("Enter")
     until(table, "document.querySelector('.cell-field').getAttribute('aria-invalid') === 'true'")
@@ -124,8 +124,9 @@ def test_a_refused_cell_closes_when_it_is_left(table: Page, away: str) -> None:
     table.locator("#notices p").filter(has_text="“TLXT” is not kept").first.wait_for()
 
 
-def test_a_refused_cell_can_be_left(own: Server, table: Page) -> None:
+def test_a_refused_cell_can_be_left(own: Server, table: Page, allowed: list[str]) -> None:
     """Another cell is edited at once, and a notice says what is not kept, and why."""
+    allowed.append(REFUSED_ANSWER)
     type_in_cell(table, "TLXT")
     table.keyboard.press("Enter")
     until(table, "document.querySelector('.cell-field').getAttribute('aria-invalid') === 'true'")
