@@ -10,8 +10,9 @@ import numpy as np
 
 from statwalk.maths.compiling import FLOAT, INT, LONG, inlined, kernel, read, write
 from statwalk.maths.simd.lane_functions import fused
-from statwalk.maths.simd.lanes import broadcast
-from statwalk.maths.simd.pose_lanes import ROTATION, SCALE, WIDTH, joint_at, load3, load4, store4
+from statwalk.maths.simd.lanes import LANES, broadcast
+from statwalk.maths.simd.pose_lanes import ROTATION, SCALE, joint_at, load3, load4, store4
+from statwalk.maths.simd.pose_layout import place_of
 
 ONE, TWO = np.float32(1), np.float32(2)
 MATRIX = 12
@@ -63,16 +64,30 @@ def model_block(joints: Any, parents: Any, pose: Any, out: Any, block: int) -> N
     count = joints.shape[0]
     for number in range(count):
         x, y, z = _local_rows(pose, block, joints[number])
-        at = (block * count + number) * MATRIX * WIDTH
+        at = (block * count + number) * MATRIX * LANES
         if parents[number] >= 0:
-            above = (block * count + parents[number]) * MATRIX * WIDTH
+            above = (block * count + parents[number]) * MATRIX * LANES
             store4(out, at, _row_after(load4(out, above), x, y, z))
-            store4(out, at + 4 * WIDTH, _row_after(load4(out, above + 4 * WIDTH), x, y, z))
-            store4(out, at + 8 * WIDTH, _row_after(load4(out, above + 8 * WIDTH), x, y, z))
+            store4(out, at + 4 * LANES, _row_after(load4(out, above + 4 * LANES), x, y, z))
+            store4(out, at + 8 * LANES, _row_after(load4(out, above + 8 * LANES), x, y, z))
         else:
             store4(out, at, x)
-            store4(out, at + 4 * WIDTH, y)
-            store4(out, at + 8 * WIDTH, z)
+            store4(out, at + 4 * LANES, y)
+            store4(out, at + 8 * LANES, z)
+
+
+@inlined
+def read_matrix(model: Any, row: int, place: int, matrix: Any) -> None:
+    """Reads the matrix (3, 4) of one of the joints of `model_block` of an actor; the identity if `place` is
+    below 0.
+    """
+    block, lane = place_of(row)
+    for axis in range(3):
+        for column in range(4):
+            if place < 0:
+                matrix[axis, column] = 1.0 if axis == column else 0.0
+            else:
+                matrix[axis, column] = model[block, place, 4 * axis + column, lane]
 
 
 @kernel(read(INT, 1), read(INT, 1), read(FLOAT, 3), write(FLOAT, 4), LONG)

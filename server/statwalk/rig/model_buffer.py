@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats, Ints
-from statwalk.maths.pose_buffer import LANES, PoseBuffer, blocks
+from statwalk.maths.pose_buffer import PoseBuffer
 from statwalk.maths.simd.aligned import zeros
+from statwalk.maths.simd.lanes import LANES
+from statwalk.maths.simd.pose_layout import blocks
 from statwalk.rig.hierarchy_lanes import MATRIX, model_space
 from statwalk.rig.skeleton import Skeleton
 

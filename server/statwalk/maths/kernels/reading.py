@@ -12,15 +12,15 @@ from numba import types
 from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
 from statwalk.maths.simd.lane_columns import load_quads, load_xyz
 from statwalk.maths.simd.lane_functions import all_between, any_above, most
-from statwalk.maths.simd.lanes import WIDTH, broadcast, load, store
+from statwalk.maths.simd.lanes import LANES, broadcast, load, store
 
 
 @kernel(read(FLOAT, 1), FLOAT, FLOAT, returns=types.boolean)
 def within(numbers: Any, low: Any, high: Any) -> Any:
     """Returns whether low < x < high for all numbers (n,); false for NaN."""
-    first, last, whole = broadcast(low), broadcast(high), numbers.shape[0] // WIDTH * WIDTH
+    first, last, whole = broadcast(low), broadcast(high), numbers.shape[0] // LANES * LANES
     out = 0
-    for at in range(0, whole, WIDTH):
+    for at in range(0, whole, LANES):
         out += not all_between(load(numbers, at), first, last)
     for at in range(whole, numbers.shape[0]):
         out += not low < numbers[at] < high
@@ -34,10 +34,10 @@ def unit_length(vectors: Any, tolerance: Any) -> Any:
         broadcast(FLOAT(1)),
         broadcast(-tolerance),
         broadcast(tolerance),
-        vectors.shape[0] // WIDTH * WIDTH,
+        vectors.shape[0] // LANES * LANES,
     )
     off = 0
-    for row in range(0, whole, WIDTH):
+    for row in range(0, whole, LANES):
         x, y, z = load_xyz(vectors, 3 * row)
         off += not all_between(x * x + y * y + z * z - one, low, high)
     for row in range(whole, vectors.shape[0]):
@@ -55,12 +55,12 @@ def normalised(weights: Any, tolerance: Any) -> Any:
         broadcast(FLOAT(1)),
         broadcast(-tolerance),
         broadcast(tolerance),
-        weights.shape[0] // WIDTH * WIDTH,
+        weights.shape[0] // LANES * LANES,
     )
     off = used = 0
     zero = broadcast(FLOAT(0))
     risen = second = third = fourth = zero
-    for row in range(0, whole, WIDTH):
+    for row in range(0, whole, LANES):
         a, b, c, d = load_quads(weights, 4 * row)
         off += not all_between(a + b + c + d - one, low, high)
         risen = most(most(most(b - a, c - b), most(d - c, -d)), risen)
@@ -81,8 +81,8 @@ def gathered(numbers: Any, starts: Any, counts: Any, out: Any) -> None:
     at = 0
     for row in range(starts.shape[0]):
         first, count = starts[row], counts[row]
-        whole = count // WIDTH * WIDTH
-        for k in range(0, whole, WIDTH):
+        whole = count // LANES * LANES
+        for k in range(0, whole, LANES):
             store(out, at + k, load(numbers, first + k))
         for k in range(whole, count):
             out[at + k] = numbers[first + k]
