@@ -12,11 +12,11 @@ from statwalk.maths import compiling, reference
 SOURCE = "def double(numbers):\n    for row in range(numbers.shape[0]):\n        numbers[row] *= 2\n"
 PLAIN = """
 import numpy as np
-from statwalk.maths.kernels import hierarchy
+from statwalk.rig import _kernels, hierarchy
 out = np.zeros((1, 1, 3, 4), np.float32)
-shapes = (1, 1, 3), (1, 1, 4), (1, 1, 3), (1, 1, 3, 4)
-hierarchy.placed(np.array([-1], np.int32), *(np.ones(shape, np.float32) for shape in shapes), out)
-print(type(hierarchy.placed).__name__, type(hierarchy.local).__name__, out.tolist())
+shapes = (1, 1, 3), (1, 1, 4), (1, 1, 3)
+_kernels.world(np.array([-1], np.int32), *(np.ones(shape, np.float32) for shape in shapes), out)
+print(type(_kernels.world).__name__, type(hierarchy.local_rows).__name__, out.tolist())
 """
 
 COUNTED = """

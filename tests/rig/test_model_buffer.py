@@ -1,13 +1,13 @@
-"""Joint matrices in lanes against the NumPy hierarchy in float64; lists of joints; any lane gives the same
+"""Joint matrices in lanes against the slow hierarchy in float64; lists of joints; any lane gives the same
 bits.
 """
 
 import numpy as np
 import pytest
+import slow_hierarchy
 from statwalk.maths import quat
 from statwalk.maths.pose import Pose, rest
 from statwalk.maths.pose_buffer import PoseBuffer
-from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.model_buffer import JointList, ModelBuffer
 from statwalk.rig.skeleton import Skeleton
 
@@ -21,7 +21,7 @@ POSES = Pose(
     CHANCE.uniform(0.5, 2, (ACTORS, JOINTS, 3)).astype(np.float32),
     np.zeros((ACTORS, 0), np.float32),
 )
-EXPECTED = world_from_local(SKELETON, Pose(*(array.astype(np.float64) for array in POSES)))
+EXPECTED = slow_hierarchy.worlds(PARENTS, POSES)
 
 
 def filled(rows, wanted=None):

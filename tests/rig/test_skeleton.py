@@ -30,16 +30,7 @@ def test_a_chain_of_5000_is_sorted_without_recursion():
     names = [str(i) for i in range(5000)]
     skeleton, _ = Skeleton.sorted(names, [*names[1:], None])
     assert skeleton.names[0] == "4999"
-    assert len(skeleton.levels) == 5000
-
-
-def test_levels_hold_every_joint_once_with_its_parent():
-    skeleton, _ = Skeleton.sorted(["a", "b", "c", "d"], [None, "a", "a", "c"])
-    assert [(joints.tolist(), parents.tolist()) for joints, parents in skeleton.levels] == [
-        ([0], [-1]),
-        ([1, 2], [0, 0]),
-        ([3], [2]),
-    ]
+    assert skeleton.parent.tolist() == list(range(-1, 4999))
 
 
 @pytest.mark.parametrize(

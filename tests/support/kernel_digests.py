@@ -14,8 +14,9 @@ import wild_machines
 from playing import role_of
 from statwalk.errors import StageError
 from statwalk.maths import compiling
-from statwalk.maths.kernels import hierarchy, morphing, reading
+from statwalk.maths.kernels import morphing, reading
 from statwalk.motion.tables.build import tables_of
+from statwalk.rig import _kernels as hierarchy
 from statwalk.skin.deform import surface
 from statwalk.skin.primitive import Primitive, Skin
 from statwalk.stage.stage import Stage
@@ -77,14 +78,9 @@ def soft(vertices, influences):
 @case
 def placed():
     out = np.zeros((3, 5, 3, 4), np.float32)
-    hierarchy.placed(
-        np.array([-1, 0, 1, 1, 3], np.int32),
-        numbers(3, 5, 3),
-        rotations(3, 5),
-        numbers(3, 5, 3),
-        numbers(3, 1, 3, 4),
-        out,
-    )
+    local = numbers(3, 5, 3), rotations(3, 5), numbers(3, 5, 3)
+    hierarchy.world(np.array([-1, 0, 1, 1, 3], np.int32), *local, out)
+    hierarchy.place(numbers(3, 3, 4), out)
     return (out,)
 
 

@@ -21,7 +21,7 @@ from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.maths import scalar, vector
 from statwalk.maths.arrays import Bools, Floats
 from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
-from statwalk.rig.hierarchy_lanes import read_matrix
+from statwalk.rig.hierarchy import read_matrix
 from statwalk.rig.model_buffer import JointList, ModelBuffer
 
 _DOUBLE = types.float64

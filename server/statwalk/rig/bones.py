@@ -13,7 +13,7 @@ import numpy as np
 from statwalk.maths import quat, transform
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
-from statwalk.rig.evaluate import compose
+from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.skeleton import Skeleton
 
 
@@ -74,7 +74,7 @@ class Bones:
         """
         pose = self.pose(rotation, translation, length)
         relative = transform.from_trs(pose.translation, pose.rotation, pose.scale)
-        absolute = compose(self.skeleton, relative)
+        absolute = world_from_local(self.skeleton, pose)
         return BoneFrames(
             relative, absolute, absolute[..., 3], transform.apply(absolute, self.attachment(length))
         )

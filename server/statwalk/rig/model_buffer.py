@@ -15,7 +15,8 @@ from statwalk.maths.pose_buffer import PoseBuffer
 from statwalk.maths.simd.aligned import zeros
 from statwalk.maths.simd.lanes import LANES
 from statwalk.maths.simd.pose_layout import blocks
-from statwalk.rig.hierarchy_lanes import MATRIX, model_space
+from statwalk.rig._kernels import model_space
+from statwalk.rig.hierarchy import MATRIX
 from statwalk.rig.skeleton import Skeleton
 
 

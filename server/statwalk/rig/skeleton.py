@@ -69,16 +69,6 @@ class Skeleton:
             raise UnknownNameError("joint", name, self.names)
         return self._index[name]
 
-    @cached_property
-    def levels(self) -> tuple[tuple[Ints, Ints], ...]:
-        """Returns the levels, roots first: (joints of that depth, their parents)."""
-        depth = np.zeros(len(self), np.int64)
-        for joint, parent in enumerate(self.parent.tolist()):
-            depth[joint] = depth[parent] + 1 if parent >= 0 else 0
-        order = np.argsort(depth, kind="stable")
-        groups = np.split(order, np.flatnonzero(np.diff(depth[order])) + 1)
-        return tuple((joints, self.parent[joints].astype(np.int64)) for joints in groups if len(joints))
-
 
 def _rows_by_name(names: Sequence[str], where: Sequence[str]) -> dict[str, int]:
     rows: dict[str, int] = {}

@@ -25,7 +25,7 @@ from statwalk.maths.packed import ADDRESSES, opened
 from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.layer_lanes import MASKS
 from statwalk.motion.tables.motion_tables import MOTIONS
-from statwalk.rig.hierarchy_lanes import model_block
+from statwalk.rig.hierarchy import model_block
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
 from statwalk.stage.steps._kernels import (
