@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import locked_arrays
 import numpy as np
 import pytest
 import slow_hierarchy
@@ -83,3 +84,7 @@ def test_one_of_many_has_the_bits_of_one_alone():
         alone = placed_of(colliders, pose.take([row]), position[[row]], heading[[row]])
         for one, other in zip(alone, many, strict=True):
             np.testing.assert_array_equal(one[0], other[row])
+
+
+def test_their_arrays_cannot_be_written():
+    locked_arrays.check(colliders_of(tip=TIP, wire=WIRE, shield=SHIELD))

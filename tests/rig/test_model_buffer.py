@@ -2,6 +2,7 @@
 bits.
 """
 
+import locked_arrays
 import numpy as np
 import pytest
 import slow_hierarchy
@@ -56,3 +57,7 @@ def test_what_rides_on_no_joint_has_no_place():
 @pytest.mark.parametrize("rows", [[18], [3, 18, 7], list(range(20, -1, -1))])
 def test_a_lane_does_not_matter(rows):
     assert filled(np.array(rows)).matrices().tobytes() == filled(EVERYONE).matrices()[rows].tobytes()
+
+
+def test_the_arrays_of_a_list_cannot_be_written():
+    locked_arrays.check(JointList.of(SKELETON, [3]))

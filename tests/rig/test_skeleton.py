@@ -1,5 +1,6 @@
 """Rows in any order become a skeleton, parents first; what cannot be sorted is refused by name and place."""
 
+import locked_arrays
 import numpy as np
 import pytest
 from hypothesis import given
@@ -56,3 +57,9 @@ def test_index_of_an_unknown_name_lists_those_that_exist():
 
 def test_index_of_a_name_that_a_model_uses_twice_is_the_first():
     assert Skeleton(("Root", "Bone", "Bone"), np.array([-1, 0, 1], np.int32)).index("Bone") == 1
+
+
+def test_its_arrays_cannot_be_written():
+    parent = np.array([-1, 0], np.int32)
+    locked_arrays.check(Skeleton(("a", "b"), parent))
+    parent[1] = -1  # the skeleton has its own

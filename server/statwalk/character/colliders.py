@@ -20,6 +20,7 @@ from statwalk.machine.compile.compile_machine import Machine
 from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.maths import scalar, vector
 from statwalk.maths.arrays import Bools, Floats
+from statwalk.maths.columns import lock_fields
 from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
 from statwalk.rig.hierarchy import read_matrix
 from statwalk.rig.model_buffer import JointList, ModelBuffer
@@ -63,6 +64,9 @@ class Colliders:
     """(C, 3)"""
     is_plane: Bools
     """(C,)"""
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     @classmethod
     def of(cls, machine: Machine, character: Character, definition: MachineDefinition) -> Colliders:

@@ -12,6 +12,7 @@ import numpy as np
 
 from statwalk.maths import quat, transform
 from statwalk.maths.arrays import Floats
+from statwalk.maths.columns import lock_fields
 from statwalk.maths.pose import Pose
 from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.skeleton import Skeleton
@@ -41,6 +42,9 @@ class Bones:
     skeleton: Skeleton
     length: Floats
     direction: Floats
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     def attachment(self, length: Floats | None = None) -> Floats:
         """Returns the point to which children are attached, in the bone's own space: direction · length (…,

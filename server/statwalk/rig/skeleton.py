@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from statwalk.errors import TextError, UnknownNameError
 from statwalk.maths.arrays import Ints
+from statwalk.maths.columns import lock_fields
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,6 +26,9 @@ class Skeleton:
     names: tuple[str, ...]
     parent: NDArray[np.int32]
     """(J,) index of the parent; -1 for a root"""
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     @classmethod
     def sorted(
