@@ -22,13 +22,13 @@ from statwalk.machine.runtime.surroundings import Inputs
 from statwalk.maths.arrays import Ints
 from statwalk.maths.compiling import FLOAT, LONG, kernel, write
 from statwalk.maths.packed import ADDRESSES, opened
+from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.layer_lanes import MASKS
 from statwalk.motion.tables.motion_tables import MOTIONS
-from statwalk.rig.hierarchy_lanes import model_block
+from statwalk.rig.hierarchy import model_block
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
 from statwalk.stage.steps._kernels import (
-    LANES,
     hash_actor,
     keep_block,
     move_root,
@@ -126,7 +126,7 @@ def _pose_blocks(
             forget_cuts(p, m, t, s, o, masks, done, mem, shown, block, dt)
         if begins_here(mem, block):
             begin_transitions(p, m, t, s, o, masks, done, mem, previous, shown, block, root_delta, dt)
-        for row in range(LANES * block, min(LANES * (block + 1), s.state.shape[0])):
+        for row in range(first_row(block), end_row(block, s.state.shape[0])):
             advance_clocks(o, row, dt)
             root_delta[row, 0], root_delta[row, 1], root_delta[row, 2] = root_motion(p, m, s, mem, done, row)
             blend_root_delta(o, row, root_delta)

@@ -9,19 +9,19 @@ from __future__ import annotations
 from typing import Any
 
 from statwalk.machine.runtime.effects import CHANGE_CURVE, CHANGE_FROM, OF_CHANGES
-from statwalk.machine.runtime.state import BEGINNING
+from statwalk.machine.runtime.state import BEGINNING, MOST_WAITING
 from statwalk.machine.runtime.timing import seams_carried
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.scalar import modulo
 from statwalk.maths.simd.hashing import hash_row, hash_span
 from statwalk.maths.simd.lanes import load, store
+from statwalk.maths.simd.pose_layout import end_row, first_row, index_at
 from statwalk.motion.layer_lanes import additive_block, override_block
 from statwalk.motion.sampling.blend import rate
 from statwalk.motion.sampling.root_motion import compose, way
 from statwalk.motion.sampling.sample import sample_block
 
-LANES = 16
 NONE = -1.0
 """seconds of a transition: none begins"""
 QUINTIC = 1
@@ -75,8 +75,8 @@ def sample_layers(
     """Puts the local poses of a block's motions of `states` (N, L) at `times` (N, L), upper layers over lower
     layers, into block 0 of `out`.
     """
-    first = LANES * block
-    count = min(LANES, s.state.shape[0] - first)
+    first = first_row(block)
+    count = end_row(block, s.state.shape[0]) - first
     sample_block(m, states, times, 0, False, s.smoothed, first, count, mem.weights, mem.rows, out, 0)
     for layer in range(1, states.shape[1]):
         lies_over = False
@@ -112,7 +112,7 @@ def sample_layers(
 @called
 def look_ahead(p: Any, m: Any, s: Any, mem: Any, block: int, dt: float) -> None:
     """Writes the time of each motion of a block in `dt` seconds, if no event happens."""
-    for row in range(LANES * block, min(LANES * (block + 1), s.state.shape[0])):
+    for row in range(first_row(block), end_row(block, s.state.shape[0])):
         for layer in range(s.state.shape[1]):
             state, time = s.state[row, layer], s.time[row, layer]
             mem.ahead[row, layer] = time_in(
@@ -159,7 +159,7 @@ def hash_actor(word: Any, s: Any, o: Any, position: Any, heading: Any, root_delt
     word = hash_row(hash_row(word, s.state, row), s.age, row)
     word = hash_row(hash_row(hash_row(word, s.time, row), s.passed, row), s.ended, row)
     for layer in range(layers):
-        first, count = (row * layers + layer) * LANES, s.waiting[row, layer]
+        first, count = (row * layers + layer) * MOST_WAITING, s.waiting[row, layer]
         word = hash_span(hash_span(word, s.waiting_event, first, count), s.waiting_for, first, count)
         word = hash_span(hash_span(word, s.waiting_until, first, count), s.waiting_held, first, count)
         word = hash_span(word, s.waiting_other, first, count)
@@ -177,6 +177,5 @@ def hash_actor(word: Any, s: Any, o: Any, position: Any, heading: Any, root_delt
 @inlined
 def keep_block(coming: Any, out: Any, block: int) -> None:
     """Copies the poses of block 0 of `coming` into a block of a buffer."""
-    base = block * out.shape[1] * LANES
-    for number in range(0, out.shape[1] * LANES, LANES):
-        store(out, base + number, load(coming, number))
+    for channel in range(out.shape[1]):
+        store(out, index_at(out, block, channel), load(coming, index_at(coming, 0, channel)))

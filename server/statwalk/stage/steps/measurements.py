@@ -16,9 +16,10 @@ from statwalk.machine.runtime.state import STATE
 from statwalk.machine.runtime.surroundings import SURROUNDINGS, Measurements
 from statwalk.maths.compiling import FLOAT, inlined, kernel, read
 from statwalk.maths.packed import ADDRESSES, PackedColumns, opened
+from statwalk.maths.simd.pose_layout import joint_channel, place_of
 from statwalk.motion.tables.motion_tables import MOTIONS
 from statwalk.stage.state.cast import Cast
-from statwalk.stage.steps._kernels import LANES, pace_of
+from statwalk.stage.steps._kernels import pace_of
 from statwalk.stage.steps.memory import MEMORY, Memory
 
 _program, _motions, _poses, _state = opened(PROGRAM), opened(MOTIONS), opened(POSES), opened(STATE)
@@ -56,10 +57,11 @@ def _root_height(t: Any, shown: Any, row: int) -> Any:
     joint = t.root[0]
     if joint < 0:
         return 0.0
-    block, lane, frame = row // LANES, row % LANES, t.root_frame
+    block, lane = place_of(row)
+    channel, frame = joint_channel(joint), t.root_frame
     height = frame[1, 3]
     for axis in range(3):
-        height += frame[1, axis] * np.float64(shown[block, 10 * joint + axis, lane])
+        height += frame[1, axis] * np.float64(shown[block, channel + axis, lane])
     return height
 
 

@@ -18,9 +18,11 @@ from statwalk.machine.runtime.state import STATE, MachineState
 from statwalk.machine.runtime.surroundings import SURROUNDINGS, Measurements
 from statwalk.maths.columns import columns
 from statwalk.maths.packed import PackedColumns, packed
-from statwalk.maths.pose_buffer import LANES, channels
+from statwalk.maths.pose_buffer import channels
 from statwalk.maths.random import actor_keys
 from statwalk.maths.simd.aligned import zeros
+from statwalk.maths.simd.lanes import LANES
+from statwalk.maths.simd.pose_layout import zero_blocks
 from statwalk.rig.model_buffer import ModelBuffer
 from statwalk.stage.state.pose_offsets import OFFSETS, PoseOffsets
 from statwalk.stage.steps.offset_lanes import scratch_size
@@ -114,7 +116,7 @@ class Memory:
 
 def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> PoseMemory:
     room, motions = channels(role.character.bind_pose), role.tables
-    poses = {name: zeros(room * LANES).reshape(1, room, LANES) for name in BLOCKS}
+    poses = {name: zero_blocks(1, room) for name in BLOCKS}
     return PoseMemory(
         **poses,
         rows=zeros(motions.memory),

@@ -29,8 +29,8 @@ from numba import types
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_functions import any_above, either, most
-from statwalk.maths.simd.lanes import broadcast, load, store
-from statwalk.maths.simd.pose_lanes import WIDTH
+from statwalk.maths.simd.lanes import LANES, broadcast, load, store
+from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.stage.steps._kernels import look_ahead, sample_layers
 from statwalk.stage.steps.offset_begin import (
     begin_block,
@@ -40,7 +40,6 @@ from statwalk.stage.steps.offset_begin import (
     read_block,
     start_clocks,
 )
-from statwalk.stage.steps.offset_clocks import LANES
 from statwalk.stage.steps.offset_cuts import BEFORE, COMING, FOLLOWING, SHOWN, cut_lanes, put_at
 from statwalk.stage.steps.offset_lanes import (
     BEGINS,
@@ -62,7 +61,7 @@ ALL = -1
 @inlined
 def _change_together(transitions: Any, block: int) -> bool:
     """Whether a blend begins in an actor of a block while another of its layers also changes."""
-    for row in range(LANES * block, min(LANES * (block + 1), transitions.seconds.shape[0])):
+    for row in range(first_row(block), end_row(block, transitions.seconds.shape[0])):
         begins = changes = 0
         for layer in range(transitions.seconds.shape[1]):
             begins += 1 if transitions.seconds[row, layer] > 0.0 else 0
@@ -83,7 +82,7 @@ def _sample_mixed(
     Layers above a single exchanged layer that begin a blend stay at the tick before; all other layers are at
     this tick.
     """
-    for row in range(LANES * block, min(LANES * (block + 1), s.state.shape[0])):
+    for row in range(first_row(block), end_row(block, s.state.shape[0])):
         for layer in range(s.state.shape[1]):
             at = COMING
             if mem.seconds[row, layer] > 0.0 and layer >= exchanged:
@@ -97,8 +96,8 @@ def _keep(lanes: Any, poses: Any, others: Any, at: int) -> None:
     """Keeps the poses of a one-block buffer in some lanes; the other lanes are copied from block `at` of
     `others`.
     """
-    base = at * others.shape[1] * WIDTH
-    for place in range(0, poses.shape[1] * WIDTH, WIDTH):
+    base = at * others.shape[1] * LANES
+    for place in range(0, poses.shape[1] * LANES, LANES):
         store(poses, place, either(lanes, load(poses, place), load(others, base + place)))
 
 
@@ -138,7 +137,7 @@ def _find_partial(layers: int, layer: int, scratch: Any) -> Any:
 def _put_factors(lanes: Any, at: int, start: Any, rate: Any, scratch: Any) -> None:
     """Writes factors of start and velocity into the scratch, in some lanes."""
     store(scratch, at, either(lanes, broadcast(start), load(scratch, at)))
-    store(scratch, at + WIDTH, either(lanes, broadcast(rate), load(scratch, at + WIDTH)))
+    store(scratch, at + LANES, either(lanes, broadcast(rate), load(scratch, at + LANES)))
 
 
 @inlined

@@ -8,10 +8,10 @@ from __future__ import annotations
 from typing import Any
 
 from statwalk.maths.compiling import inlined
+from statwalk.maths.simd.pose_layout import end_row, first_row
 
 ROUNDING_S = 1e-6
 """a transition with less than this left is over: 12 times 1/60 s is 0.2 s"""
-LANES = 16
 
 
 @inlined
@@ -76,7 +76,7 @@ def release_slots(offsets: Any, block: int) -> None:
     """Releases the slots in which no actor of the block has a transition under way."""
     for layer in range(offsets.slot.shape[1]):
         under_way = False
-        for row in range(LANES * block, min(LANES * (block + 1), offsets.elapsed.shape[0])):
+        for row in range(first_row(block), end_row(block, offsets.elapsed.shape[0])):
             under_way |= offsets.elapsed[row, layer] < offsets.duration[row, layer]
         if offsets.slot[block, layer] >= 0 and not under_way:
             offsets.free[offsets.free_count[0]] = offsets.slot[block, layer]

@@ -29,8 +29,8 @@ from statwalk.maths.simd.pose_lanes import (
     store4,
     weight_at,
 )
+from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.stage.steps._kernels import look_ahead, motion_seconds, sample_layers, time_in
-from statwalk.stage.steps.offset_clocks import LANES
 from statwalk.stage.steps.offset_lanes import add_block
 
 ZERO, ONE = np.float32(0), np.float32(1)
@@ -41,7 +41,7 @@ BEFORE, SHOWN, COMING, FOLLOWING = -2, -1, 0, 1
 @inlined
 def cuts_here(transitions: Any, block: int) -> bool:
     """Returns whether a layer of an actor of the block cuts."""
-    for row in range(LANES * block, min(LANES * (block + 1), transitions.seconds.shape[0])):
+    for row in range(first_row(block), end_row(block, transitions.seconds.shape[0])):
         for layer in range(transitions.seconds.shape[1]):
             if transitions.seconds[row, layer] == 0.0:
                 return True
@@ -51,8 +51,8 @@ def cuts_here(transitions: Any, block: int) -> bool:
 @inlined
 def cut_lanes(transitions: Any, block: int) -> Any:
     """Returns the lanes of a block in which a layer cuts."""
-    cuts, first = broadcast(ZERO), LANES * block
-    for row in range(first, min(first + LANES, transitions.seconds.shape[0])):
+    cuts, first = broadcast(ZERO), first_row(block)
+    for row in range(first, end_row(block, transitions.seconds.shape[0])):
         for layer in range(transitions.seconds.shape[1]):
             if transitions.seconds[row, layer] == 0.0:
                 cuts = with_lane(cuts, row - first, ONE)
@@ -80,7 +80,7 @@ def _sample_cut(
     """Puts the poses of a block into `out`: layers that cut at a moment of their new motion, all others, and
     what was left of offsets, at the tick before.
     """
-    for row in range(LANES * block, min(LANES * (block + 1), s.state.shape[0])):
+    for row in range(first_row(block), end_row(block, s.state.shape[0])):
         for layer in range(s.state.shape[1]):
             put_at(p, m, s, done, mem, row, layer, moment if mem.seconds[row, layer] == 0.0 else SHOWN, dt)
     sample_layers(m, t, s, masks, mem, mem.mixed_state, mem.mixed_time, out, block)
