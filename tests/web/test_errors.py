@@ -2,20 +2,13 @@
 fit.
 """
 
-from dataclasses import dataclass
+from dataclasses import asdict
 
 import httpx
 import pytest
 from statwalk import errors
+from statwalk.machine.lint.findings import Finding
 from statwalk.web.errors import from_error
-
-
-@dataclass(frozen=True)
-class Found:
-    """What a verifier may find."""
-
-    line: int
-
 
 STATUS = [
     (errors.UnknownNameError("machine", "wolker", ["walker"]), 422),
@@ -63,8 +56,10 @@ def test_only_a_name_in_the_path_is_not_found(path: dict[str, str], status: int)
 
 
 def test_a_refused_edit_brings_what_was_found() -> None:
-    body = from_error(errors.RefusedEditError("refused", field="line 3", findings=[Found(3)])).body()
-    assert (body["findings"], body["errors"]) == ([{"line": 3}], [{"field": "line 3", "message": "refused"}])
+    found = Finding("undefined state", "error", "MOON is no state", 3)
+    body = from_error(errors.RefusedEditError("refused", field="line 3", findings=[found])).body()
+    assert body["findings"] == [asdict(found)]
+    assert body["errors"] == [{"field": "line 3", "message": "refused"}]
 
 
 def test_a_long_name_is_not_said_again_whole() -> None:

@@ -5,7 +5,6 @@ known names.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict
 from http import HTTPStatus
 from types import MappingProxyType
 from typing import Any
@@ -27,6 +26,7 @@ from statwalk.errors import (
     UnknownNameError,
     VersionConflictError,
 )
+from statwalk.web.schemas.finding import finding_views
 
 MOST_ERRORS = 20
 """how many errors an answer lists"""
@@ -102,7 +102,7 @@ def from_error(error: StatwalkError, path: Mapping[str, Any] = MappingProxyType(
             in_path = kind in NAMED_BY_PATH and str(path.get(NAMED_BY_PATH[kind])) == name
             return Problem(404 if in_path else 422, str(error), field=kind, known=known)
         case RefusedEditError(field=field, findings=findings):
-            more = {"findings": [asdict(finding) for finding in findings]} if findings else {}
+            more = {"findings": [view.model_dump() for view in finding_views(findings)]} if findings else {}
             return Problem(422, str(error), field=field, more=more)
         case VersionConflictError():
             return Problem(412, str(error), field="If-Match")  # the header that names the version

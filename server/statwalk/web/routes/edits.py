@@ -18,8 +18,8 @@ from statwalk.services.hosting.machine_versions import CurrentMachine, Edited, M
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, registry_of
 from statwalk.web.errors import Problem, from_error
-from statwalk.web.routes.machines import machine_members
-from statwalk.web.schemas.finding import FindingView
+from statwalk.web.routes.machines import encoded, machine_members
+from statwalk.web.schemas.finding import FindingView, finding_views
 from statwalk.web.schemas.machine import EditedMachine, NewCell, NewText, RefusedTrial, VersionView
 from statwalk.web.schemas.problem import FieldError
 
@@ -59,13 +59,11 @@ Versions = Annotated[MachineVersions, Depends(_versions_of)]
 SeenVersion = Annotated[int, Depends(_version_of)]
 
 
-def _view_edited(versions: MachineVersions, name: str, edited: Edited, response: Response) -> EditedMachine:
-    """Returns the machine after the edit with the verifier's findings, and sets the ETag."""
-    response.headers["ETag"] = f'"{edited.version.number}"'
+def _answer(versions: MachineVersions, name: str, edited: Edited) -> Response:
+    """Returns the machine after the edit with the verifier's findings, and its version as the ETag."""
     members = machine_members(versions.catalogue.entry(name), edited.role, edited.version)
-    return EditedMachine(
-        **members, findings=[FindingView.model_validate(finding) for finding in edited.findings]
-    )
+    view = EditedMachine(**members, findings=finding_views(edited.findings))
+    return encoded(view, {"ETag": f'"{edited.version.number}"'})
 
 
 def _edit(
@@ -75,7 +73,7 @@ def _edit(
     return act(current, text, what, checkpoint=token.check)
 
 
-def _answered(edit: Callable[[], EditedMachine], dry: bool) -> EditedMachine | RefusedTrial:
+def _answered(edit: Callable[[], Response], dry: bool) -> Response:
     """Returns the answer to an edit; a refusal of a dry run is an answer, not an error."""
     try:
         return edit()
@@ -83,46 +81,45 @@ def _answered(edit: Callable[[], EditedMachine], dry: bool) -> EditedMachine | R
         if not dry:
             raise
         problem = from_error(error).body()
-        return RefusedTrial(
+        trial = RefusedTrial(
             detail=problem["detail"],
             errors=[FieldError(**entry) for entry in problem["errors"]],
             findings=[FindingView(**finding) for finding in problem.get("findings", ())],
         )
+        return encoded(trial)
 
 
-@router.put("/machines/{name}")
+@router.put("/machines/{name}", response_model=EditedMachine | RefusedTrial)
 def put_machine(
     name: str,
     new: NewText,
     versions: Versions,
     seen: SeenVersion,
     token: LongWorkToken,
-    response: Response,
     dry: bool = False,
-) -> EditedMachine | RefusedTrial:
+) -> Response:
     """Replaces the machine's text: verifies it, then plays it on all stages at once.
 
     `dry`: only verifies, and changes nothing.
     """
     current = versions.based_on(name, seen)
 
-    def edit() -> EditedMachine:
+    def edit() -> Response:
         edited = _edit(versions, current, new.text, "another text", dry, token)
-        return _view_edited(versions, name, edited, response)
+        return _answer(versions, name, edited)
 
     return _answered(edit, dry)
 
 
-@router.patch("/machines/{name}/cells")
+@router.patch("/machines/{name}/cells", response_model=EditedMachine | RefusedTrial)
 def patch_cell(
     name: str,
     new: NewCell,
     versions: Versions,
     seen: SeenVersion,
     token: LongWorkToken,
-    response: Response,
     dry: bool = False,
-) -> EditedMachine | RefusedTrial:
+) -> Response:
     """Changes one cell of a table, and leaves the rest of the file as it is; like PUT otherwise.
 
     `dry`: only verifies, and changes nothing.
@@ -130,21 +127,19 @@ def patch_cell(
     place, new_text = CellPlace(new.layer, new.state, new.event), new.text.strip() or "blank"
     current = versions.based_on(name, seen)
 
-    def edit() -> EditedMachine:
+    def edit() -> Response:
         text = with_cell(current.version.text, place=place, new=new.text, file=FILE_NAME)
         edited = _edit(versions, current, text, f"{new.state}/{new.event}: {new_text}", dry, token)
-        return _view_edited(versions, name, edited, response)
+        return _answer(versions, name, edited)
 
     return _answered(edit, dry)
 
 
-@router.post("/machines/{name}/undo")
-def undo(
-    name: str, versions: Versions, seen: SeenVersion, token: LongWorkToken, response: Response
-) -> EditedMachine:
+@router.post("/machines/{name}/undo", response_model=EditedMachine)
+def undo(name: str, versions: Versions, seen: SeenVersion, token: LongWorkToken) -> Response:
     """Makes a new version with the text of the version before the newest."""
     edited = versions.undo(versions.based_on(name, seen), token.check)
-    return _view_edited(versions, name, edited, response)
+    return _answer(versions, name, edited)
 
 
 @router.get("/machines/{name}/versions")

@@ -4,10 +4,12 @@ findings.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Annotated, Any
 
-from fastapi import APIRouter, Depends
+from fastapi import APIRouter, Depends, Response
+from pydantic import TypeAdapter
 
 from statwalk.character.role import Role
 from statwalk.machine.compile.machine import Machine
@@ -24,9 +26,11 @@ from statwalk.services.hosting.registry import Registry
 from statwalk.services.library.catalogue import Catalogue, Entry
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, catalogue_of, registry_of
-from statwalk.web.schemas.finding import FindingsView, FindingView
+from statwalk.web.schemas.base import ResponseModel
+from statwalk.web.schemas.finding import FindingsView, finding_views
 from statwalk.web.schemas.machine import MachineSummary, MachineView
 from statwalk.web.schemas.table import (
+    CellView,
     ColliderView,
     KeyView,
     LayerView,
@@ -38,6 +42,8 @@ from statwalk.web.schemas.table import (
     TouchView,
 )
 
+CELLS: TypeAdapter[dict[str, CellView]] = TypeAdapter(dict[str, CellView])
+"""validates a row of a table: no other thread runs during a validation"""
 router = APIRouter(prefix="/api/machines", tags=["machines"], route_class=BoundedRoute)
 CatalogueDep = Annotated[Catalogue, Depends(catalogue_of)]
 
@@ -95,7 +101,7 @@ def _layer_view(role: Role, number: int, table: ResolvedTable) -> LayerView:
             else machine.parameters[layer.weight_parameter].name,
             "initial": machine.states[machine.initials[number]],
             "states": _state_views(role, number),
-            "table": full_table(table),
+            "table": {state: CELLS.validate_python(cells) for state, cells in full_table(table).items()},
             "rows": [list(row) for row in table.definition.rows],
             "edges": edges(table),
         }
@@ -147,10 +153,17 @@ def list_machines(catalogue: CatalogueDep) -> list[MachineSummary]:
     return [summary(catalogue.entries[name]) for name in names]
 
 
-@router.get("/{name}")
-def get_machine(name: str, registry: Annotated[Registry, Depends(registry_of)]) -> MachineView:
+def encoded(view: ResponseModel, headers: Mapping[str, str] | None = None) -> Response:
+    """Returns a machine as an answer. It may have megabytes, which FastAPI would encode in the event loop,
+    where frames are sent; this route's thread encodes them.
+    """
+    return Response(view.model_dump_json(), headers=headers, media_type="application/json")
+
+
+@router.get("/{name}", response_model=MachineView)
+def get_machine(name: str, registry: Annotated[Registry, Depends(registry_of)]) -> Response:
     """Returns the newest version of a machine."""
-    return MachineView(**machine_members(*registry.versions.current(name)))
+    return encoded(MachineView(**machine_members(*registry.versions.current(name))))
 
 
 @router.get("/{name}/verify")
@@ -158,5 +171,4 @@ def verify_machine(name: str, catalogue: CatalogueDep, token: LongWorkToken) -> 
     """Returns the verifier's findings: errors and warnings about the tables, and the properties it proved or
     refuted.
     """
-    findings = catalogue.role(name).verify(token.check)
-    return FindingsView(findings=[FindingView.model_validate(finding) for finding in findings])
+    return FindingsView(findings=finding_views(catalogue.role(name).verify(token.check)))

@@ -23,7 +23,7 @@ from statwalk.services.limits import MOST_UPLOADS
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import registry_of
 from statwalk.web.errors import Problem
-from statwalk.web.routes.machines import get_machine
+from statwalk.web.routes.machines import machine_members
 from statwalk.web.routes.uploads import check_name, model_store_of, room_on_disk
 from statwalk.web.schemas.machine import MachineView, NewMachine
 
@@ -109,7 +109,7 @@ def make_machine(new: NewMachine, registry: RegistryDep, response: Response) -> 
         except ContentError as error:
             raise Problem(422, error.message, field=error.place) from None
     response.headers["Location"] = f"/api/machines/{new.name}"
-    return get_machine(new.name, registry)
+    return MachineView(**machine_members(*registry.versions.current(new.name)))
 
 
 @router.delete("/{name}", status_code=204)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from statwalk.machine.lint.findings import Severity
+from collections.abc import Sequence
+
+from statwalk.machine.lint.findings import Finding, Severity
 from statwalk.web.schemas.base import ResponseModel
 
 
@@ -19,6 +21,18 @@ class FindingView(ResponseModel):
     """the layer whose table the finding is about; empty: the base, or the whole machine"""
     replay: tuple[tuple[int, str], ...]
     """the counterexample of a refuted property: the inputs as (tick, event), for a new stage at 60 Hz"""
+
+
+MOST_FINDINGS = 200
+"""in one answer"""
+
+
+def finding_views(findings: Sequence[Finding]) -> list[FindingView]:
+    """Returns the first findings, at most `MOST_FINDINGS`; one more says how many are left out."""
+    views = [FindingView.model_validate(finding) for finding in findings[:MOST_FINDINGS]]
+    if more := len(findings) - len(views):
+        views.append(FindingView.model_validate(Finding("more", "info", f"… and {more:,} more")))
+    return views
 
 
 class FindingsView(ResponseModel):
