@@ -2,8 +2,10 @@
 in and can be ended.
 """
 
+import asyncio
 import json
 import pickle
+import sys
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -31,6 +33,7 @@ from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.load import load
+from statwalk.services.publish.outbox import MOST_FACTS, Outbox
 from statwalk.stage.history.log import MemoryLog
 from statwalk.stage.history.state_codec import from_bytes
 from statwalk.stage.state.commands import LogEntry
@@ -105,6 +108,11 @@ def test_a_message_and_its_reply_are_plain_data(held: Registry, host: StageHost,
     assert pickle.loads(pickle.dumps(message)) == message
     reply = host.handle(message)
     np.testing.assert_equal(plain(pickle.loads(pickle.dumps(reply))), plain(reply))
+
+
+def test_nothing_of_the_live_stage_is_reached_through_the_host(host: StageHost) -> None:
+    reached = [type(value).__module__ for name, value in vars(host).items() if not name.startswith("_")]
+    assert [module for module in reached if module.startswith("statwalk")] == [Registry.__module__]
 
 
 # --- inputs
@@ -192,9 +200,61 @@ class CountingLock:
 
 @pytest.mark.parametrize("commands", [(FORWARD,), COMMANDS])
 def test_inputs_take_the_lock_once(host: StageHost, commands: Any) -> None:
-    host._lock = counting = CountingLock()
+    host._lock.lock = counting = CountingLock()
     host.handle(ask.Post(commands))
     assert counting.taken == 1
+
+
+class CallsWhileHeld:
+    """A lock that counts the calls of Python functions while a thread holds it."""
+
+    def __init__(self) -> None:
+        self.lock, self.calls = threading.Lock(), 0
+
+    def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
+        taken = self.lock.acquire(blocking, timeout)
+        sys.setprofile(self.count)
+        return taken
+
+    def count(self, _: object, event: str, __: object) -> None:
+        self.calls += event == "call"
+
+    def release(self) -> None:
+        sys.setprofile(None)
+        self.lock.release()
+
+
+def calls_while_held(host: StageHost, message: ask.Message[Any]) -> int:
+    host._lock.lock = lock = CallsWhileHeld()
+    host.handle(message)
+    return lock.calls
+
+
+QUERIES = {
+    "describe": ask.Describe(),
+    "actors": ask.DescribeActors(),
+    "effects": ask.Effects(-1),
+    "history": ask.History(),
+    "log": ask.Log(),
+    "frame": ask.Frame("pose"),
+}
+
+
+@pytest.mark.parametrize("message", QUERIES.values(), ids=QUERIES)
+def test_a_query_holds_many_actors_no_longer_than_one(
+    held: Registry, host: StageHost, message: ask.Message[Any]
+) -> None:
+    crowd = held.open(StageSetup(clock="manual", actors=(AddActor("faq-walker"),) * 100))
+    crowd.handle(ask.Post((SendEvent("FORWARD"),)))
+    crowd.handle(ask.Step(10))
+    assert calls_while_held(crowd, message) <= calls_while_held(host, message) + 10
+
+
+def test_an_edit_is_compiled_before_the_stage_is_held(held: Registry, host: StageHost) -> None:
+    text = text_of(held)
+    _, played = (calls_while_held(host, ask.Edit("faq-walker", text)) for _ in range(2))
+    new = calls_while_held(host, ask.Edit("faq-walker", text.replace("STAT  | STWK ", "STAT  | WALK ")))
+    assert new <= played
 
 
 # --- time, and the past
@@ -381,6 +441,38 @@ def test_a_post_that_is_given_up_does_not_wait_for_the_disk(host: StageHost) -> 
         token.cancel()
         with pytest.raises(CancelledError):
             answer.result(10)
+
+
+@pytest.mark.anyio
+async def test_frames_do_not_wait_for_the_disk_and_verdicts_do(host: StageHost) -> None:
+    log, outbox = SlowLog(host._live.stage._log), Outbox("pose")
+    host._live.stage._log = log
+    host.join(outbox)
+    host._live.apply((FORWARD,), {})
+    host.handle(ask.Step(1))
+    host.advance_to(0.0)
+    await asyncio.sleep(0)
+    assert outbox.frame is not None
+    assert (outbox.frame.tick, outbox.take_texts()) == (11, [])
+    log.written.set()
+    host.advance_to(0.0)
+    await asyncio.sleep(0)
+    assert [pickle.loads(text).event for text in outbox.take_texts()] == ["FORWARD"]
+    host.leave(outbox)
+
+
+@pytest.mark.anyio
+async def test_viewers_are_sent_away_rather_than_that_too_many_verdicts_wait(host: StageHost) -> None:
+    outbox = Outbox("pose")
+    host._live.stage._log = SlowLog(host._live.stage._log)
+    host.join(outbox)
+    host._live.facts_waiting.put(1, [b"fact"] * MOST_FACTS)
+    host._live.apply((FORWARD,), {})
+    host.handle(ask.Step(1))
+    await asyncio.sleep(0)
+    assert outbox.closing is not None
+    assert (outbox.closing[0], outbox.take_texts()) == ("slow", [])
+    host.leave(outbox)
 
 
 def test_actors_of_a_machine_come_together(held: Registry) -> None:

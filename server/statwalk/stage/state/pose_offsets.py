@@ -49,7 +49,7 @@ class PoseOffsets(NamedTuple):
     """(N, L) seconds"""
     quintic: NDArray[np.bool_]
     """(N, L) whether the curve is a quintic, else a cubic"""
-    way: NDArray[np.float64]
+    old_root_delta: NDArray[np.float64]
     """(N, 3) x, z, yaw: root motion of the old motion of the base layer in a tick"""
 
     @classmethod
@@ -124,15 +124,15 @@ class PoseOffsets(NamedTuple):
     def of_rows(
         cls, clocks: Sequence[NDArray[np.float64] | NDArray[np.bool_]], start: Floats, rate: Floats
     ) -> PoseOffsets:
-        """Returns the offsets from `rows()` and the clocks `elapsed duration quintic way`."""
-        elapsed, duration, quintic, way = clocks
+        """Returns the offsets from `rows()` and the clocks `elapsed duration quintic old_root_delta`."""
+        elapsed, duration, quintic, old_root_delta = clocks
         rows, layers = (elapsed < duration).nonzero()
         block, lane = places(rows)
         used, slot_of = np.unique(block * elapsed.shape[1] + layers, return_inverse=True)
         made = cls.none(len(elapsed), elapsed.shape[1], start.shape[1], len(used))
         made.slot.reshape(-1)[used], made.free_count[0] = np.arange(len(used)), 0
         made.start[slot_of, :, lane], made.rate[slot_of, :, lane] = start, rate
-        for array, values in zip(made[5:], (elapsed, duration, quintic, way), strict=True):
+        for array, values in zip(made[5:], (elapsed, duration, quintic, old_root_delta), strict=True):
             array[:] = values
         return made
 
@@ -155,11 +155,11 @@ class PoseOffsets(NamedTuple):
         blank = [
             np.concatenate([array, np.zeros_like(array[:, :1])], 1)[:, list(order)] for array in self[5:8]
         ]
-        numbers = np.full((len(self.way), self.slot.shape[1] + 1), -1)
+        numbers = np.full((len(self.old_root_delta), self.slot.shape[1] + 1), -1)
         numbers[:, :-1][self.is_under_way] = np.arange(np.count_nonzero(self.is_under_way))
         kept = numbers[:, list(order)]
         start, rate = (array[kept[kept >= 0]] for array in self.rows())
-        return PoseOffsets.of_rows([*blank, self.way], start, rate)
+        return PoseOffsets.of_rows([*blank, self.old_root_delta], start, rate)
 
 
 def offset_size(joints: int, weights: int) -> int:

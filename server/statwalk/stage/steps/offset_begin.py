@@ -84,7 +84,7 @@ def start_clocks(offsets: Any, transitions: Any, block: int, root_delta: Any) ->
                 offsets.quintic[row, layer] = transitions.quintic[row, layer]
         if transitions.seconds[row, 0] > 0.0:
             for axis in range(3):
-                offsets.way[row, axis] = root_delta[row, axis]
+                offsets.old_root_delta[row, axis] = root_delta[row, axis]
 
 
 @inlined

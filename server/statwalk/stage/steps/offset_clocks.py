@@ -51,7 +51,8 @@ def blend_root_delta(offsets: Any, row: int, root_delta: Any) -> None:
         weight = part * part * (3.0 - 2.0 * part)
         for axis in range(3):
             root_delta[row, axis] = (
-                offsets.way[row, axis] + (root_delta[row, axis] - offsets.way[row, axis]) * weight
+                offsets.old_root_delta[row, axis]
+                + (root_delta[row, axis] - offsets.old_root_delta[row, axis]) * weight
             )
 
 
