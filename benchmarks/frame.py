@@ -16,7 +16,7 @@ from pygltflib import GLTF2, Accessor, Attributes, Buffer, BufferView, Mesh, Nod
 from rounds import Three, least, show
 from statwalk.character.character import Character
 from statwalk.files.gltf import read_model
-from statwalk.files.gltf.template import FrameTemplate, PosedCast, stage_worlds
+from statwalk.files.gltf.template import FrameTemplate, PosedCast, actor_matrices
 from statwalk.skin.primitive import Part
 
 ROUNDS = 25
@@ -75,16 +75,18 @@ def main() -> None:
     character = read_model(data, "figure")
     poses = character.clip("clip 0").sample(np.array([0.3]))
     template, cast = FrameTemplate([(character, 1)]), PosedCast(poses, np.zeros((1, 3)), np.zeros(1))
-    worlds, posed = stage_worlds(character, cast), character.vertices(poses.take(0))[0]
+    matrices, posed = actor_matrices(character, cast), character.vertices(poses.take(0))[0]
     indices = np.asarray(character.parts[0].indices, np.uint16)
     with tempfile.TemporaryDirectory() as folder, Three() as three:
         path = Path(folder) / "figure.glb"
         path.write_bytes(data)
         seconds = least(
             {
-                "statwalk": lambda: template.filled(1, "00ff", [worlds], [poses.weights]) and None,
+                "statwalk": lambda: template.filled(1, "00ff", [matrices], [poses.weights]) and None,
                 "statwalk, skeleton too": lambda: template.frame(1, "00ff", [cast]) and None,
-                "NumPy skin, pygltflib": lambda: pygltflib(einsum(character, worlds[0]), indices) and None,
+                "NumPy skin, pygltflib": lambda: (
+                    pygltflib(einsum(character, matrices[0, 1:]), indices) and None
+                ),
                 "three.js skin, GLTFExporter": three.job("frame", path=str(path)),
                 "pygltflib alone": lambda: pygltflib(posed, indices) and None,
                 "GLTFExporter alone": three.job("frame", path=str(path), posed=True),

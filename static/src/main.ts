@@ -26,6 +26,7 @@ import { Timeline } from "./panels/timeline/timeline";
 import { Transport } from "./panels/timeline/transport";
 import { routeBar } from "./panels/routeBar/routeBar";
 import { WhyPanel } from "./panels/why/why";
+import { OwnStages } from "./state/ownStages";
 import { Player } from "./state/player";
 import { Session } from "./state/session";
 import { exposeForTests } from "./testHook";
@@ -47,7 +48,7 @@ function viewerKeys(
   const mode = (key: string, name: "skin" | "wire" | "bones" | "tetra"): Shortcut => ({
     keys: [key],
     words: `show ${name}`,
-    act: () => toggleMode(session, stageView, name),
+    act: () => toggleMode(stageView, name),
   });
   return [
     { keys: ["p"], words: "pause, play", act: () => transport.toggle() },
@@ -68,14 +69,14 @@ function viewerKeys(
   ];
 }
 
-/** Keeps the stage's name in the address, so that you can reload and share it. */
-function keepAddress(session: Session): void {
+/** Keeps the stage's name in the address, so that you can reload and share it, and what it began with. */
+function keepAddress(session: Session, stages: OwnStages): void {
   session.hello.on((hello) => {
     if (!hello) return;
     const address = new URL(location.href);
     if (hello.stage === "main") address.searchParams.delete("stage");
     else address.searchParams.set("stage", hello.stage);
-    history.replaceState(null, "", address);
+    history.replaceState(stages.openingOf(hello.stage), "", address);
   });
 }
 
@@ -119,6 +120,7 @@ function explainer(session: Session, table: TableController, travel: Travel): Wh
 
 function start(name: string): void {
   const session = new Session();
+  const stages = new OwnStages(session);
   const scene = new Scene(
     byId<HTMLCanvasElement>("stage-view"),
     chooseQuality(name, location.search),
@@ -146,7 +148,7 @@ function start(name: string): void {
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
   layerTabs(byId("layers"), session);
   routeBar(byId("route"), session, travel);
-  importOwn(new Picker(byId("picker"), session));
+  importOwn(new Picker(byId("picker"), session, stages));
   modeBar(byId("modes"), session, stageView);
   new ActionCounter(byId("action-counter"), session);
   notices(byId("notices"), session);
@@ -159,7 +161,7 @@ function start(name: string): void {
   window.addEventListener("online", () => session.retry());
   setInterval(() => session.ping(), PING_MS);
   setInterval(() => status.update(performance.now()), READ_MS);
-  keepAddress(session);
+  keepAddress(session, stages);
   freeFocus();
   exposeForTests(session, stageView, drawn);
   let last = performance.now();
@@ -176,7 +178,7 @@ function start(name: string): void {
     requestAnimationFrame(loop);
   };
   requestAnimationFrame(loop);
-  session.watch(new URLSearchParams(location.search).get("stage") ?? "main");
+  void stages.begin(new URLSearchParams(location.search).get("stage"));
 }
 
 const name = rendererName();

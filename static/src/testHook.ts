@@ -9,10 +9,11 @@
  * layerStates() version() played()
  *              the state of each layer; the version of the table; the version that the stage plays,
  *              in the stage's own count
+ * viewers()    number of pages at this stage
  * overlays()   number of actors whose bones are drawn
  * lanes()      [first tick, last tick, state] of every known run of the watched actor's base layer
  * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
- * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres (pose stream)
+ * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres
  * pixels()     draws the characters alone: { covered: share of the picture 0…1,
  *              box: [left, top, right, bottom] 0…1, colour: mean [r, g, b] 0…255 of what is covered }
  * listen(s)    counts messages for s seconds: { perSecond, gapP99Ms, ticks: number of distinct ticks }
@@ -123,6 +124,7 @@ export function exposeForTests(session: Session, stageView: StageView, drawn: Me
     version: () => session.machine.value?.version ?? 0,
     played: () => session.cast?.version ?? 0,
     looking: () => session.looking.value,
+    viewers: () => session.status.value.viewers,
     link: () => session.link.value.state,
     frames: () => session.frames.value,
     posed: () => stageView.posed,

@@ -1,5 +1,6 @@
 """Looks at the stage view: the character in both streams, and its bones."""
 
+import pytest
 from browser.conftest import until
 from playwright.sync_api import Page
 
@@ -54,17 +55,28 @@ def test_bones_are_drawn_over_the_skin(viewer: Page) -> None:
         assert button.get_attribute("aria-pressed") == "true"
 
 
-def test_the_glb_stream_draws_no_bones(viewer: Page) -> None:
-    """Its frames have no joints: bones of the pose stream would stay where they were.
-
-    They come back with it.
-    """
-    bones = viewer.get_by_role("button", name="bones")
-    bones.click()
-    until(viewer, "__viewer.overlays() === 1")
+def test_bones_are_on_the_character_in_both_streams(viewer: Page) -> None:
+    """RD1, RD2: while it walks; at one paused tick the joints are at the same places in both."""
+    viewer.get_by_role("button", name="bones").click()
     viewer.keyboard.press("g")
-    until(viewer, "__viewer.shown() === 'glb'")
-    assert viewer.evaluate("__viewer.overlays()") == 0
-    assert bones.is_disabled()
+    viewer.keyboard.down("ArrowUp")
+    start = viewer.evaluate("__viewer.joints()")
+    until(
+        viewer,
+        "__viewer.shown() === 'glb' && __viewer.state() === 'WALK' && "
+        "Object.keys(arg).some(name => Math.abs(__viewer.joints()[name][2] - arg[name][2]) > 1)",
+        start,
+    )
+    assert viewer.evaluate("__viewer.overlays()") == 1
+    viewer.keyboard.press("p")
+    viewer.wait_for_selector("[data-link=paused]")
+    until(viewer, "__viewer.posed() === __viewer.head()")
+    by_server = viewer.evaluate("__viewer.joints()")
     viewer.keyboard.press("g")
-    until(viewer, "__viewer.shown() === 'pose' && __viewer.overlays() === 1")
+    until(viewer, "__viewer.shown() === 'pose'")
+    by_browser = viewer.evaluate("__viewer.joints()")
+    viewer.keyboard.up("ArrowUp")
+    viewer.keyboard.press("p")
+    viewer.wait_for_selector("[data-link=live]")
+    assert viewer.evaluate("__viewer.overlays()") == 1
+    assert all(by_server[name] == pytest.approx(by_browser[name], abs=1e-4) for name in by_browser)

@@ -48,7 +48,8 @@ async function send(
   version: number | undefined,
 ): Promise<Response> {
   const headers: Record<string, string> = version === undefined ? {} : { "if-match": `"${version}"` };
-  const options: RequestInit = { method: method.toUpperCase(), headers };
+  // A page that goes away may still delete what it leaves behind.
+  const options: RequestInit = { method: method.toUpperCase(), headers, keepalive: method === "delete" };
   if (body)
     Object.assign(options, {
       headers: { ...headers, "content-type": "application/json" },
@@ -98,6 +99,7 @@ export const removeCharacter = (name: string) => ask("delete", "/api/characters/
 /** Makes a machine for an uploaded character; a clip with an empty state is left out. */
 export const makeMachine = (name: string, character: string, states: Record<string, string>) =>
   ask("post", "/api/machines", {}, { body: { name, character, mapping: states } });
+export const stages = () => ask("get", "/api/stages", {});
 export const stage = (stage_id: string) => ask("get", "/api/stages/{stage_id}", { stage_id });
 export const history = (stage_id: string) => ask("get", "/api/stages/{stage_id}/history", { stage_id });
 export const log = async (stageId: string): Promise<LogLine[]> =>
@@ -107,13 +109,11 @@ export const log = async (stageId: string): Promise<LogLine[]> =>
     ).text(),
   );
 
-/** Makes a real-time stage with one actor of a machine; returns the stage's id. */
-export const newStage = async (machineName: string): Promise<string> =>
-  (await ask("post", "/api/stages", {}, { body: { clock: "real", actors: [{ machine: machineName }] } })).id;
-
-/** Makes a real-time stage from a scene; returns the stage's id. */
-export const newScene = async (scene: string): Promise<string> =>
-  (await ask("post", "/api/stages", {}, { body: { clock: "real", scene } })).id;
+/** Makes a real-time stage with one actor of a machine, or from a scene; returns the stage's id. */
+export const newStage = async (opening: { machine: string } | { scene: string }): Promise<string> => {
+  const begin = "scene" in opening ? opening : { actors: [opening] };
+  return (await ask("post", "/api/stages", {}, { body: { clock: "real", ...begin } })).id;
+};
 
 export const pause = (stage_id: string, paused: boolean) =>
   ask("post", "/api/stages/{stage_id}/pause", { stage_id }, { body: { paused } });

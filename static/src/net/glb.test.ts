@@ -3,13 +3,17 @@ import { GlbError, chunksOf, layoutOf, tickOf, view } from "./glb";
 
 const gltf = {
   asset: { version: "2.0", extras: { tick: "0000000123" } },
-  nodes: [{ children: [1] }, { mesh: 0, translation: [1, 2, 3] }],
+  nodes: [
+    { children: [1], extras: { joints: 3 } },
+    { mesh: 0, translation: [1, 2, 3] },
+  ],
   meshes: [{ primitives: [{ attributes: { POSITION: 0, NORMAL: 1 }, indices: 2, material: 0 }] }],
   materials: [{ name: "skin" }],
   accessors: [
     { bufferView: 0, count: 3, type: "VEC3", componentType: 5126 },
     { bufferView: 0, byteOffset: 36, count: 3, type: "VEC3", componentType: 5126 },
     { bufferView: 1, count: 3, type: "SCALAR", componentType: 5123 },
+    { bufferView: 0, byteOffset: 4, count: 1, type: "MAT4", componentType: 5126 },
   ],
   bufferViews: [{ byteOffset: 0 }, { byteOffset: 72 }],
 };
@@ -52,6 +56,13 @@ describe("glb", () => {
   it("hangs the nodes under their parents", () => {
     const { nodes, primitives } = layoutOf(chunks);
     expect([primitives[0]!.node, nodes[1]!.parent, nodes[1]!.translation]).toEqual([1, 0, [1, 2, 3]]);
+  });
+
+  it("finds the matrices of each actor's joints", () => {
+    const { actors } = layoutOf(chunks);
+    expect(actors.map((matrices) => [...view(chunks.bin, matrices)])).toEqual([
+      Array.from({ length: 16 }, (_, i) => i + 1),
+    ]);
   });
 
   it("refuses what is cut short", () => {

@@ -24,7 +24,7 @@ export interface PrimitiveLayout {
 export interface ArraySlice {
   offset: number;
   count: number;
-  /** Numbers per element: 1, 2, 3, 4. */
+  /** Numbers per element: 1, 2, 3, 4, or 16. */
   size: number;
   componentType: number;
   normalized: boolean;
@@ -34,6 +34,8 @@ export interface ArraySlice {
 
 export interface GlbLayout {
   primitives: PrimitiveLayout[];
+  /** For each actor the world matrices (1+J, 4, 4) of its root and its joints, in column-major order. */
+  actors: ArraySlice[];
   nodes: { translation?: number[]; rotation?: number[]; scale?: number[]; name?: string; parent: number }[];
   materialNames: (string | undefined)[];
 }
@@ -58,13 +60,14 @@ interface GltfJson {
     rotation?: number[];
     scale?: number[];
     name?: string;
+    extras?: { joints?: number };
   }[];
   materials?: { name?: string }[];
 }
 
 const JSON_CHUNK = 0x4e4f534a;
 const BIN_CHUNK = 0x004e4942;
-const SIZES: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
+const SIZES: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 };
 
 export class GlbError extends Error {}
 
@@ -131,7 +134,9 @@ export function layoutOf(chunks: GlbChunks): GlbLayout {
   const primitives = (gltf.nodes ?? []).flatMap((node, i) =>
     node.mesh === undefined ? [] : primitivesOf(gltf, i, node.mesh),
   );
-  return { primitives, nodes, materialNames: (gltf.materials ?? []).map((material) => material.name) };
+  const actors = (gltf.nodes ?? []).flatMap(({ extras }) => slice(gltf, extras?.joints) ?? []);
+  const materialNames = (gltf.materials ?? []).map((material) => material.name);
+  return { primitives, actors, nodes, materialNames };
 }
 
 const ARRAYS = {

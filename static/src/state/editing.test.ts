@@ -1,23 +1,28 @@
 import { describe, expect, it } from "vitest";
 import { refusal } from "./editing";
-import { ApiError, problemOf } from "../net/api";
 
 const place = { layer: "base", state: "WALK", event: "LEFT" };
 
 describe("refusal", () => {
   it("is what the verifier says", () => {
-    const findings = [
-      { kind: "undefined state", severity: "error" as const, message: "TLXT is no state", line: 36 },
-    ];
-    expect(refusal(problemOf(422, { detail: "refused", findings }), place)).toEqual(findings);
+    const finding = {
+      kind: "undefined state",
+      severity: "error" as const,
+      message: "TLXT is no state",
+      line: 36,
+      ...place,
+      replay: [],
+    };
+    expect(refusal("refused", [finding], place)).toEqual({
+      kind: "refused",
+      words: "refused",
+      findings: [finding],
+    });
   });
 
   it("is the reader's own words at the cell, with their line", () => {
-    const error = new ApiError(
-      422,
-      "machine.yaml, line 45: the next state of WALK/JUMP is set under `cells`; change it there",
-    );
-    expect(refusal(error, place)).toEqual([
+    const words = "machine.yaml, line 45: the next state of WALK/JUMP is set under `cells`; change it there";
+    expect(refusal(words, [], place).findings).toEqual([
       {
         kind: "refused",
         severity: "error",

@@ -17,12 +17,16 @@ export interface Answer {
 /** A cell of a layer. */
 export type CellPlace = Required<Omit<NewCell, "text">>;
 
-/** Returns the findings about a refused edit: the verifier's, or one at the cell with the parser's words. */
-export function refusal(error: api.ApiError, { layer, state, event }: CellPlace): Finding[] {
-  if (error.findings.length) return [...error.findings];
-  const line = Number(/\bline (\d+)/.exec(error.message)?.[1] ?? 0);
-  const message = error.message.replace(/^[^:]*\bline \d+: /, "");
-  return [{ kind: "refused", severity: "error", message, line, layer, state, event, replay: [] }];
+/**
+ * Returns the answer to a refused text: the verifier's findings, or one at the cell with the parser's words.
+ */
+export function refusal(words: string, findings: readonly Finding[], place: CellPlace): Answer {
+  if (findings.length) return { kind: "refused", words, findings: [...findings] };
+  const line = Number(/\bline (\d+)/.exec(words)?.[1] ?? 0);
+  const message = words.replace(/^[^:]*\bline \d+: /, "");
+  const { layer, state, event } = place;
+  const finding = { kind: "refused", severity: "error" as const, message, line, layer, state, event };
+  return { kind: "refused", words, findings: [{ ...finding, replay: [] }] };
 }
 
 export class Editing {
@@ -55,12 +59,12 @@ export class Editing {
     if (!machine) return { kind: "refused", words: "the machine is not known yet", findings: [] };
     try {
       const edited = await api.patchCell(machine.name, machine.version, { ...place, text }, dry);
+      if (edited.result === "refused") return refusal(edited.detail, edited.findings, place);
       if (!dry) this.take(edited);
       return { kind: "fine", words: "", findings: edited.findings };
     } catch (error) {
       if (!(error instanceof api.ApiError)) throw error;
-      if (error.status !== 412)
-        return { kind: "refused", words: error.message, findings: refusal(error, place) };
+      if (error.status !== 412) return refusal(error.message, error.findings, place);
       await this.reload(machine.name);
       return { kind: "stale", words: error.message, findings: [] };
     }

@@ -9,7 +9,6 @@ import type {
   EventKind,
   FrameKind,
   Hello,
-  MachineInfo,
   Refused,
   ServerMessage,
   Status,
@@ -21,9 +20,9 @@ import { blendTicks } from "./blendTicks";
 import { laneKey } from "./history";
 import { Scrubber } from "./scrubber";
 import { Event, Signal } from "./signal";
-import { ActorSelection } from "./actorSelection";
+import { MachineReader } from "./machineReader";
 
-export class Session extends ActorSelection {
+export class Session extends MachineReader {
   readonly link = new Signal<{ state: Link; detail: string }>({ state: "connecting", detail: "" });
   readonly status = new Signal<Pick<Status, "paused" | "speed" | "viewers">>({
     paused: false,
@@ -36,7 +35,8 @@ export class Session extends ActorSelection {
   readonly looking = this.scrubber.looking;
   readonly verdicts = new Event<Verdict>();
   readonly actions = new Event<Action>();
-  readonly notices = new Event<string>();
+  /** Emitted with the stage that an event in the past has made, before this page watches it. */
+  readonly forked = new Event<string>();
   /** Emitted before this page leaves its stage: held events must be released. */
   readonly leaving = new Event<null>();
   readonly received = new Meter();
@@ -48,8 +48,6 @@ export class Session extends ActorSelection {
   head = 0;
   first = 0;
   hash = "";
-  stage = "";
-  private playedVersion: number | undefined;
   private lastPhase: number | null = null;
   private refs = 1;
   private readonly connection: Connection;
@@ -76,11 +74,6 @@ export class Session extends ActorSelection {
     this.state.set(null);
     this.pose = this.glb = null;
     this.connection.connect(stage, () => this.frames.value);
-  }
-
-  private forgetPast(): void {
-    this.history.clear();
-    this.eventLog.clear();
   }
 
   retry(): void {
@@ -162,48 +155,12 @@ export class Session extends ActorSelection {
     if (same && restarted) this.machine.set(null);
     this.stage = hello.stage;
     Object.assign(this, { tick: hello.tick, head: hello.head, first: hello.first });
-    this.status.set({ paused: hello.paused, speed: hello.speed, viewers: this.status.value.viewers });
+    this.status.set({ paused: hello.paused, speed: hello.speed, viewers: hello.viewers });
     this.hello.set(hello);
     if (!this.place()) this.actor.set(hello.casts[0]?.actors[0]?.id ?? null);
     if (restarted) this.scrubber.forget();
     else this.scrubber.again();
     void this.learn(hello, restarted);
-  }
-
-  private async learn(hello: Hello, restarted: boolean): Promise<void> {
-    await this.loadMachine();
-    const { stage } = hello;
-    await api.history(stage).then(
-      (past) => this.recall(stage, past),
-      () => undefined,
-    );
-    if (!restarted) return;
-    await api.log(stage).then(
-      (entries) => stage === this.stage && this.eventLog.remember(entries, hello.tick),
-      () => undefined,
-    );
-  }
-
-  /** Fetches the watched actor's machine, unless it is already here in the version that the stage plays. */
-  async loadMachine(): Promise<void> {
-    const { machine: name, version } = this.cast ?? {};
-    const known = this.machine.value;
-    if (name === undefined || (name === known?.name && version === this.playedVersion)) return;
-    await api.machine(name).then(
-      (machine) => this.takeMachine(machine, version),
-      (error: Error) => this.notices.emit(error.message),
-    );
-  }
-
-  /**
-   * Shows `machine`, unless a newer version is already shown; `played`: the version in the stage's own count.
-   */
-  takeMachine(machine: MachineInfo, played = this.playedVersion): void {
-    this.playedVersion = played;
-    const known = this.machine.value;
-    if (known?.name === machine.name && known.version >= machine.version) return;
-    if (known?.name !== machine.name || this.layer.value >= machine.layers.length) this.layer.set(0);
-    this.machine.set(machine);
   }
 
   private report({ head, first, paused, speed, viewers }: Status): void {
@@ -237,6 +194,7 @@ export class Session extends ActorSelection {
 
   private fork(stage: string): void {
     this.notices.emit(`You sent an event to the past: you now watch a fork, stage ${stage}.`);
+    this.forked.emit(stage);
     this.watch(stage);
   }
 

@@ -28,7 +28,7 @@ export class ActorView {
     this.view = new PosedModel(id, cast, model, scene.quality === "high");
     this.bones = new BoneOverlay(this.view, scene.renderer.getPixelRatio());
     // Hidden until the first frame: the bind pose is not shown.
-    this.hide();
+    this.view.root.visible = this.spot.visible = false;
     scene.world.add(this.view.root, this.bones.object, this.spot);
   }
 
@@ -45,19 +45,27 @@ export class ActorView {
     return Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y));
   }
 
-  /** Updates bones and shadow after a frame was applied. */
+  /** Shows the model, its bones and its shadow after a frame was applied. */
   settle(): void {
+    this.view.root.visible = true;
+    this.view.root.updateMatrixWorld(true);
+    this.attach();
+  }
+
+  /** Shows bones and shadow where the server's skin is; `matrices` (1+J, 16) of root and joints. */
+  place(matrices: Float32Array | undefined): void {
+    this.view.root.visible = false;
+    // The last frame before another hello has other actors.
+    if (matrices?.length !== 16 * (1 + this.view.cast.joints)) return;
+    this.view.place(matrices);
+    this.attach();
+  }
+
+  private attach(): void {
     const { root } = this.view;
-    root.visible = true;
-    root.updateMatrixWorld(true);
     this.bones.update();
     this.spot.visible = this.scene.quality === "low";
     this.spot.position.set(root.position.x, 0.002, root.position.z);
-  }
-
-  hide(): void {
-    this.view.root.visible = false;
-    this.spot.visible = false;
   }
 
   show(look: SkinLook, lines: boolean, solids: boolean): void {

@@ -74,11 +74,6 @@ export class FollowCamera {
     this.heading = heading;
   }
 
-  /** The position of the followed root. */
-  get aimed(): THREE.Vector3 {
-    return this.goal;
-  }
-
   /** Moves by `dt` seconds; returns whether the view changed. */
   update(dt: number): boolean {
     const way = this.goal.distanceTo(this.followed);

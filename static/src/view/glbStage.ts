@@ -1,6 +1,6 @@
 /**
  * Draws the glb stream: each message is a complete, skinned GLB; after the first one only positions and
- * normals are read.
+ * normals are read, and the matrices of roots and joints.
  */
 
 import * as THREE from "three";
@@ -15,8 +15,6 @@ import {
 } from "../net/glb";
 
 const TRIANGLES = 4;
-/** Every thirteenth vertex counts for the middle of the skin. */
-const SAMPLED = 13;
 
 /** Finds the material of a primitive in the loaded model, which has the textures. */
 export type MaterialLookup = (index: number, name: string | undefined) => THREE.Material | undefined;
@@ -64,6 +62,8 @@ function worldOf(layout: GlbLayout, node: number): THREE.Matrix4 {
 export class GlbStage {
   readonly root = new THREE.Group();
   readonly meshes: THREE.Mesh[] = [];
+  /** Of each actor of the shown frame the world matrices of its root and its joints, column by column. */
+  actors: Float32Array[] = [];
   private layout: GlbLayout | null = null;
   private shape = "";
   /** glTF's default material. */
@@ -80,6 +80,7 @@ export class GlbStage {
     const fresh = shape !== this.shape;
     if (fresh) this.build(chunks, shape);
     else this.rewrite(chunks.bin);
+    this.actors = this.layout!.actors.map((slice) => view(chunks.bin, slice) as Float32Array);
     return fresh;
   }
 
@@ -112,26 +113,12 @@ export class GlbStage {
     into.needsUpdate = true;
   }
 
-  /** Returns the middle of the skin on the ground, or null before the first frame. */
-  centre(): THREE.Vector3 | null {
-    const sum = new THREE.Vector3();
-    const vertex = new THREE.Vector3();
-    let count = 0;
-    for (const mesh of this.meshes) {
-      const positions = mesh.geometry.getAttribute("position") as THREE.BufferAttribute;
-      for (let i = 0; i < positions.count; i += SAMPLED) {
-        sum.add(vertex.fromBufferAttribute(positions, i).applyMatrix4(mesh.matrix));
-        count++;
-      }
-    }
-    return count ? sum.divideScalar(count).setY(0) : null;
-  }
-
   /** Removes the meshes and the layout. */
   clear(): void {
     for (const mesh of this.meshes) mesh.geometry.dispose();
     this.root.clear();
     this.meshes.length = 0;
+    this.actors = [];
     this.shape = "";
   }
 }

@@ -122,7 +122,7 @@ export class BoneOverlay {
     this.wireMaterial.color.set(accent);
   }
 
-  /** Follows the joints, whose world matrices are up to date. */
+  /** Follows the actor's joints, whose world matrices are up to date. */
   update(): void {
     if (!this.visible) return;
     this.actor.jointPositions(this.world);
@@ -132,7 +132,7 @@ export class BoneOverlay {
   }
 
   private measure(): void {
-    const end = new THREE.Vector3();
+    const [end, world] = [new THREE.Vector3(), new THREE.Matrix4()];
     const { segments } = this.plan;
     segments.forEach(([from, to], k) => {
       this.bones.set(this.world.subarray(from * 3, from * 3 + 3), k * 6);
@@ -142,7 +142,7 @@ export class BoneOverlay {
       this.bones.set(this.world.subarray(joint * 3, joint * 3 + 3), (segments.length + k) * 6);
       end
         .copy(at)
-        .applyMatrix4((this.actor.joints[joint] ?? this.actor.root).matrixWorld)
+        .applyMatrix4(world.fromArray(this.actor.jointWorld(joint)))
         .toArray(this.bones, (segments.length + k) * 6 + 3);
     });
   }

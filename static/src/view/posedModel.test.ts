@@ -92,6 +92,17 @@ describe("PosedModel", () => {
     expect([...world.slice(0, 3)].map((value) => Math.round(value * 1e4) / 1e4)).toEqual([-4, 10, -4]);
   });
 
+  it("takes the matrices of root and joints from a server that skins, until the next pose", () => {
+    const view = posed(1);
+    const at = (x: number): number[] => new THREE.Matrix4().makeTranslation(x, 0, 0).toArray();
+    view.place(new Float32Array([at(9), at(1), at(2), at(3)].flat()));
+    expect(view.root.position.toArray()).toEqual([9, 0, 0]);
+    expect([...view.jointPositions(new Float32Array(9))]).toEqual([1, 0, 0, 2, 0, 0, 3, 0, 0]);
+    view.apply(frame(), 0);
+    view.root.updateMatrixWorld(true);
+    expect([...view.jointPositions(new Float32Array(9)).slice(0, 3)]).toEqual([0, 1, 2]);
+  });
+
   it("leaves the model it was cloned from alone", () => {
     const original = model();
     new PosedModel(1, cast, original, false).apply(frame(), 1);

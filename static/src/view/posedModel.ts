@@ -1,4 +1,7 @@
-/** Poses a clone of a model: its nodes take the frame's local transforms, the GPU skins. */
+/**
+ * Poses a clone of a model: its nodes take the frame's local transforms, the GPU skins. If the server skins,
+ * only its root and the matrices of its joints follow the frame.
+ */
 
 import * as THREE from "three";
 import type { CastHello } from "../net/protocol";
@@ -40,6 +43,8 @@ export class PosedModel {
   readonly joints: (THREE.Object3D | null)[];
   readonly meshes: THREE.Mesh[] = [];
   private readonly morphs: MorphSlice[];
+  /** The joints' world matrices (J, 16) that the server gave, or null if the objects have them. */
+  private worlds: Float32Array | null = null;
 
   constructor(
     readonly id: number,
@@ -66,6 +71,7 @@ export class PosedModel {
 
   /** Applies a row of the cast's frame. */
   apply(frame: CastFrame, row: number): void {
+    this.worlds = null;
     const count = frame.joints;
     for (let j = 0; j < count; j++) this.pose(frame, row * count + j, this.joints[j] ?? null);
     for (const { meshes, first, count: many } of this.morphs) {
@@ -75,6 +81,13 @@ export class PosedModel {
     }
     this.root.position.fromArray(frame.root, row * 7);
     this.root.quaternion.fromArray(frame.root, row * 7 + 3);
+  }
+
+  /** Takes the world matrices (1+J, 16) of root and joints, column by column; the skin stays as it is. */
+  place(matrices: Float32Array): void {
+    const root = new THREE.Matrix4().fromArray(matrices);
+    root.decompose(this.root.position, this.root.quaternion, this.root.scale);
+    this.worlds = matrices.subarray(16);
   }
 
   private pose(frame: CastFrame, index: number, joint: THREE.Object3D | null): void {
@@ -94,12 +107,18 @@ export class PosedModel {
       : box.translate(this.root.position.clone().negate());
   }
 
-  /**
-   * Writes the joints' world positions (J, 3), metres, into `out`; a joint outside the scene is at the root.
-   */
+  /** Returns the elements of a joint's world matrix; a joint outside the scene is at the root. */
+  jointWorld(joint: number): ArrayLike<number> {
+    return (
+      this.worlds?.subarray(joint * 16, joint * 16 + 16) ??
+      (this.joints[joint] ?? this.root).matrixWorld.elements
+    );
+  }
+
+  /** Writes the joints' world positions (J, 3), metres, into `out`. */
   jointPositions(out: Float32Array): Float32Array {
-    this.joints.forEach((joint, j) => {
-      const e = (joint ?? this.root).matrixWorld.elements;
+    this.joints.forEach((_, j) => {
+      const e = this.jointWorld(j);
       out.set([e[12]!, e[13]!, e[14]!], j * 3);
     });
     return out;

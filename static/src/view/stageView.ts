@@ -36,7 +36,6 @@ export class StageView {
   stream: FrameKind = "pose";
   private framed = "";
   private built = "";
-  private readonly toRoot = new THREE.Vector3();
 
   constructor(
     readonly scene: Scene,
@@ -116,17 +115,9 @@ export class StageView {
     Object.assign(this, { posed: this.session.tick, stream: "glb" });
     this.session.glb = null;
     if (fresh) this.restyle();
-    for (const actor of this.actors.values()) actor.hide();
-    this.followGlb(fresh);
-  }
-
-  /** A GLB frame does not carry the root: the camera keeps its offset from the middle of the skin. */
-  private followGlb(fresh: boolean): void {
-    const centre = this.glb.centre();
-    if (centre && fresh) this.toRoot.copy(this.scene.view.aimed).sub(centre);
-    if (centre) this.scene.follow(centre.add(this.toRoot));
-    this.scene.invalidate();
-    this.ready.set(true);
+    const ids = this.session.hello.value?.casts.flatMap((cast) => cast.actors.map(({ id }) => id)) ?? [];
+    ids.forEach((id, row) => this.actors.get(id)?.place(this.glb.actors[row]));
+    this.followSelected();
   }
 
   private followSelected(): void {
@@ -176,7 +167,7 @@ export class StageView {
     const pose = this.session.frames.value === "pose";
     this.glb.root.visible = !pose;
     this.glb.clear();
-    this.restyle();
+    this.scene.invalidate();
   }
 
   /** Finds a material of the loaded models by index; a name must agree. */
@@ -192,10 +183,7 @@ export class StageView {
   }
 
   private restyle(): void {
-    const { skin, wire, ...overlays } = this.modes.value;
-    // A GLB frame has vertices and no joints, so there is nothing to draw bones from.
-    const jointed = this.session.frames.value === "pose";
-    const [bones, tetra] = [jointed && overlays.bones, jointed && overlays.tetra];
+    const { skin, wire, bones, tetra } = this.modes.value;
     const look = { skin, wire, ghost: skin && tetra };
     for (const actor of this.actors.values()) actor.show(look, bones, tetra);
     showSkin(this.glb.meshes, look);

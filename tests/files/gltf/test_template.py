@@ -9,6 +9,7 @@ from reference_poses import MODELS, character
 from statwalk.files.gltf import read_model
 from statwalk.files.gltf.template import FrameTemplate, PosedCast
 from statwalk.maths.pose import Pose
+from statwalk.rig.evaluate import world_from_local
 from tiny_model import changed, model
 
 PLACES = np.array([[1.0, 0, 2], [3, 0, 4]])
@@ -44,6 +45,30 @@ def test_vertices_are_where_the_character_puts_them(tiny):
     x, y, z = tiny.vertices(pose)[0].positions.T
     expected = np.stack([z + 3, y, -x + 4], axis=1)  # a quarter turn to the left, then to its place
     assert shown.vertices(shown.bind_pose)[1].positions == pytest.approx(expected, abs=1e-5)
+
+
+def matrices_of(data, actor):
+    """The matrices (1+J,4,4) that `extras.joints` of an actor's node names: the root's, then the joints'."""
+    document, text = json.loads(json_of(data)), json_of(data)
+    actors = [node for node in document["nodes"] if "extras" in node]
+    accessor = document["accessors"][actors[actor]["extras"]["joints"]]
+    start = 28 + len(text) + document["bufferViews"][accessor["bufferView"]]["byteOffset"]
+    flat = np.frombuffer(data, "<f4", 16 * accessor["count"], start + accessor["byteOffset"])
+    return flat.reshape(-1, 4, 4).swapaxes(1, 2)
+
+
+def test_the_root_and_the_joints_are_where_the_actor_is(tiny):
+    matrices = matrices_of(frame(tiny), 1)
+    pose = cast(tiny).pose.take(1)
+    local = world_from_local(tiny.skeleton, pose)
+    root = [[0, 0, 1, 3], [0, 1, 0, 0], [-1, 0, 0, 4], [0, 0, 0, 1]]  # a quarter turn to the left
+    assert matrices[0] == pytest.approx(np.array(root), abs=1e-6)
+    assert matrices[1:, :3] == pytest.approx((root @ matrix_4(local))[:, :3], abs=1e-5)
+
+
+def matrix_4(matrices):
+    """(J,4,4) of (J,3,4)."""
+    return np.concatenate([matrices, np.tile([[[0, 0, 0, 1]]], (len(matrices), 1, 1))], axis=1)
 
 
 def test_normals_turn_with_the_actor(tiny):
@@ -98,6 +123,7 @@ def test_a_pose_that_overflows_stays_finite(tiny):
     with np.errstate(over="ignore", invalid="ignore"):
         data = FrameTemplate([(tiny, 2)]).frame(1, "", [huge])
     json.loads(json_of(data))
+    assert np.isfinite(matrices_of(data, 0)).all()
 
 
 def test_bounds_are_those_of_the_vertices(tiny):

@@ -106,6 +106,28 @@ async def test_a_dry_run_only_says(client: httpx.AsyncClient) -> None:
     assert (await client.get(WALKER)).json()["table"]["WALK"]["LEFT"]["to"] == "TLFT"
 
 
+@pytest.mark.parametrize(
+    ("text", "words"), [("TLFTT", "did you mean TLFT"), ("TLFT | TRGT", "no cell of a table")]
+)
+async def test_a_dry_run_answers_with_its_refusal(client: httpx.AsyncClient, text: str, words: str) -> None:
+    answer, edit = (
+        await patch(client, "WALK", "LEFT", text, dry=True),
+        await patch(client, "WALK", "LEFT", text),
+    )
+    trial, problem = answer.json(), edit.json()
+    assert (answer.status_code, trial.pop("result"), edit.status_code) == (200, "refused", 422)
+    assert trial == {name: problem.get(name, []) for name in ("detail", "errors", "findings")}
+    assert words in trial["detail"]
+
+
+async def test_a_dry_run_of_a_whole_text_answers_with_its_refusal(client: httpx.AsyncClient) -> None:
+    answer = await client.put(
+        WALKER, json={"text": "- a list"}, headers={"If-Match": "1"}, params={"dry": True}
+    )
+    assert (answer.status_code, answer.json()["result"]) == (200, "refused")
+    assert answer.json()["errors"][0]["field"] == "line 1"
+
+
 async def test_two_editors_are_kept_apart(client: httpx.AsyncClient) -> None:
     await patch(client, "WALK", "LEFT", "TRGT")
     late = await patch(client, "WALK", "RIGHT", "TLFT")

@@ -1,4 +1,6 @@
-"""The layout of a posed frame: its JSON, and the place of each actor's vertices in the binary chunk."""
+"""The layout of a posed frame: its JSON, and the place of each actor's joints and vertices in the binary
+chunk.
+"""
 
 from __future__ import annotations
 
@@ -28,8 +30,13 @@ SLOTS = ((f'"{HASH_SLOT}"', '"%16.16b"'), (f'"{TICK_SLOT}"', "%10d"), (f'"{NUMBE
 
 
 class ActorBlock(NamedTuple):
-    """The byte offsets in the binary chunk of an actor's positions (V,3) and normals (V,3), float32."""
+    """The byte offsets in the binary chunk of an actor's matrices (1+J,4,4), positions (V,3) and normals
+    (V,3), float32.
 
+    The matrices are in column-major order, as in glTF: the actor's root, then its joints.
+    """
+
+    matrices: int
     positions: int
     normals: int
 
@@ -132,12 +139,14 @@ def _constant_entry(builder: Builder, part: Primitive, first_material: int, mirr
 def _actor_block(
     draft: LayoutDraft, character: Character, number: int, constant_entries: Sequence[Json]
 ) -> ActorBlock:
-    """Adds an actor: its node, the mesh nodes below it, and room for its vertices."""
-    actor: Json = {"name": f"{character.name} {number + 1}"}
+    """Adds an actor: its node, the mesh nodes below it, and room for its matrices and vertices."""
+    matrices = draft.builder.array(np.tile(np.eye(4, dtype=np.float32), (1 + len(character.skeleton), 1, 1)))
+    matrices_start = draft.builder.views[-1]["byteOffset"]
+    actor: Json = {"name": f"{character.name} {number + 1}", "extras": {"joints": matrices}}
     draft.nodes.append(actor)
     total = sum(len(part.positions) for part in character.parts)
     if not total:
-        return ActorBlock(0, 0)
+        return ActorBlock(matrices_start, 0, 0)
     views = draft.builder.view(12 * total, VERTICES, 12), draft.builder.view(12 * total, VERTICES, 12)
     primitives_of_node: dict[int, list[Json]] = {}
     for part, vertex_range, entry in zip(
@@ -154,7 +163,7 @@ def _actor_block(
         for node, primitives in primitives_of_node.items()
     ]
     starts = [draft.builder.views[view]["byteOffset"] for view in views]
-    return ActorBlock(*starts)
+    return ActorBlock(matrices_start, *starts)
 
 
 def _vertex_attributes(

@@ -1,8 +1,8 @@
 """Writes posed frames into a prepared GLB; each frame is a complete file.
 
 The JSON keeps its length and layout from frame to frame: only numbers of fixed width change (tick, hash,
-bounds of positions). In the binary chunk positions and normals change; indices, texture coordinates and
-colours do not.
+bounds of positions). In the binary chunk matrices, positions and normals change; indices, texture
+coordinates and colours do not.
 """
 
 from __future__ import annotations
@@ -33,11 +33,12 @@ class PosedCast(NamedTuple):
     heading: Floats
 
 
-class Vertices(NamedTuple):
-    """The arrays that one actor's vertices are written to: positions and normals (V,3), flat, in the file,
-    and the bounds (P,6) of its parts.
+class ActorArrays(NamedTuple):
+    """The arrays that one actor is written to: in the file matrices (1+J,4,4) in column-major order, the
+    root's first, and positions and normals (V,3), flat; and the bounds (P,6) of its parts.
     """
 
+    matrices: NDArray[np.float32]
     positions: NDArray[np.float32]
     normals: NDArray[np.float32]
     bounds: NDArray[np.float32]
@@ -49,8 +50,9 @@ class FrameTemplate:
     template = FrameTemplate([(fox, 1)]); template.frame(12, "00ff", [PosedCast(poses, positions, headings)])
 
     Every actor is a node, with a mesh node below for each node of its file that carries a mesh; vertices are
-    in stage space, materials in the order of the files. With `images` a frame contains the textures; without
-    them it is as small as possible.
+    in stage space, materials in the order of the files. `extras.joints` of an actor's node is the accessor of
+    the world matrices of its root and its joints. With `images` a frame contains the textures; without them
+    it is as small as possible.
     """
 
     def __init__(self, entries: Sequence[tuple[Character, int]], *, images: bool = False) -> None:
@@ -60,25 +62,32 @@ class FrameTemplate:
         text = self.text(0, "")
         self.data = bytearray(container.join(text, bytes(layout.binary)))
         self.text_start = container.HEADER.size + container.CHUNK_HEADER.size
-        self.vertices = self.views(
+        self.arrays = self.views(
             layout.blocks, self.text_start + len(text) + (-len(text) % 4) + container.CHUNK_HEADER.size
         )
         self.lock = threading.Lock()
 
-    def views(self, blocks: Sequence[Sequence[ActorBlock]], start: int) -> list[list[Vertices]]:
+    def views(self, blocks: Sequence[Sequence[ActorBlock]], start: int) -> list[list[ActorArrays]]:
         """Returns the arrays that the actors of each entry are written to: in the binary chunk, which starts
         at `start`, and in the table of bounds.
         """
-        vertices_of_entries: list[list[Vertices]] = []
+        arrays_of_entries: list[list[ActorArrays]] = []
         row = 0
         for character, actors in zip(self.characters, blocks, strict=True):
             float_count, parts = character.surface.positions.size, len(character.parts)
-            vertices_of_entries.append([])
+            matrices = (1 + len(character.skeleton), 4, 4)
+            arrays_of_entries.append([])
             for block in actors:
-                positions, normals = (self.view(float_count, start + first) for first in block)
-                vertices_of_entries[-1].append(Vertices(positions, normals, self.bounds[row : row + parts]))
+                arrays_of_entries[-1].append(
+                    ActorArrays(
+                        self.view(16 * matrices[0], start + block.matrices).reshape(matrices),
+                        self.view(float_count, start + block.positions),
+                        self.view(float_count, start + block.normals),
+                        self.bounds[row : row + parts],
+                    )
+                )
                 row += parts
-        return vertices_of_entries
+        return arrays_of_entries
 
     def view(self, floats: int, start: int) -> NDArray[np.float32]:
         """Returns `floats` floats of the file, from byte `start`; an empty array needs no place in the
@@ -91,27 +100,30 @@ class FrameTemplate:
         pose, at its position.
         """
         with np.errstate(over="ignore", invalid="ignore"):
-            worlds = [
-                stage_worlds(character, cast) for character, cast in zip(self.characters, casts, strict=True)
+            matrices = [
+                actor_matrices(character, cast)
+                for character, cast in zip(self.characters, casts, strict=True)
             ]
-        return self.filled(tick, state_hash, worlds, [cast.pose.weights for cast in casts])
+        return self.filled(tick, state_hash, matrices, [cast.pose.weights for cast in casts])
 
     def filled(
-        self, tick: int, state_hash: str, worlds: Sequence[Floats], weights: Sequence[Floats]
+        self, tick: int, state_hash: str, matrices: Sequence[Floats], weights: Sequence[Floats]
     ) -> bytes:
-        """Returns the frame for joint matrices (n,J,3,4) in stage space and morph weights (n,W) of each
-        entry.
+        """Returns the frame for `actor_matrices` (n,1+J,3,4) and morph weights (n,W) of each entry.
 
         Can be called from several threads.
         """
         with self.lock:
-            for character, actors, matrices, cast_weights in zip(
-                self.characters, self.vertices, worlds, weights, strict=True
+            for character, actors, cast_matrices, cast_weights in zip(
+                self.characters, self.arrays, matrices, weights, strict=True
             ):
-                for vertices, actor_matrices, actor_weights in zip(
-                    actors, matrices, cast_weights, strict=True
+                for arrays, actor_worlds, actor_weights in zip(
+                    actors, cast_matrices, cast_weights, strict=True
                 ):
-                    character.surface.pose_into(actor_matrices, actor_weights, *vertices)
+                    arrays.matrices[:, :, :3] = np.nan_to_num(actor_worlds).swapaxes(1, 2)
+                    character.surface.pose_into(
+                        actor_worlds[1:], actor_weights, arrays.positions, arrays.normals, arrays.bounds
+                    )
             text = self.text(tick, state_hash)
             self.data[self.text_start : self.text_start + len(text)] = text
             return bytes(self.data)
@@ -119,6 +131,14 @@ class FrameTemplate:
     def text(self, tick: int, state_hash: str) -> bytes:
         """Returns the JSON chunk, with hash, tick and bounds in its slots."""
         return self.layout_text % (state_hash.zfill(16).encode(), tick, *self.bounds.reshape(-1).tolist())
+
+
+def actor_matrices(character: Character, cast: PosedCast) -> Floats:
+    """Returns the world matrices (n,1+J,3,4) of each actor's root and joints in stage space.
+
+    :raises ValueError: when the pose has another number of actors or joints.
+    """
+    return np.concatenate([_root_matrices(cast)[:, None], stage_worlds(character, cast)], axis=1)
 
 
 def stage_worlds(character: Character, cast: PosedCast) -> Floats:

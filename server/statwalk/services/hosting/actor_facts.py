@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 
 from statwalk.character.role import Role
 from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.random import Words
 from statwalk.services.hosting.stage_replies import ActorFacts
 from statwalk.stage.stage import Stage
 from statwalk.stage.state.cast import Cast
-from statwalk.stage.state.hashing import Words, text
+from statwalk.stage.state.hashing import text
 
 
 class ActorColumns(NamedTuple):

@@ -5,20 +5,23 @@ If-Match names the version that an editor has read, so that no editor overwrites
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Header, Request, Response
 
+from statwalk.errors import ContentError, RefusedEditError
 from statwalk.files.machine_yaml.cell_text import CellPlace, with_cell
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, SCHEMA_PATH
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting.machine_versions import CurrentMachine, Edited, MachineVersion, MachineVersions
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, registry_of
-from statwalk.web.errors import Problem
+from statwalk.web.errors import Problem, from_error
 from statwalk.web.routes.machines import machine_members
 from statwalk.web.schemas.finding import FindingView
-from statwalk.web.schemas.machine import EditedMachine, NewCell, NewText, VersionView
+from statwalk.web.schemas.machine import EditedMachine, NewCell, NewText, RefusedTrial, VersionView
+from statwalk.web.schemas.problem import FieldError
 
 SCHEMA: dict[int | str, dict[str, Any]] = {
     200: {"content": {"application/schema+json": {"schema": {"type": "object"}}}}
@@ -72,6 +75,21 @@ def _edit(
     return act(current, text, what, checkpoint=token.check)
 
 
+def _answered(edit: Callable[[], EditedMachine], dry: bool) -> EditedMachine | RefusedTrial:
+    """Returns the answer to an edit; a refusal of a dry run is an answer, not an error."""
+    try:
+        return edit()
+    except (ContentError, RefusedEditError) as error:
+        if not dry:
+            raise
+        problem = from_error(error).body()
+        return RefusedTrial(
+            detail=problem["detail"],
+            errors=[FieldError(**entry) for entry in problem["errors"]],
+            findings=[FindingView(**finding) for finding in problem.get("findings", ())],
+        )
+
+
 @router.put("/machines/{name}")
 def put_machine(
     name: str,
@@ -81,13 +99,18 @@ def put_machine(
     token: LongWorkToken,
     response: Response,
     dry: bool = False,
-) -> EditedMachine:
+) -> EditedMachine | RefusedTrial:
     """Replaces the machine's text: verifies it, then plays it on all stages at once.
 
     `dry`: only verifies, and changes nothing.
     """
-    edited = _edit(versions, versions.based_on(name, seen), new.text, "another text", dry, token)
-    return _view_edited(versions, name, edited, response)
+    current = versions.based_on(name, seen)
+
+    def edit() -> EditedMachine:
+        edited = _edit(versions, current, new.text, "another text", dry, token)
+        return _view_edited(versions, name, edited, response)
+
+    return _answered(edit, dry)
 
 
 @router.patch("/machines/{name}/cells")
@@ -99,16 +122,20 @@ def patch_cell(
     token: LongWorkToken,
     response: Response,
     dry: bool = False,
-) -> EditedMachine:
+) -> EditedMachine | RefusedTrial:
     """Changes one cell of a table, and leaves the rest of the file as it is; like PUT otherwise.
 
     `dry`: only verifies, and changes nothing.
     """
     place, new_text = CellPlace(new.layer, new.state, new.event), new.text.strip() or "blank"
     current = versions.based_on(name, seen)
-    text = with_cell(current.version.text, place=place, new=new.text, file=FILE_NAME)
-    edited = _edit(versions, current, text, f"{new.state}/{new.event}: {new_text}", dry, token)
-    return _view_edited(versions, name, edited, response)
+
+    def edit() -> EditedMachine:
+        text = with_cell(current.version.text, place=place, new=new.text, file=FILE_NAME)
+        edited = _edit(versions, current, text, f"{new.state}/{new.event}: {new_text}", dry, token)
+        return _view_edited(versions, name, edited, response)
+
+    return _answered(edit, dry)
 
 
 @router.post("/machines/{name}/undo")

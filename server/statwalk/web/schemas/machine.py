@@ -10,6 +10,7 @@ from statwalk.files.machine_yaml.cell_text import LONGEST_CELL
 from statwalk.machine.definition.machine_definition import BASE
 from statwalk.web.schemas.base import Name, RequestModel, ResponseModel
 from statwalk.web.schemas.finding import FindingView
+from statwalk.web.schemas.problem import FieldError
 from statwalk.web.schemas.table import (
     CellView,
     ColliderView,
@@ -94,6 +95,18 @@ class MachineView(ResponseModel):
 class EditedMachine(MachineView):
     """The machine after an edit, or after a dry run, with the verifier's findings."""
 
+    result: Literal["accepted"] = "accepted"
+    findings: list[FindingView]
+
+
+class RefusedTrial(ResponseModel):
+    """The answer to a dry run whose text would be refused: what is wrong in words, the places, and the
+    findings that the text would add (none if it cannot be read).
+    """
+
+    result: Literal["refused"] = "refused"
+    detail: str
+    errors: list[FieldError]
     findings: list[FindingView]
 
 

@@ -853,6 +853,11 @@ export interface components {
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
             text: string;
+            /**
+             * @default accepted
+             * @constant
+             */
+            result: "accepted";
             findings: components["schemas"]["FindingView"][];
         };
         /**
@@ -880,6 +885,11 @@ export interface components {
             blend_seconds: number | null;
             curve: string;
             joints: components["schemas"]["MovedView"][];
+        };
+        /** @description A wrong member of the request, or a wrong place in a file, and what is wrong with it. */
+        FieldError: {
+            field: string;
+            message: string;
         };
         /** @description A fault of a machine, or a property that is proved or refuted; `line` 0: it has no line in the file. */
         FindingView: {
@@ -1164,6 +1174,20 @@ export interface components {
             root: components["schemas"]["RootView"];
         };
         /**
+         * @description The answer to a dry run whose text would be refused: what is wrong in words, the places, and the
+         *     findings that the text would add (none if it cannot be read).
+         */
+        RefusedTrial: {
+            /**
+             * @default refused
+             * @constant
+             */
+            result: "refused";
+            detail: string;
+            errors: components["schemas"]["FieldError"][];
+            findings: components["schemas"]["FindingView"][];
+        };
+        /**
          * @description One change that makes the event fire, in words and as data; the server tried it in a fork, where the
          *     event fired in tick `fires`.
          */
@@ -1362,11 +1386,6 @@ export interface components {
             states: string[];
             since: number[];
             events: components["schemas"]["ExplainedView"][];
-        };
-        /** @description A wrong member of the request, or a wrong place in a file, and what is wrong with it. */
-        FieldError: {
-            field: string;
-            message: string;
         };
         /**
          * @description An error: the wrong fields, the `known` names if a name is unknown, and the verifier's `findings` if an
@@ -1782,6 +1801,7 @@ export type ColliderView = components['schemas']['ColliderView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
+export type FieldError = components['schemas']['FieldError'];
 export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
 export type GoChange = components['schemas']['GoChange'];
@@ -1809,6 +1829,7 @@ export type PartView = components['schemas']['PartView'];
 export type PauseBody = components['schemas']['PauseBody'];
 export type PlanView = components['schemas']['PlanView'];
 export type PoseAnswer = components['schemas']['PoseAnswer'];
+export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
 export type RootView = components['schemas']['RootView'];
 export type SceneView = components['schemas']['SceneView'];
@@ -1829,7 +1850,6 @@ export type UploadedCharacterView = components['schemas']['UploadedCharacterView
 export type VersionView = components['schemas']['VersionView'];
 export type WhyNotView = components['schemas']['WhyNotView'];
 export type WhyView = components['schemas']['WhyView'];
-export type FieldError = components['schemas']['FieldError'];
 export type ProblemView = components['schemas']['ProblemView'];
 export type AcceptedMessage = components['schemas']['AcceptedMessage'];
 export type ActionMessage = components['schemas']['ActionMessage'];
@@ -2134,7 +2154,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["EditedMachine"];
+                    "application/json": components["schemas"]["EditedMachine"] | components["schemas"]["RefusedTrial"];
                 };
             };
             /** @description Client Error */
@@ -2218,7 +2238,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["EditedMachine"];
+                    "application/json": components["schemas"]["EditedMachine"] | components["schemas"]["RefusedTrial"];
                 };
             };
             /** @description Client Error */

@@ -2,6 +2,7 @@
 
 import "./picker.css";
 import * as api from "../../net/api";
+import type { Opening, OwnStages } from "../../state/ownStages";
 import type { Session } from "../../state/session";
 import { el } from "../../ui/dom";
 
@@ -13,12 +14,11 @@ export class Picker {
   private readonly actors = el("select", { "aria-label": "actor", title: "actor" });
   /** The scene of each machine, or empty. */
   private scenes = new Map<string, string>();
-  /** The stage that this page made, or null. */
-  private ownStage: string | null = null;
 
   constructor(
     host: HTMLElement,
     private readonly session: Session,
+    private readonly stages: OwnStages,
   ) {
     host.append(this.machines, this.actors);
     this.machines.addEventListener("change", () => void this.choose(this.machines.value));
@@ -72,17 +72,14 @@ export class Picker {
 
   /** Watches a machine or scene: on the main stage if it plays there, else on a new stage. */
   private async choose(what: string): Promise<void> {
-    const left = this.ownStage;
-    await this.session.command(async () => {
-      const main = await api.stage("main").catch(() => null);
-      const shared =
-        main?.actors.some(({ machine }) => machine === what || SCENE + this.scenes.get(machine) === what) ??
-        false;
-      const make = (): Promise<string> =>
-        what.startsWith(SCENE) ? api.newScene(what.slice(SCENE.length)) : api.newStage(what);
-      this.ownStage = shared ? null : await make();
-      this.session.watch(this.ownStage ?? "main");
-      if (left !== null) await api.remove(left);
-    });
+    const opening: Opening = what.startsWith(SCENE) ? { scene: what.slice(SCENE.length) } : { machine: what };
+    await this.session.command(() => this.stages.choose(opening, this.playsOnMain(what)));
+  }
+
+  private async playsOnMain(what: string): Promise<boolean> {
+    const main = await api.stage("main").catch(() => null);
+    return !!main?.actors.some(
+      ({ machine }) => machine === what || SCENE + this.scenes.get(machine) === what,
+    );
   }
 }

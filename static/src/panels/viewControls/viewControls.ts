@@ -6,7 +6,6 @@ import type { Modes, StageView } from "../../view/stageView";
 import { el, say } from "../../ui/dom";
 import { icon } from "../../ui/icons";
 
-const JOINTS_NEEDED: ReadonlySet<keyof Modes> = new Set(["bones", "tetra"]);
 const MODES: [keyof Modes, string, string][] = [
   ["skin", "1", "the skin with its materials"],
   ["wire", "2", "the skin's triangles"],
@@ -14,23 +13,14 @@ const MODES: [keyof Modes, string, string][] = [
   ["tetra", "4", "a tetrahedron for each bone"],
 ];
 
-/** Turns a mode on or off, if the stream can show it: a GLB frame has no joints. */
-export function toggleMode(session: Session, stageView: StageView, mode: keyof Modes): void {
-  if (session.frames.value === "glb" && JOINTS_NEEDED.has(mode)) return;
+/** Turns a mode on or off. */
+export function toggleMode(stageView: StageView, mode: keyof Modes): void {
   stageView.modes.set({ ...stageView.modes.value, [mode]: !stageView.modes.value[mode] });
 }
 
-function modeButton(
-  session: Session,
-  stageView: StageView,
-  [mode, key, title]: (typeof MODES)[number],
-): HTMLButtonElement {
-  const made = el("button", { type: "button" }, mode);
-  made.addEventListener("click", () => toggleMode(session, stageView, mode));
-  session.frames.on((frames) => {
-    made.disabled = frames === "glb" && JOINTS_NEEDED.has(mode);
-    made.title = made.disabled ? `${title}: in the pose stream only` : `${title} (${key})`;
-  });
+function modeButton(stageView: StageView, [mode, key, title]: (typeof MODES)[number]): HTMLButtonElement {
+  const made = el("button", { type: "button", title: `${title} (${key})` }, mode);
+  made.addEventListener("click", () => toggleMode(stageView, mode));
   stageView.modes.on((modes) => made.setAttribute("aria-pressed", String(modes[mode])));
   return made;
 }
@@ -40,7 +30,7 @@ export function modeBar(host: HTMLElement, session: Session, stageView: StageVie
   const skin = el(
     "div",
     { class: "group", role: "group", "aria-label": "what is drawn" },
-    ...MODES.map((mode) => modeButton(session, stageView, mode)),
+    ...MODES.map((mode) => modeButton(stageView, mode)),
   );
   const streams = (["pose", "glb"] as const).map((kind) => {
     const title =

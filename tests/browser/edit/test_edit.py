@@ -2,90 +2,17 @@
 other.
 """
 
-from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
 
 import httpx
-import pytest
 from browser.conftest import Server, until
+from browser.edit.conftest import CELL, NAME, NEXT_CELL, machine, type_in_cell
 from playwright.sync_api import Page, Route
-from statwalk.services.library.load import shipped_machines_folder
-
-NAME = "edited"
-CELL = "td[data-state=WALK][data-column=LEFT]"
-NEXT_CELL = "td[data-state=WALK][data-column=RIGHT]"
-REFUSED_ANSWER = "status of 422"
-LAYER = """
-layers:
-  head:
-    mask: [Head]
-    initial: REST
-    states:
-      REST: {motion: none}
-      NOD: {motion: crouch}
-    table: |
-      state | NOD | END
-      REST  | NOD |
-      NOD   | -   | REST
-"""
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The FAQ's walker in a folder that may be written, with a second layer."""
-    text = (shipped_machines_folder() / "faq-walker" / "machine.yaml").read_text()
-    made = tmp_path_factory.mktemp("own") / NAME
-    made.mkdir()
-    (made / "machine.yaml").write_text(text.replace("character: walker.glb", "character: faq-walker") + LAYER)
-    return made
-
-
-@pytest.fixture(scope="module")
-def playing(folder: Path) -> Iterator[Server]:
-    """A server whose main stage plays that machine."""
-    running = Server(folder.parent / "data", folder)
-    running.start()
-    yield running
-    running.stop()
-
-
-@pytest.fixture
-def own(playing: Server) -> Iterator[Server]:
-    """That server; afterwards the table has its old text."""
-    text = machine(playing)["text"]
-    yield playing
-    now = machine(playing)
-    if now["text"] != text:
-        url = f"{playing.url}/api/machines/{NAME}"
-        httpx.put(url, json={"text": text}, headers={"If-Match": f'"{now["version"]}"'}).raise_for_status()
-
-
-@pytest.fixture
-def table(own: Server, opened: Callable[[str], Page], allowed: list[str]) -> Page:
-    """The page, with the version that it began with."""
-    allowed.append(REFUSED_ANSWER)
-    page = opened(own.url)
-    page.evaluate("Object.assign(window, {start: __viewer.version(), played: __viewer.played()})")
-    return page
-
-
-def machine(server: Server) -> dict[str, Any]:
-    """The machine as the server has it."""
-    got: dict[str, Any] = httpx.get(f"{server.url}/api/machines/{NAME}").json()
-    return got
 
 
 def edited(page: Page, times: int = 1) -> None:
     """Waits until the table has changed so many times."""
     until(page, "__viewer.version() === window.start + arg", times)
-
-
-def type_in_cell(page: Page, text: str) -> None:
-    """Opens the cell, types, and waits for the server's answer."""
-    page.locator(CELL).click()
-    page.keyboard.type(text)
-    until(page, "['fine', 'refused'].includes(document.querySelector('#cell-inspector').dataset.trial)")
 
 
 def test_enter_keeps_what_is_typed(own: Server, folder: Path, table: Page) -> None:
@@ -102,40 +29,6 @@ def test_enter_keeps_what_is_typed(own: Server, folder: Path, table: Page) -> No
     assert [line for line in after if line not in before] == [
         next(line for line in after if line.strip().startswith("WALK  |"))
     ]
-
-
-def test_what_is_refused_stays_in_the_cell(own: Server, table: Page) -> None:
-    type_in_cell(table, "TLXT")
-    table.keyboard.press("Enter")
-    until(table, "document.querySelector('.cell-field').getAttribute('aria-invalid') === 'true'")
-    assert table.locator(".cell-field").input_value() == "TLXT"
-    assert "did you mean TLFT" in table.locator("#cell-inspector .new").first.inner_text()
-    assert machine(own)["version"] == table.evaluate("window.start")
-
-
-@pytest.mark.parametrize("away", ["Tab", "a click on the picture"])
-def test_a_refused_cell_closes_when_it_is_left(table: Page, away: str) -> None:
-    type_in_cell(table, "TLXT")
-    if away == "Tab":
-        table.keyboard.press("Tab")
-    else:
-        table.locator("canvas").first.click()
-    until(table, "document.querySelector('.cell-field').hidden")
-    table.locator("#notices p").filter(has_text="“TLXT” is not kept").first.wait_for()
-
-
-def test_a_refused_cell_can_be_left(own: Server, table: Page) -> None:
-    """Another cell is edited at once, and a notice says what is not kept, and why."""
-    type_in_cell(table, "TLXT")
-    table.keyboard.press("Enter")
-    until(table, "document.querySelector('.cell-field').getAttribute('aria-invalid') === 'true'")
-    table.locator(NEXT_CELL).click()
-    until(table, "document.querySelector('.cell-field').getAttribute('aria-label') === 'WALK, RIGHT'")
-    notice = table.locator("#notices p").filter(has_text="did you mean TLFT").first
-    notice.wait_for()
-    assert notice.inner_text().startswith("WALK, LEFT: “TLXT” is not kept.")
-    assert table.locator(".cell-field").input_value() == "TRGT"
-    assert machine(own)["version"] == table.evaluate("window.start")
 
 
 def test_a_busy_server_gets_each_edit_once(own: Server, table: Page) -> None:

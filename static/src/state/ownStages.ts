@@ -1,0 +1,69 @@
+/** Opens stages for this page, and closes them when the page leaves them. */
+
+import * as api from "../net/api";
+import type { Session } from "./session";
+
+/** What a stage begins with: one actor of a machine, or a scene. */
+export type Opening = { machine: string } | { scene: string };
+
+export class OwnStages {
+  /** The stages that this page made; null: a fork, which cannot be made again. */
+  private readonly made = new Map<string, Opening | null>();
+  /** Stages to close as soon as the page has another one. */
+  private left: string[] = [];
+  private choices = 0;
+
+  constructor(private readonly session: Session) {
+    session.forked.on((stage) => this.made.set(stage, null));
+    session.leaving.on(() => this.leave());
+    session.hello.on((hello) => hello && this.close());
+    window.addEventListener("pagehide", ({ persisted }) => !persisted && this.end());
+  }
+
+  /**
+   * Watches the stage that the address names, or main. A stage that this tab made, and closed when the page
+   * was reloaded, is opened again.
+   */
+  async begin(stage: string | null): Promise<void> {
+    const opening = history.state as Opening | null;
+    if (stage === null || !opening) return this.session.watch(stage ?? "main");
+    const stages = await api.stages().catch(() => []);
+    if (!stages.some(({ id }) => id === stage)) return this.choose(opening, Promise.resolve(false));
+    this.made.set(stage, opening);
+    this.session.watch(stage);
+  }
+
+  /** Watches main if it shows `opening` already, else a new stage; the last choice counts. */
+  async choose(opening: Opening, onMain: Promise<boolean>): Promise<void> {
+    const choice = ++this.choices;
+    const stage = (await onMain) ? "main" : await api.newStage(opening);
+    if (stage !== "main") this.made.set(stage, opening);
+    if (choice === this.choices) this.session.watch(stage);
+    else await this.remove(stage);
+  }
+
+  /** Returns what a stage of this page began with, or null. */
+  openingOf(stage: string): Opening | null {
+    return this.made.get(stage) ?? null;
+  }
+
+  /** Notes that the page leaves its stage, unless somebody else watches it too. */
+  private leave(): void {
+    if (this.session.status.value.viewers <= 1) this.left.push(this.session.stage);
+  }
+
+  private close(): void {
+    const left = this.left.filter((stage) => stage !== this.session.stage);
+    this.left = [];
+    for (const stage of left) void this.remove(stage);
+  }
+
+  private end(): void {
+    if (this.openingOf(this.session.stage)) this.leave();
+    for (const stage of this.left) void this.remove(stage);
+  }
+
+  private async remove(stage: string): Promise<void> {
+    if (this.made.delete(stage)) await api.remove(stage).catch(() => undefined);
+  }
+}

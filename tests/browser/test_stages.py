@@ -1,0 +1,80 @@
+"""The stages that the page opens: it closes what it leaves, and opens it again when it is reloaded."""
+
+from collections.abc import Callable
+
+import httpx
+from browser.conftest import Server, until
+from playwright.sync_api import Page
+from serving import wait_for
+
+CHOOSE = """names => {
+  const list = document.querySelector('#picker select');
+  for (const name of names) {
+    list.value = name;
+    list.dispatchEvent(new Event('change'));
+  }
+}"""
+MACHINES = ["faq-printed", "walker-layers", "faq-printed", "walker-layers", "faq-printed"]
+
+
+def stages(server: Server) -> set[str]:
+    return {stage["id"] for stage in httpx.get(f"{server.url}/api/stages").json()}
+
+
+def choose(page: Page, *machines: str) -> None:
+    """Chooses machines without waiting, and waits for the last one."""
+    until(page, "document.querySelectorAll('#picker option').length > 1")
+    page.evaluate(CHOOSE, machines)
+    until(page, "__viewer.ready && document.querySelector('#picker select').value === arg", machines[-1])
+    until(page, "__viewer.stage() !== 'main' && __viewer.ready")
+
+
+def test_quick_changes_leave_one_stage(server: Server, viewer: Page) -> None:
+    before = stages(server)
+    choose(viewer, *MACHINES)
+    wait_for(lambda: stages(server) - before == {viewer.evaluate("__viewer.stage()")})
+
+
+def test_slow_changes_leave_one_stage(server: Server, viewer: Page) -> None:
+    before = stages(server)
+    for machine in MACHINES:
+        choose(viewer, machine)
+    wait_for(lambda: stages(server) - before == {viewer.evaluate("__viewer.stage()")})
+
+
+def test_a_page_that_goes_away_closes_its_stage(server: Server, viewer: Page) -> None:
+    before = stages(server)
+    choose(viewer, "faq-printed")
+    viewer.goto("about:blank")
+    wait_for(lambda: stages(server) == before)
+
+
+def test_a_reloaded_page_has_its_machine_again(server: Server, viewer: Page) -> None:
+    before = stages(server)
+    choose(viewer, "faq-printed")
+    viewer.reload()
+    until(
+        viewer, "window.__viewer?.ready && document.querySelector('#picker select').value === 'faq-printed'"
+    )
+    wait_for(lambda: stages(server) - before == {viewer.evaluate("__viewer.stage()")})
+
+
+def test_a_stage_of_the_address_stays(server: Server, opened: Callable[[str], Page]) -> None:
+    actors = [{"machine": "faq-printed"}]
+    made = httpx.post(f"{server.url}/api/stages", json={"actors": actors, "clock": "real"}).json()["id"]
+    page = opened(f"{server.url}/?stage={made}")
+    choose(page, "walker-layers")
+    page.goto("about:blank")
+    assert made in stages(server)
+
+
+def test_a_stage_that_somebody_else_watches_stays(server: Server, viewer: Page) -> None:
+    choose(viewer, "faq-printed")
+    stage = viewer.evaluate("__viewer.stage()")
+    other = viewer.context.new_page()
+    other.goto(viewer.url)
+    until(other, "window.__viewer?.ready")
+    until(viewer, "__viewer.viewers() === 2")
+    choose(viewer, "walker-layers")
+    assert stage in stages(server)
+    assert other.evaluate("__viewer.stage()") == stage
