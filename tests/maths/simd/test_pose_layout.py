@@ -28,7 +28,8 @@ POSES = Pose(
     *(CHANCE.normal(size=(ACTORS, *shape)) for shape in ((JOINTS, 3), (JOINTS, 4), (JOINTS, 3), (WEIGHTS,)))
 )
 DEFINES_THE_LAYOUT = re.compile(
-    r"\b(?:LANES|WIDTH|\w*CHANNELS) = \d|\b10 \* \w*joint|(?://|%) (?:16|LANES\b(?! \* LANES))"
+    r"\b(?:LANES|WIDTH|\w*CHANNELS) = \d|\b10 \* \w*joint|\bLANES \* \(?block"
+    r"|\b(?:rows?|actors?) (?://|%) (?:16|LANES)\b"
 )
 
 

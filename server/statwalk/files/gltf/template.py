@@ -138,7 +138,7 @@ def actor_matrices(character: Character, cast: PosedCast) -> Floats:
 
     :raises ValueError: when the pose has another number of actors or joints.
     """
-    return np.concatenate([_root_matrices(cast), stage_worlds(character, cast)], axis=1)
+    return np.concatenate([_root_matrices(cast)[:, None], stage_worlds(character, cast)], axis=1)
 
 
 def stage_worlds(character: Character, cast: PosedCast) -> Floats:
