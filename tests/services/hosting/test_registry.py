@@ -93,6 +93,23 @@ def test_a_fork_that_nobody_uses_is_let_go_sooner(past: Registry) -> None:
     assert (claimed in past.stages, unclaimed in past.stages) == (True, False)
 
 
+def test_the_clock_of_a_fork_that_nobody_uses_stands(catalogue: Catalogue) -> None:
+    """It starts when somebody asks for the fork, and catches nothing up."""
+    held = registry(catalogue)
+    host = held.open(StageSetup(actors=(WALKER,)))
+    host.handle(ask.Step(3))
+    fork = held.stages[host.handle(FORWARD_AT_0).stage]
+    ticks = []
+    for now in (0.0, 0.1, 0.2):
+        fork.advance_to(now)
+        ticks.append(fork.handle(ask.Status()).tick)
+    held.find(fork.id)
+    for now in (100.0, 100.1):
+        fork.advance_to(now)
+        ticks.append(fork.handle(ask.Status()).tick)
+    assert ticks == [0, 0, 0, 0, 6]
+
+
 def test_a_stage_that_was_closed_is_not_found(catalogue: Catalogue) -> None:
     held = registry(catalogue)
     host = held.open(StageSetup())

@@ -54,7 +54,9 @@ class Registry:
         host = self.stages.get(stage_id)
         if host is None:
             raise UnknownNameError("stage", stage_id, self.stages)
-        host.is_unclaimed = False
+        if host.is_unclaimed:
+            host.is_unclaimed = False
+            self.wake()
         return host
 
     def hold(self, host: StageHost) -> StageHost:

@@ -41,7 +41,7 @@ class Home(StageServices, Protocol):
 class StageHost:
     """Answers messages about one stage. Thread-safe.
 
-    `is_unclaimed`: an input at a past tick made this fork, and no request has named the fork yet.
+    `is_unclaimed`: an input at a past tick made this fork, and no request has named it yet; its clock stands.
     """
 
     is_unclaimed = False
@@ -84,9 +84,9 @@ class StageHost:
         """Takes the steps that are due at `now` (perf_counter seconds), and publishes the facts that waited
         for durability; returns the seconds until the next call.
 
-        The ticker calls this. Does nothing while another thread holds the stage.
+        The ticker calls this. Nothing happens while another thread holds the stage, or nobody uses it.
         """
-        if not self._lock.lock.acquire(blocking=False):
+        if self.is_unclaimed or not self._lock.lock.acquire(blocking=False):
             return 1 / self.rate
         try:
             return self._live.advance_to(now)
