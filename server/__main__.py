@@ -33,9 +33,7 @@ def run(*command: object) -> None:
     """Runs a command in the checkout; its failure ends the program with its exit status."""
     status = subprocess.run([str(part) for part in command], cwd=ROOT).returncode
     if status:
-        sys.exit(
-            f"statwalk set-up: this failed with status {status}: {' '.join(str(part) for part in command)}"
-        )
+        sys.exit(f"statwalk: this failed with status {status}: {' '.join(str(part) for part in command)}")
 
 
 def fingerprint(extra: str) -> str:
@@ -101,13 +99,26 @@ def find_browser() -> None:
     sys.exit("The tests need a Chromium: install one (Debian: apt-get install chromium) and run this again")
 
 
+def run_tests(arguments: list[str]) -> None:
+    """Runs the tests that are asked for; without arguments all tests: those of the browser, which count
+    frames a second, alone and last.
+    """
+    pytest = PYTHON, "-m", "pytest"
+    if arguments:
+        run(*pytest, *arguments)
+        return
+    run(*pytest, "--numprocesses=auto", "--maxprocesses=4", "--dist=loadfile", "--ignore=tests/browser")
+    run(*pytest, "tests/browser")
+
+
 def main(arguments: list[str]) -> None:
     """Sets up, then becomes the program asked for."""
     if arguments[:1] == ["test"]:
         set_up("dev")
         run(PYTHON, "-m", "statwalk.maths.prepare")
         find_browser()
-        os.execv(PYTHON, [str(PYTHON), "-m", "pytest", *arguments[1:]])
+        run_tests(arguments[1:])
+        return
     set_up("")
     os.execv(PYTHON, [str(PYTHON), "-m", "statwalk.cli", "serve", *arguments])
 

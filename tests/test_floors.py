@@ -110,7 +110,7 @@ def test_no_cycle() -> None:
     TopologicalSorter(IMPORTS).prepare()
 
 
-@pytest.mark.parametrize("folders", FLOORS, ids="-".join)
+@pytest.mark.parametrize("folders", FLOORS, ids=lambda folders: "-".join(sorted(folders)))
 def test_no_two_modules_of_a_floor_share_a_name(folders: set[str]) -> None:
     names = Counter(
         path.stem for name, path in MODULES.items() if name not in FACE and folder(name) in folders

@@ -1,3 +1,5 @@
+import builders
+import locked_arrays
 import numpy as np
 import pytest
 from statwalk.errors import UnknownNameError
@@ -56,3 +58,7 @@ def test_shared_meshes_are_drawn_once_a_node():
     assert [part.node for part in parts] == [2, 3, 4]
     assert [part.positions[0, 2] for part in parts] == [0.5, 0.5, 5.0]
     assert character.parts[1].positions is character.parts[2].positions
+
+
+def test_its_arrays_cannot_be_written():
+    locked_arrays.check(builders.character())

@@ -2,8 +2,10 @@
 
 from dataclasses import replace
 
+import locked_arrays
 import numpy as np
 import pytest
+import slow_hierarchy
 from builders import character, definition
 from scipy.spatial.transform import Rotation
 from statwalk.character.colliders import MOST
@@ -11,7 +13,6 @@ from statwalk.character.role import Role
 from statwalk.errors import MachineError
 from statwalk.machine.definition.machine_definition import ColliderDefinition
 from statwalk.maths.pose_buffer import PoseBuffer
-from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.model_buffer import ModelBuffer
 
 TIP = ColliderDefinition("sphere", 3, "arm", (0.2, 0.1, 0), 0.5)
@@ -44,7 +45,7 @@ def placed_of(colliders, pose, position, heading):
 def test_they_ride_on_their_joints():
     pose, position, heading = poses()
     placed = placed_of(colliders_of(tip=TIP, wire=WIRE, shield=SHIELD), pose, position, heading)
-    world = world_from_local(character().skeleton, pose).astype(float)
+    world = slow_hierarchy.worlds(character().skeleton.parent, pose)
     for actor in range(4):
         turn = Rotation.from_euler("y", heading[actor])
         arm, chest = world[actor, 2], world[actor, 1]
@@ -83,3 +84,7 @@ def test_one_of_many_has_the_bits_of_one_alone():
         alone = placed_of(colliders, pose.take([row]), position[[row]], heading[[row]])
         for one, other in zip(alone, many, strict=True):
             np.testing.assert_array_equal(one[0], other[row])
+
+
+def test_their_arrays_cannot_be_written():
+    locked_arrays.check(colliders_of(tip=TIP, wire=WIRE, shield=SHIELD))

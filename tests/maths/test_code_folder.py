@@ -15,13 +15,13 @@ import json, sys
 from statwalk.maths import code_folder, compiling
 names = []
 with compiling.announced(lambda number, name: names.append(name)):
-    from statwalk.maths.kernels import morphing
+    from statwalk.motion.keys import _kernels
 print(json.dumps([str(code_folder.folder()), names]))
 """
 
 
 def started(**variables):
-    """Folder and names of compiled kernels of a process that imports two kernels."""
+    """Folder and names of compiled kernels of a process that imports the kernels of keys."""
     path = os.pathsep.join(filter(None, sys.path))
     environment = {
         **os.environ,
@@ -105,7 +105,7 @@ def test_the_processor_belongs_to_the_folder(tmp_path):
 
 def test_a_second_start_compiles_nothing(tmp_path):
     first, second = started(STATWALK_CACHE=tmp_path), started(STATWALK_CACHE=tmp_path)
-    assert (first[1], second[1]) == (["morphed", "inbetween"], [])
+    assert (first[1], second[1]) == (["gathered", "constant", "lines", "turns"], [])
     assert first[0] == second[0]
     assert first[0].startswith(str(tmp_path))
 
@@ -113,10 +113,10 @@ def test_a_second_start_compiles_nothing(tmp_path):
 def test_damaged_code_is_compiled_again(tmp_path):
     folder = started(STATWALK_CACHE=tmp_path)[0]
     for name in os.listdir(folder):
-        if name.startswith("morphing.morphed"):
+        if name.startswith("_kernels.gathered"):
             with open(os.path.join(folder, name), "wb") as file:
                 file.write(b"damaged")
-    assert [started(STATWALK_CACHE=tmp_path)[1] for _ in range(2)] == [["morphed"], []]
+    assert [started(STATWALK_CACHE=tmp_path)[1] for _ in range(2)] == [["gathered"], []]
 
 
 def test_without_a_folder_to_write_in_a_temporary_one_serves_the_process_and_its_children(
@@ -128,7 +128,7 @@ def test_without_a_folder_to_write_in_a_temporary_one_serves_the_process_and_its
     code_folder.folder.cache_clear()
     try:
         folder = code_folder.folder()
-        assert started()[1] == ["morphed", "inbetween"]
+        assert started()[1] == ["gathered", "constant", "lines", "turns"]
         assert started() == [str(folder), []]
         assert folder.is_relative_to(os.environ[code_folder.VARIABLE])
     finally:

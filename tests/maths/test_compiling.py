@@ -12,17 +12,17 @@ from statwalk.maths import compiling, reference
 SOURCE = "def double(numbers):\n    for row in range(numbers.shape[0]):\n        numbers[row] *= 2\n"
 PLAIN = """
 import numpy as np
-from statwalk.maths.kernels import hierarchy
+from statwalk.rig import _kernels, hierarchy
 out = np.zeros((1, 1, 3, 4), np.float32)
-shapes = (1, 1, 3), (1, 1, 4), (1, 1, 3), (1, 1, 3, 4)
-hierarchy.placed(np.array([-1], np.int32), *(np.ones(shape, np.float32) for shape in shapes), out)
-print(type(hierarchy.placed).__name__, type(hierarchy.local).__name__, out.tolist())
+shapes = (1, 1, 3), (1, 1, 4), (1, 1, 3)
+_kernels.world(np.array([-1], np.int32), *(np.ones(shape, np.float32) for shape in shapes), out)
+print(type(_kernels.world).__name__, type(hierarchy.local_rows).__name__, out.tolist())
 """
 
 COUNTED = """
 from statwalk.maths import compiling
 with compiling.announced(lambda number, name: print(name)):
-    from statwalk.maths.kernels import morphing
+    from statwalk.motion.keys import _kernels
 """
 
 
@@ -92,4 +92,4 @@ def test_two_processes_compile_a_kernel_once(tmp_path):
         for _ in range(2)
     ]
     compiled = "".join(process.communicate()[0] for process in processes).split()
-    assert sorted(compiled) == ["inbetween", "morphed"]
+    assert sorted(compiled) == ["constant", "gathered", "lines", "turns"]

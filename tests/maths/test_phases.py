@@ -1,5 +1,6 @@
 """Phases that correspond: at common markers, straight between them, round the circle."""
 
+import locked_arrays
 import numpy as np
 import pytest
 from statwalk.maths.phases import match, warp
@@ -83,3 +84,7 @@ def test_any_markers_give_a_way_that_goes_on(seed):
     lifted = warp(*marks).lift(np.linspace(-1, 1, 4001))
     assert np.isfinite(lifted).all()
     assert (np.diff(lifted) >= 0).all()
+
+
+def test_the_knots_of_a_warp_cannot_be_written():
+    locked_arrays.check(warp((), ()))

@@ -1,6 +1,7 @@
 """Blend spaces: laws of the weights, clips in step, and the way that is gone."""
 
 import gaits
+import locked_arrays
 import numpy as np
 import pytest
 from scipy.interpolate import interp1d
@@ -190,3 +191,7 @@ def test_two_clips_at_one_place_are_refused():
 def test_one_clip_is_no_blend():
     with pytest.raises(ContentError, match="two clips or more, not 1"):
         check_places(np.array([[1.0]]), ("walk",))
+
+
+def test_its_places_cannot_be_written():
+    locked_arrays.check(SPACE)

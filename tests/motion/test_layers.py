@@ -4,6 +4,7 @@ import json
 import subprocess
 
 import khronos
+import locked_arrays
 import numpy as np
 import pytest
 from paths import ROOT
@@ -148,3 +149,7 @@ def test_the_numbers_of_an_offset_that_a_mask_moves():
         41,
         47,
     ]
+
+
+def test_the_arrays_of_a_mask_cannot_be_written():
+    locked_arrays.check(SOME)

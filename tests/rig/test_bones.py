@@ -1,5 +1,6 @@
 """The FAQ's bones: a chain worked out by hand."""
 
+import locked_arrays
 import numpy as np
 from statwalk.maths import quat
 from statwalk.rig.bones import Bones
@@ -33,3 +34,7 @@ def test_lengths_may_differ_between_the_actors_of_a_batch():
 def test_a_translation_moves_the_bone_off_its_parents_end():
     moved = np.array([[0.0, 0, 0], [0, 0, 0.5], [0, 0, 0]])
     np.testing.assert_allclose(ARM.evaluate(translation=moved).start[1:], [[0, 3, 0.5], [0, 5, 0.5]])
+
+
+def test_their_arrays_cannot_be_written():
+    locked_arrays.check(ARM)

@@ -1,13 +1,14 @@
-"""Joint matrices in lanes against the NumPy hierarchy in float64; lists of joints; any lane gives the same
+"""Joint matrices in lanes against the slow hierarchy in float64; lists of joints; any lane gives the same
 bits.
 """
 
+import locked_arrays
 import numpy as np
 import pytest
+import slow_hierarchy
 from statwalk.maths import quat
 from statwalk.maths.pose import Pose, rest
 from statwalk.maths.pose_buffer import PoseBuffer
-from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.model_buffer import JointList, ModelBuffer
 from statwalk.rig.skeleton import Skeleton
 
@@ -21,7 +22,7 @@ POSES = Pose(
     CHANCE.uniform(0.5, 2, (ACTORS, JOINTS, 3)).astype(np.float32),
     np.zeros((ACTORS, 0), np.float32),
 )
-EXPECTED = world_from_local(SKELETON, Pose(*(array.astype(np.float64) for array in POSES)))
+EXPECTED = slow_hierarchy.worlds(PARENTS, POSES)
 
 
 def filled(rows, wanted=None):
@@ -56,3 +57,7 @@ def test_what_rides_on_no_joint_has_no_place():
 @pytest.mark.parametrize("rows", [[18], [3, 18, 7], list(range(20, -1, -1))])
 def test_a_lane_does_not_matter(rows):
     assert filled(np.array(rows)).matrices().tobytes() == filled(EVERYONE).matrices()[rows].tobytes()
+
+
+def test_the_arrays_of_a_list_cannot_be_written():
+    locked_arrays.check(JointList.of(SKELETON, [3]))

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from statwalk.skin.weights import normalised
+from statwalk.skin.weights import normalised, used_where_normalised
 
 JOINTS = np.array([[3, 1, 2, 0]] * 3)
 
@@ -26,3 +26,23 @@ def test_a_vertex_without_weights_follows_its_first_joint():
 
 def test_the_error_of_eight_bits_is_not_reported():
     assert normalised(JOINTS[:1], np.array([[128, 127, 0.3, 0]], np.float32) / 255)[2] == 0
+
+
+@pytest.mark.parametrize(
+    ("row", "used"),
+    [
+        ([1, 0, 0, 0], 1),
+        ([0.5, 0.5, 0, 0], 2),
+        ([0.4, 0.3, 0.3, 0], 3),
+        ([0.25, 0.25, 0.25, 0.25], 4),
+        ([0.5, 0, 0.5, 0], 0),
+        ([1.5, -0.5, 0, 0], 0),
+        ([0.5, 0.4, 0, 0], 0),
+        ([1.25, 0, 0, -0.25], 0),
+        ([np.nan, 0, 0, 0], 0),
+    ],
+)
+@pytest.mark.parametrize("after", [0, 30])
+def test_weights_that_are_right_already(row, used, after):
+    right = [[1, 0, 0, 0]]
+    assert used_where_normalised(np.float32([*right * 5, row, *right * after])) == used

@@ -4,6 +4,8 @@ Joints move along x at steady velocities, so each layer is a number, and what it
 itself: a cut shows the new motion, a blend goes on from what was shown along a cubic.
 """
 
+from itertools import combinations
+
 import numpy as np
 import pytest
 from layer_sums import BLENDS, NEXT, START_AND_VELOCITY, TICK, expected
@@ -72,7 +74,8 @@ HEAD = "character: c.glb\ninitial: A\ndefaults: {when: now, blend: 0, buffer: 0}
 
 def role(*layers):
     """A machine of a base and layers (name, mask, mode, weight)."""
-    text = HEAD + table_of("base", "") + "\nlayers:\n" + "\n".join(layer_text(*layer) for layer in layers)
+    text = HEAD + table_of("base", "") + ("\nlayers:\n" if layers else "")
+    text += "\n".join(layer_text(*layer) for layer in layers)
     return Role.build("line", CHARACTER, read_machine(text, "line"), "hips")
 
 
@@ -119,6 +122,16 @@ def test_a_layer_that_fades_takes_in_nothing_of_the_base_that_cuts():
     assert track[0, 6] == pytest.approx([1.66522, 1.0], abs=1e-4)
 
 
+def test_a_blend_a_tick_after_a_cut_takes_over_the_new_velocity_and_not_the_jump():
+    """By hand: the cut in tick 7 puts the hand at 1 m, going at -0.2 m/s; the blend in tick 8 leads to -0.5 m
+    at 1.1 m/s, one tick before at -0.51833: an offset of 1.51833 m at -1.3 m/s. A twelfth into the blend
+    0.98032 of the one and 1/60 s x 0.84028 of the other are left.
+    """
+    stage, line = Stage(seed=1, rate=60), role()
+    track = play(stage, [stage.add(line)], [{7: {"base": "CUT"}, 8: {"base": "LONG"}}], 8)
+    assert track[0, 6:, 1] == pytest.approx([1.0, -0.5 + 1.51833 * 0.98032 - 1.3 / 60 * 0.84028], abs=1e-4)
+
+
 def test_the_base_fades_where_a_layer_cuts():
     """By hand: the base was at 0.03 m at 0.3 m/s and turns to 1 m at -0.2 m/s, one tick before at 1.00333:
     an offset of -0.97333 m at 0.5 m/s, of which -0.94718 m is left. The arm stands at 0.
@@ -135,6 +148,22 @@ def test_random_lives_are_the_sum_of_their_layers(mode, weight, top):
     layers = [("arms", ["arm"], mode, weight), ("top", top, "additive", 0.5)]
     chance = np.random.default_rng(4)
     compare(layers, [random_life(chance) for _ in range(20)], 90)
+
+
+@pytest.mark.parametrize(("mode", "weight"), ARMS)
+def test_a_blend_a_tick_after_cuts_is_the_sum_of_its_layers(mode, weight):
+    """Some of three layers blend, some cut while the blends are under way, and a tick later one blends."""
+    layers, names = (
+        [("arms", ["arm"], mode, weight), ("top", ["hand"], "additive", 0.5)],
+        ("base", "arms", "top"),
+    )
+    scripts = [
+        {3: dict.fromkeys(names, "LONG"), 8: dict.fromkeys(cuts, "CUT"), 9: {blends: "SHORT"}}
+        for count in (1, 2, 3)
+        for cuts in combinations(names, count)
+        for blends in names
+    ]
+    compare(layers, scripts, 24)
 
 
 def random_life(chance):

@@ -1,4 +1,4 @@
-"""Step 7 of the tick: the joints of colliders in model space, against the NumPy hierarchy; only where
+"""Step 7 of the tick: the joints of colliders in model space, against the slow hierarchy; only where
 somebody looks at them.
 """
 
@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import slow_hierarchy
 from builders import character, definition
 from statwalk.character.role import Role
 from statwalk.machine.definition.machine_definition import ColliderDefinition
 from statwalk.machine.runtime.surroundings import NOTHING
-from statwalk.rig.evaluate import world_from_local
 from statwalk.stage.stage import Stage
 from statwalk.stage.tick import tick
 
@@ -32,7 +32,7 @@ def cast_after(ticks):
 @pytest.mark.parametrize("ticks", [1, 9])
 def test_the_joints_are_where_numpy_puts_those_of_the_new_poses(ticks):
     cast, _ = tick(cast_after(ticks), NOTHING, DT, 100, 0, is_looked_at=True)
-    expected = world_from_local(character().skeleton, cast.shown.poses()).astype(float)
+    expected = slow_hierarchy.worlds(character().skeleton.parent, cast.shown.poses())
     assert cast.model.joints.joints.tolist() == [0, 1, 2]
     np.testing.assert_allclose(cast.model.matrices(), expected[:, :3], atol=1e-6)
 

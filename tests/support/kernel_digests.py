@@ -13,9 +13,12 @@ import random_motions
 import wild_machines
 from playing import role_of
 from statwalk.errors import StageError
+from statwalk.files.gltf import _kernels as reading
 from statwalk.maths import compiling
-from statwalk.maths.kernels import hierarchy, morphing, reading
+from statwalk.motion.keys import _kernels as keys
 from statwalk.motion.tables.build import tables_of
+from statwalk.rig import _kernels as hierarchy
+from statwalk.skin import _kernels as skin
 from statwalk.skin.deform import surface
 from statwalk.skin.primitive import Primitive, Skin
 from statwalk.stage.stage import Stage
@@ -77,21 +80,16 @@ def soft(vertices, influences):
 @case
 def placed():
     out = np.zeros((3, 5, 3, 4), np.float32)
-    hierarchy.placed(
-        np.array([-1, 0, 1, 1, 3], np.int32),
-        numbers(3, 5, 3),
-        rotations(3, 5),
-        numbers(3, 5, 3),
-        numbers(3, 1, 3, 4),
-        out,
-    )
+    local = numbers(3, 5, 3), rotations(3, 5), numbers(3, 5, 3)
+    hierarchy.world(np.array([-1, 0, 1, 1, 3], np.int32), *local, out)
+    hierarchy.place(numbers(3, 3, 4), out)
     return (out,)
 
 
 @case
 def inbetween():
     out = np.zeros(1003, np.float32)
-    morphing.inbetween(numbers(1003), numbers(1003), 0.3, out)
+    skin.inbetween(numbers(1003), numbers(1003), 0.3, out)
     return (out,)
 
 
@@ -99,9 +97,9 @@ def inbetween():
 def segments():
     rows = [np.zeros((20, 2 * width), np.float32) for width in (3, 4, 1)]
     ends = np.array([3, 4, 20])
-    reading.turns(numbers(20, 4), ends, rows[1])
-    reading.lines(numbers(20, 3), ends, rows[0])
-    reading.lines(numbers(20, 1), ends, rows[2])
+    keys.turns(numbers(20, 4), ends, rows[1])
+    keys.lines(numbers(20, 3), ends, rows[0])
+    keys.lines(numbers(20, 1), ends, rows[2])
     return tuple(rows)
 
 
@@ -110,7 +108,7 @@ def looked_at():
     vectors, weights = rotations(77)[:, :3], np.full((33, 4), 0.25, np.float32)
     found = (
         reading.unit_length(vectors.copy(), np.float32(0.5)),
-        reading.normalised(weights, np.float32(1e-6)),
+        skin.normalised(weights, np.float32(1e-6)),
     )
     return (np.array([*found, reading.within(weights.ravel(), np.float32(0), np.float32(0.3))]),)
 

@@ -6,8 +6,9 @@ from typing import Any
 
 from numba import types
 from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
+from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.layer_lanes import MASKS, additive_block, override_block
-from statwalk.motion.sampling.sample import LANES, sample_block
+from statwalk.motion.sampling.sample import sample_block
 from statwalk.motion.tables.motion_tables import MOTIONS as TABLES
 from statwalk.stage.state.pose_offsets import OFFSETS
 from statwalk.stage.steps.hash_lanes import hash_block
@@ -79,8 +80,8 @@ def sample_all(
 ) -> None:
     """The poses of all actors in one layer into a PoseBuffer's values (B, C, 16)."""
     for block in range(out.shape[0]):
-        first = LANES * block
-        count = min(LANES, states.shape[0] - first)
+        first = first_row(block)
+        count = end_row(block, states.shape[0]) - first
         sample_block(
             motions, states, times, layer, start, parameters, first, count, weights, rows, out, block
         )

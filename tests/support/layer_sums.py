@@ -27,6 +27,7 @@ class LayerAlone:
 
     def tick(self, kind):
         """The number that is shown a tick later, when an event of this kind has come or none."""
+        left = self.left()
         self.seconds, self.passed = self.seconds + TICK, self.passed + TICK
         if kind is not None:
             self.state, self.seconds = NEXT[self.state], 0.0
@@ -36,6 +37,8 @@ class LayerAlone:
             self.velocity = (self.shown - self.earlier) / TICK - velocity
             self.passed, self.duration = TICK, BLENDS[kind]
         self.earlier, self.shown = self.shown, self.motion() + self.left()
+        if kind is not None and BLENDS[kind] == 0:  # the jump of a cut is no velocity
+            self.earlier = self.motion() - START_AND_VELOCITY[self.layer, self.state][1] * TICK + left
         return self.shown
 
     def left(self):

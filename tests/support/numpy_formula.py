@@ -136,7 +136,7 @@ def evaluate(formula: Formula, values: Floats) -> Floats:
     with np.errstate(all="ignore"):
         for step in formula.steps:
             if isinstance(step, str):
-                stack.append(bounded(np.nan_to_num(values[formula.known.index(step)])))
+                stack.append(bounded(np.nan_to_num(values[formula.scope.index(step)])))
             elif isinstance(step, Operation):
                 first = len(stack) - step.takes
                 stack[first:] = [APPLY[step.name](*stack[first:])]

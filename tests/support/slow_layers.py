@@ -1,10 +1,16 @@
 """Layers with NumPy, a pose after the other: what the kernels of `motion.layer_lanes` are held against."""
 
 import numpy as np
-from statwalk.maths import curves, quat
+from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
 from statwalk.motion.layers import Mask
+
+
+def lerp(a, b, f):
+    """a·(1−f) + b·f on every component (…, n); f (…)."""
+    part = np.asarray(f, a.dtype)[..., None]
+    return a * (1 - part) + b * part
 
 
 def part_of(mask, pose):
@@ -36,10 +42,10 @@ def override(under: Pose, over: Pose, weight: Floats, mask: Mask) -> Pose:
     old, new, part = part_of(mask, under), part_of(mask, over), weight.astype(np.float32)
     by_joint = part[:, None]
     blended = Pose(
-        curves.lerp(old.translation, new.translation, by_joint),
+        lerp(old.translation, new.translation, by_joint),
         quat.slerp(old.rotation, new.rotation, by_joint),
-        curves.lerp(old.scale, new.scale, by_joint),
-        curves.lerp(old.weights, new.weights, part),
+        lerp(old.scale, new.scale, by_joint),
+        lerp(old.weights, new.weights, part),
     )
     return put(mask, under, blended)
 

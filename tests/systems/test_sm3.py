@@ -45,9 +45,8 @@ def rows(machine):
         for column in range(len(machine.events)):
             to = int(machine.target[row, column])
             text = names.get(to) or (machine.undefined[row, column] if to == -3 else machine.states[to])
-            cells.append(
-                text + "!" * bool(machine.restart[row, column]) + "@" * bool(machine.when[row, column])
-            )
+            restarts = any(part.restart for part in machine.alternatives.get((row, column), ()))
+            cells.append(text + "!" * restarts + "@" * bool(machine.when[row, column]))
         yield " ".join((state, *cells))
 
 

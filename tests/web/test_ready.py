@@ -96,7 +96,7 @@ def served(tmp_path: Path) -> Iterator[tuple[str, Path]]:
     ):
         assert process.stdout is not None
         address = process.stdout.readline().split("http://")[1].split("/")[0]
-        assert "imports statwalk.maths.kernels.skinning" in told.read_text()
+        assert "imports statwalk.skin._kernels" in told.read_text()
         os.truncate(told, 0)
         os.lseek(errors.fileno(), 0, os.SEEK_SET)
         yield address, told

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from statwalk.errors import UnknownNameError
 from statwalk.maths import transform
+from statwalk.maths.columns import lock_fields
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Clip
 from statwalk.rig.evaluate import world_from_local
@@ -46,6 +47,9 @@ class Character:
     materials: tuple[Mapping[str, Any], ...] = ()
     notes: tuple[str, ...] = ()
     model_glb: bytes = b""
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     def clip(self, name: str) -> Clip:
         """Returns a clip by its name.

@@ -20,8 +20,9 @@ from statwalk.machine.compile.compile_machine import Machine
 from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.maths import scalar, vector
 from statwalk.maths.arrays import Bools, Floats
-from statwalk.maths.compiling import FLOAT, LONG, inlined, kernel, read, write
-from statwalk.maths.pose_buffer import LANES
+from statwalk.maths.columns import lock_fields
+from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
+from statwalk.rig.hierarchy import read_matrix
 from statwalk.rig.model_buffer import JointList, ModelBuffer
 
 _DOUBLE = types.float64
@@ -63,6 +64,9 @@ class Colliders:
     """(C, 3)"""
     is_plane: Bools
     """(C,)"""
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     @classmethod
     def of(cls, machine: Machine, character: Character, definition: MachineDefinition) -> Colliders:
@@ -113,17 +117,6 @@ def _joint(character: Character, collider: Collider, definition: MachineDefiniti
         ) from None
 
 
-@inlined
-def _read(model: Any, row: int, place: int, matrix: Any) -> None:
-    """The matrix (3, 4) of a joint of an actor; for the root (`place` below 0) the identity."""
-    for axis in range(3):
-        for column in range(4):
-            if place < 0:
-                matrix[axis, column] = 1.0 if axis == column else 0.0
-            else:
-                matrix[axis, column] = model[row // LANES, place, 4 * axis + column, row % LANES]
-
-
 @kernel(
     read(FLOAT, 4), read(LONG, 1), read(_DOUBLE, 2), read(_DOUBLE, 1), read(_DOUBLE, 2), read(_DOUBLE, 2),
     read(_DOUBLE, 1), write(_DOUBLE, 2), write(_DOUBLE, 3), write(_DOUBLE, 2), write(_DOUBLE, 3),
@@ -139,7 +132,7 @@ def _place(
     for row in range(len(heading)):
         sine, cosine = scalar.sin(heading[row]), scalar.cos(heading[row])
         for k in range(len(radii)):
-            _read(model, row, rides_on[k], matrix)
+            read_matrix(model, row, rides_on[k], matrix)
             size = 0.0
             for axis in range(3):
                 x, y, z = matrix[0, axis], matrix[1, axis], matrix[2, axis]

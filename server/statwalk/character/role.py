@@ -161,7 +161,7 @@ class Role:
         """Returns whether a tick of its machine needs measurements of an actor, or the pace of a blend of
         clips.
         """
-        return self.blends or bool((self.machine.program.measured >= 0).any())
+        return self.blends or bool((self.machine.program.variable_kind >= 0).any())
 
     @cached_property
     def travels(self) -> bool:

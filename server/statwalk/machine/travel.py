@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.machine.compile.alternatives import AT_END, AT_MARKER, IN_WINDOW, Outcome
+from statwalk.machine.compile.alternatives import AT_END, AT_MARKER, IN_WINDOW, Alternative
 from statwalk.machine.compile.machine import Machine
 
 AT_ONCE_S = 1 / 60
@@ -117,39 +117,39 @@ def _first_edges(machine: Machine, goal: int) -> dict[int, Edge]:
 
 def _edges(machine: Machine) -> Iterator[Edge]:
     world = {sense.event for sense in machine.senses} | {touch.event for touch in machine.touches}
-    for (here, event), outcomes in sorted(machine.outcomes.items()):
+    for (here, event), alternatives in sorted(machine.alternatives.items()):
         wait = _wait(machine, here, event)
         if machine.layer_of[here] != 0 or wait == NEVER:
             continue
         wait += WORLD_S if event in world else 0.0
-        total = sum(outcome.weight or 0.0 for outcome in outcomes)
-        for outcome in outcomes:
-            if outcome.target >= 0 and outcome.target != here:
-                yield Edge(here, event, outcome.target, _expected(outcome, wait, total))
+        total = sum(alternative.weight or 0.0 for alternative in alternatives)
+        for alternative in alternatives:
+            if alternative.target >= 0 and alternative.target != here:
+                yield Edge(here, event, alternative.target, _expected(alternative, wait, total))
 
 
-def _expected(outcome: Outcome, seconds: float, total: float) -> float:
+def _expected(alternative: Alternative, seconds: float, total: float) -> float:
     """Seconds until a cell leads to one of its alternatives, each try taking `seconds`."""
-    if outcome.weight is not None:
-        return seconds * total / outcome.weight if outcome.weight > 0 else NEVER
-    return seconds + (CONDITION_S if outcome.condition else 0.0)
+    if alternative.weight is not None:
+        return seconds * total / alternative.weight if alternative.weight > 0 else NEVER
+    return seconds + (CONDITION_S if alternative.condition else 0.0)
 
 
 def _wait(machine: Machine, state: int, event: int) -> float:
-    """Seconds from the beginning of a motion until its cell fires: its own moment, or the arrival of the
+    """Seconds from the beginning of a motion until its cell fires: its own timing, or the arrival of the
     event if it is later.
     """
     factor = float(machine.speed[state])
     duration, when = float(machine.duration[state]), int(machine.when[state, event])
     markers = dict(machine.markers[state])
     comes = duration if event == machine.end else markers.get(machine.events[event], 0.0) * duration
-    moment = machine.moments.get((state, event))
+    timing = machine.timings.get((state, event))
     if when == AT_END:
         comes = duration
     elif when == AT_MARKER:
         comes = (
-            max(comes, markers[moment.marker] * duration) if moment and moment.marker in markers else NEVER
+            max(comes, markers[timing.marker] * duration) if timing and timing.marker in markers else NEVER
         )
-    elif when == IN_WINDOW and moment:
-        comes = max(comes, moment.first * duration)
+    elif when == IN_WINDOW and timing:
+        comes = max(comes, timing.first * duration)
     return max(comes / factor, AT_ONCE_S) if factor > 0 else (AT_ONCE_S if comes == 0 else NEVER)

@@ -80,6 +80,17 @@ def writable(values: Values) -> Values:
     return fitted
 
 
+def lock_fields(record: Any) -> None:
+    """Replaces the arrays of a frozen dataclass, also in its NamedTuples, by read-only copies; for its
+    `__post_init__`.
+    """
+    for name, value in vars(record).items():
+        if isinstance(value, np.ndarray):
+            object.__setattr__(record, name, locked(value))
+        elif isinstance(value, tuple) and hasattr(value, "_fields"):
+            object.__setattr__(record, name, type(value)(*(locked(array) for array in value)))
+
+
 def _fitted(values: Any, lock: bool) -> Any:
     if isinstance(values, np.ndarray):
         return _array(values, values.dtype, lock)

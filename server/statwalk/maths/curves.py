@@ -1,6 +1,6 @@
 """Curves through and near keys (FAQ Q17), over any leading axes; float32 and float64 stay.
 
-KF3, KF5, KF7.
+KF5, KF7.
 
 A B-spline segment has four controls and runs between the two in the middle, f = 0…1. `ends` adds the missing
 controls of a clip's first and last segment; `bspline_through` and `rotations_through` find controls whose
@@ -23,31 +23,9 @@ _STEP = 1.5
 _LARGEST_MISS = 1e-9
 
 
-def lerp(a: Floats, b: Floats, f: ArrayLike) -> Floats:
-    """Returns a·(1−f) + b·f on every component (…, n); f (…). FAQ Q17; exactly `a` at 0 and `b` at 1."""
-    part = np.asarray(f, a.dtype)[..., None]
-    return a * (1 - part) + b * part
-
-
 def step(a: Floats, b: Floats, f: ArrayLike) -> Floats:
     """Returns `a` before f = ½ and `b` from f = ½ on (…, n); f (…). RTCA Listing 2, KF7."""
     return np.where(np.asarray(f)[..., None] < 0.5, a, b)
-
-
-def cubic_hermite(p0: Floats, m0: Floats, p1: Floats, m1: Floats, f: ArrayLike, dt: ArrayLike) -> Floats:
-    """Returns the cubic from `p0` to `p1` (…, n) with tangents `m0`, `m1` per second, over `dt` seconds; f,
-    dt (…). glTF 2.0 appendix C.5.
-    """
-    part, seconds = np.asarray(f, p0.dtype)[..., None], np.asarray(dt, p0.dtype)[..., None]
-    square = part * part
-    cube = square * part
-    to_end = 3 * square - 2 * cube
-    return (
-        (1 - to_end) * p0
-        + seconds * (cube - 2 * square + part) * m0
-        + to_end * p1
-        + seconds * (cube - square) * m1
-    )
 
 
 def bspline_basis(f: ArrayLike, dtype: np.typing.DTypeLike = np.float64) -> Floats:
@@ -60,12 +38,6 @@ def bspline_basis(f: ArrayLike, dtype: np.typing.DTypeLike = np.float64) -> Floa
         np.stack([rest * rest * rest, 3 * cube - 6 * square + 4, 3 * (part + square - cube) + 1, cube], -1)
         / 6
     )
-
-
-def bspline(controls: Floats, f: ArrayLike) -> Floats:
-    """Returns the point (…, n) at f (…) of the segment with `controls` (…, 4, n)."""
-    terms = controls * bspline_basis(f, controls.dtype)[..., None]
-    return terms[..., 0, :] + terms[..., 1, :] + terms[..., 2, :] + terms[..., 3, :]
 
 
 def ends(keys: Floats, loop: bool = False) -> Floats:

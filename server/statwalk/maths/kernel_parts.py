@@ -50,7 +50,8 @@ class _PartLowering(typed_passes.NativeLowering):
         function = state.cr.fndesc
         if not state.flags.forceinline:
             state.library.get_function(function.llvm_func_name).add_function_attribute("noinline")
-        key = {}.__getitem__  # numba finds a compiled function by its built-in function; a part has none
+        nothing: dict[str, None] = {}
+        key = nothing.__getitem__  # numba finds a compiled function by its built-in function; a part has none
         state.targetctx.insert_user_function(key, function, [state.library])
         state.cr = state.cr._replace(cfunc=key)
         return True

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from statwalk.maths.arrays import Floats, floats
+from statwalk.maths.columns import lock_fields
 
 Marks = Sequence[tuple[str, float]]
 
@@ -30,6 +31,9 @@ class Warp:
     """(K,) knots 0…1 from the origin on, rising, in the old motion"""
     there: Floats
     """(K,) the same knots in the new motion"""
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     @property
     def is_identity(self) -> bool:

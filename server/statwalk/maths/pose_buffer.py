@@ -1,11 +1,7 @@
 """The poses of a crowd: sixteen actors side by side, so that one instruction works on sixteen of them.
 
-Only this module and `maths.simd.pose_lanes` define the layout.
-
-A pose of J joints and W morph weights is a column of channels: for each joint translation xyz, rotation xyzw,
-scale xyz (from channel 10·joint on), then the weights, then padding to a multiple of 16. Lane l of block b is
-the actor of row 16·b + l. Lanes without an actor hold the rest pose, so that no kernel meets a NaN or a
-denormal there.
+`maths.simd.pose_layout` defines the layout. Lanes without an actor hold the rest pose, so that no kernel
+meets a NaN or a denormal there.
 """
 
 from __future__ import annotations
@@ -17,10 +13,15 @@ from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Ints
 from statwalk.maths.pose import Pose
-from statwalk.maths.simd.aligned import zeros
-
-LANES = 16
-JOINT_CHANNELS = 10
+from statwalk.maths.simd.pose_layout import (
+    JOINT_CHANNELS,
+    ROTATION_CHANNEL,
+    SCALE_CHANNEL,
+    blocks,
+    padded,
+    places,
+    zero_blocks,
+)
 
 
 @dataclass(eq=False)
@@ -28,7 +29,7 @@ class PoseBuffer:
     """Poses of `count` actors of one character. Kernels may write the arrays."""
 
     values: NDArray[np.float32]
-    """(B, C, 16) contiguous, aligned to 64 bytes"""
+    """(B, C, LANES) contiguous, aligned to 64 bytes"""
     count: int
     rest: Pose
     """the unbatched pose (J, …) that lanes without an actor hold"""
@@ -36,7 +37,7 @@ class PoseBuffer:
     @classmethod
     def at_rest(cls, rest: Pose, count: int) -> PoseBuffer:
         """Returns a buffer of `count` actors in the rest pose (J, …)."""
-        buffer = cls(_zeros(blocks(count), channels(rest)), count, rest)
+        buffer = cls(zero_blocks(blocks(count), channels(rest)), count, rest)
         buffer.values[:] = columns(rest)[:, None]
         return buffer
 
@@ -59,22 +60,24 @@ class PoseBuffer:
     def poses(self, rows: Ints | None = None) -> Pose:
         """Returns copies of the poses (n, J, …) of some rows, or of all rows if `rows` is None."""
         rows = np.arange(self.count) if rows is None else rows
-        values = self.values[rows // LANES, :, rows % LANES]
-        joints = self.rest.rotation.shape[-2]
+        values, joints = self._channels(rows), self.rest.rotation.shape[-2]
         of_joints = values[:, : JOINT_CHANNELS * joints].reshape(len(rows), joints, JOINT_CHANNELS)
-        weights = values[:, JOINT_CHANNELS * joints : JOINT_CHANNELS * joints + self.rest.weights.shape[-1]]
-        parts = of_joints[..., :3], of_joints[..., 3:7], of_joints[..., 7:], weights
+        parts = (
+            of_joints[..., :ROTATION_CHANNEL],
+            of_joints[..., ROTATION_CHANNEL:SCALE_CHANNEL],
+            of_joints[..., SCALE_CHANNEL:],
+            values[:, JOINT_CHANNELS * joints : self.used],
+        )
         return Pose(*(np.ascontiguousarray(part) for part in parts))
 
     def put(self, rows: Ints, poses: Pose) -> None:
         """Writes poses (n, J, …) into some rows."""
-        self.values[rows // LANES, :, rows % LANES] = columns(poses)
+        self._write(rows, columns(poses))
 
     def take(self, rows: Ints) -> PoseBuffer:
         """Returns a new buffer of the actors of some rows, in this order."""
         taken = PoseBuffer.at_rest(self.rest, len(rows))
-        to = np.arange(len(rows))
-        taken.values[to // LANES, :, to % LANES] = self.values[rows // LANES, :, rows % LANES]
+        taken._write(np.arange(len(rows)), self._channels(rows))
         return taken
 
     def append(self, other: PoseBuffer) -> PoseBuffer:
@@ -82,13 +85,12 @@ class PoseBuffer:
         both = PoseBuffer.at_rest(self.rest, self.count + other.count)
         for source, first in ((self, 0), (other, self.count)):
             rows = np.arange(source.count)
-            to = rows + first
-            both.values[to // LANES, :, to % LANES] = source.values[rows // LANES, :, rows % LANES]
+            both._write(rows + first, source._channels(rows))
         return both
 
     def copy(self) -> PoseBuffer:
         """Returns a copy of the buffer."""
-        copied = PoseBuffer(_zeros(*self.values.shape[:2]), self.count, self.rest)
+        copied = PoseBuffer(zero_blocks(*self.values.shape[:2]), self.count, self.rest)
         copied.values[:] = self.values
         return copied
 
@@ -103,23 +105,24 @@ class PoseBuffer:
     @classmethod
     def of_rows(cls, rest: Pose, rows: NDArray[np.float32]) -> PoseBuffer:
         """Returns the buffer for the result (N, 10·J + W) of `rows()`."""
-        buffer, actors = cls.at_rest(rest, len(rows)), np.arange(len(rows))
-        buffer.values[actors // LANES, : _used(rest), actors % LANES] = rows
+        buffer = cls.at_rest(rest, len(rows))
+        block, lane = places(np.arange(len(rows)))
+        buffer.values[block, : buffer.used, lane] = rows
         return buffer
 
+    def _channels(self, rows: Ints) -> NDArray[np.float32]:
+        """(n, C) the channels of some rows, with padding."""
+        block, lane = places(rows)
+        return self.values[block, :, lane]
 
-def blocks(count: int) -> int:
-    """Returns the number of blocks of sixteen for `count` actors."""
-    return -(-count // LANES)
+    def _write(self, rows: Ints, channels: NDArray[np.float32]) -> None:
+        block, lane = places(rows)
+        self.values[block, :, lane] = channels
 
 
 def channels(rest: Pose) -> int:
     """Returns the number of channels of a block for poses like `rest` (J, …), padding included."""
-    return -(-_used(rest) // LANES) * LANES
-
-
-def _zeros(blocks: int, channels: int) -> NDArray[np.float32]:
-    return zeros(blocks * channels * LANES).reshape(blocks, channels, LANES)
+    return padded(_used(rest))
 
 
 def _used(rest: Pose) -> int:

@@ -16,6 +16,7 @@ import numpy as np
 
 from statwalk.errors import ContentError
 from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.columns import lock_fields
 from statwalk.maths.phases import Marks, Warp, warp
 from statwalk.maths.pose import Pose
 from statwalk.motion.sampling.poses import poses_at, rates_at, ways_gone, weights_at
@@ -42,6 +43,9 @@ class BlendSpace:
     marks: tuple[Marks, ...]
     """name and phase 0…1 of each marker, for each clip"""
     loop: bool
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     @property
     def members(self) -> tuple[Single, ...]:

@@ -21,7 +21,6 @@ from statwalk.maths.simd.lanes import broadcast, load, store
 from statwalk.maths.simd.pose_lanes import (
     ROTATION,
     SCALE,
-    WIDTH,
     either3,
     either4,
     joint_at,
@@ -31,6 +30,7 @@ from statwalk.maths.simd.pose_lanes import (
     store4,
     weight_at,
 )
+from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.layers import Mask
 
 ZERO, ONE = np.float32(0), np.float32(1)
@@ -63,8 +63,8 @@ MASKS = types.BaseTuple.from_types([read(types.boolean, 2)] * 2, LayerMasks)
 @inlined
 def _column_lanes(values: Any, block: int, column: int) -> Any:
     """A column of per-actor values (N, L) as sixteen float32; 0 in lanes without an actor."""
-    lanes, first = broadcast(ZERO), WIDTH * block
-    for row in range(first, min(first + WIDTH, values.shape[0])):
+    lanes, first = broadcast(ZERO), first_row(block)
+    for row in range(first, end_row(block, values.shape[0])):
         lanes = with_lane(lanes, row - first, types.float32(values[row, column]))
     return lanes
 

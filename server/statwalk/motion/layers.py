@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from statwalk.maths.arrays import Bools, Ints
+from statwalk.maths.columns import lock_fields
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,6 +24,9 @@ class Mask:
     """(j,) rows of the joints"""
     weights: Ints
     """(w,) columns of the morph weights"""
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
 
 def below(parent: Ints, roots: Iterable[int]) -> Bools:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from statwalk.maths.arrays import Floats
+from statwalk.maths.columns import lock_fields
 from statwalk.maths.elementary import sincos
 
 
@@ -18,6 +19,9 @@ class RootTrack:
     """(K,) float64 seconds"""
     places: Floats
     """(K, 3) float64: x, z, yaw"""
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     def at(self, times: Floats) -> Floats:
         """Returns places (N, 3) at `times` (N,) seconds; the ends hold."""

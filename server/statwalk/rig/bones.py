@@ -12,8 +12,9 @@ import numpy as np
 
 from statwalk.maths import quat, transform
 from statwalk.maths.arrays import Floats
+from statwalk.maths.columns import lock_fields
 from statwalk.maths.pose import Pose
-from statwalk.rig.evaluate import compose
+from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.skeleton import Skeleton
 
 
@@ -41,6 +42,9 @@ class Bones:
     skeleton: Skeleton
     length: Floats
     direction: Floats
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     def attachment(self, length: Floats | None = None) -> Floats:
         """Returns the point to which children are attached, in the bone's own space: direction · length (…,
@@ -74,7 +78,7 @@ class Bones:
         """
         pose = self.pose(rotation, translation, length)
         relative = transform.from_trs(pose.translation, pose.rotation, pose.scale)
-        absolute = compose(self.skeleton, relative)
+        absolute = world_from_local(self.skeleton, pose)
         return BoneFrames(
             relative, absolute, absolute[..., 3], transform.apply(absolute, self.attachment(length))
         )

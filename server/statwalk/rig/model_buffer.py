@@ -11,9 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats, Ints
-from statwalk.maths.pose_buffer import LANES, PoseBuffer, blocks
+from statwalk.maths.columns import lock_fields
+from statwalk.maths.pose_buffer import PoseBuffer
 from statwalk.maths.simd.aligned import zeros
-from statwalk.rig.hierarchy_lanes import MATRIX, model_space
+from statwalk.maths.simd.lanes import LANES
+from statwalk.maths.simd.pose_layout import blocks
+from statwalk.rig._kernels import model_space
+from statwalk.rig.hierarchy import MATRIX
 from statwalk.rig.skeleton import Skeleton
 
 
@@ -25,6 +29,9 @@ class JointList:
     """(n,) rows in the skeleton"""
     parents: NDArray[np.int32]
     """(n,) the index of each joint's parent in this list, -1 a root"""
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     @classmethod
     def of(cls, skeleton: Skeleton, wanted: Sequence[int] | None = None) -> JointList:
@@ -38,10 +45,7 @@ class JointList:
         joints = needed.nonzero()[0].astype(np.int32)
         place = np.full(len(parent) + 1, -1, np.int32)
         place[joints] = np.arange(len(joints))
-        joint_list = cls(joints, place[parent[joints]])
-        for array in (joint_list.joints, joint_list.parents):
-            array.setflags(write=False)
-        return joint_list
+        return cls(joints, place[parent[joints]])
 
     def places(self, wanted: Ints) -> Ints:
         """Returns the indices of the skeleton's joints in this list; -1 (no joint) stays -1."""

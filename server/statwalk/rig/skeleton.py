@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from statwalk.errors import TextError, UnknownNameError
 from statwalk.maths.arrays import Ints
+from statwalk.maths.columns import lock_fields
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,6 +26,9 @@ class Skeleton:
     names: tuple[str, ...]
     parent: NDArray[np.int32]
     """(J,) index of the parent; -1 for a root"""
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
     @classmethod
     def sorted(
@@ -68,16 +72,6 @@ class Skeleton:
         if name not in self._index:
             raise UnknownNameError("joint", name, self.names)
         return self._index[name]
-
-    @cached_property
-    def levels(self) -> tuple[tuple[Ints, Ints], ...]:
-        """Returns the levels, roots first: (joints of that depth, their parents)."""
-        depth = np.zeros(len(self), np.int64)
-        for joint, parent in enumerate(self.parent.tolist()):
-            depth[joint] = depth[parent] + 1 if parent >= 0 else 0
-        order = np.argsort(depth, kind="stable")
-        groups = np.split(order, np.flatnonzero(np.diff(depth[order])) + 1)
-        return tuple((joints, self.parent[joints].astype(np.int64)) for joints in groups if len(joints))
 
 
 def _rows_by_name(names: Sequence[str], where: Sequence[str]) -> dict[str, int]:

@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats
-from statwalk.maths.kernels import morphing, skinning
 from statwalk.maths.simd import aligned
+from statwalk.maths.simd.lanes import LANES
+from statwalk.skin import _kernels
 from statwalk.skin.morph import Morph
+from statwalk.skin.repair import MATRIX, SCRATCH, XYZ
 from statwalk.skin.soft import Palette
-
-BLOCK, XYZ, MATRIX, SCRATCH = 16, 48, 16, 1024
 
 
 class Blocks:
@@ -44,13 +44,13 @@ class Blocks:
         if bones.max(initial=0) >= max(1, len(palette.joints)):
             raise IndexError(f"a vertex follows bone {bones.max()} of {len(palette.joints)}")
         counts = _influence_counts(spans, weights)
-        mask = np.arange(weights.shape[1]) < np.repeat(counts, BLOCK)[:, None]
+        mask = np.arange(weights.shape[1]) < np.repeat(counts, LANES)[:, None]
         source = sources(spans)
         self.spans = np.array([(span.start, span.stop - span.start) for span in spans], np.int64).reshape(
             -1, 2
         )
         self.table = np.ascontiguousarray(
-            np.stack([np.cumsum(BLOCK * counts) - BLOCK * counts, counts], axis=1)
+            np.stack([np.cumsum(LANES * counts) - LANES * counts, counts], axis=1)
         )
         self.bones = (bones[source][mask] * MATRIX).astype(np.int32)
         self.weights = aligned.copy(weights[source][mask])
@@ -86,11 +86,11 @@ class Blocks:
                 f"{world.shape}, {positions.shape}, {normals.shape}, {bounds.shape} do not fit this surface"
             )
         with self.lock:
-            skinning.palette(
+            _kernels.palette(
                 np.ascontiguousarray(world, np.float32), self.joints, self.inverse_bind, self.palette
             )
             rest, rest_normals = self.vertices[0].posed(weights), self.vertices[1].posed(weights)
-            skinning.skinned(
+            _kernels.skinned(
                 self.palette,
                 self.spans,
                 self.table,
@@ -128,7 +128,7 @@ class MorphedBlocks:
             own = weights[first : first + targets]
             used = np.flatnonzero(own)
             floats = span.stop - span.start
-            morphing.morphed(
+            _kernels.morphed(
                 self.rest[span],
                 displacements,
                 own[used].astype(np.float32),
@@ -149,14 +149,14 @@ def _target_blocks(morph: Morph, start: int) -> tuple[slice, int, int, NDArray[n
 
 def _block_counts(spans: Sequence[slice]) -> list[int]:
     """The number of blocks of each part."""
-    return [-((span.start - span.stop) // BLOCK) for span in spans]
+    return [-((span.start - span.stop) // LANES) for span in spans]
 
 
 def sources(spans: Sequence[slice]) -> NDArray[np.intp]:
     """Returns (16·B,) the vertex in each lane of all blocks."""
     counts = _block_counts(spans)
     listed = [
-        np.minimum(span.start + np.arange(BLOCK * count), span.stop - 1)
+        np.minimum(span.start + np.arange(LANES * count), span.stop - 1)
         for span, count in zip(spans, counts, strict=True)
     ]
     return np.concatenate([np.zeros(0, np.intp), *listed])
@@ -164,10 +164,10 @@ def sources(spans: Sequence[slice]) -> NDArray[np.intp]:
 
 def _by_blocks(xyz: NDArray[np.float32]) -> NDArray[np.float32]:
     """Points (3,16·B) flat as 16 x, 16 y, 16 z for each block."""
-    return xyz.reshape(3, -1, BLOCK).transpose(1, 0, 2).reshape(-1)
+    return xyz.reshape(3, -1, LANES).transpose(1, 0, 2).reshape(-1)
 
 
 def _influence_counts(spans: Sequence[slice], weights: NDArray[np.float32]) -> NDArray[np.int64]:
     """(B,) the number of columns of weights (V,I) that the vertices of each block need, at least 1."""
     numbers = np.where(weights != 0, np.arange(1, weights.shape[1] + 1), 1).max(axis=1, initial=1)
-    return np.asarray(numbers[sources(spans)].reshape(-1, BLOCK).max(axis=1, initial=1), np.int64)
+    return np.asarray(numbers[sources(spans)].reshape(-1, LANES).max(axis=1, initial=1), np.int64)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats
-from statwalk.maths.kernels import morphing
+from statwalk.skin import _kernels
 
 FLOAT32 = np.dtype(np.float32)
 IN_ORDER = 0x101
@@ -26,7 +26,7 @@ def inbetween(start: Floats, end: Floats, fraction: float, out: Floats | None = 
     mesh = np.empty_like(start) if out is None else out
     alike = start.shape == end.shape == mesh.shape and start.dtype == end.dtype == mesh.dtype == FLOAT32
     if alike and start.flags.num & end.flags.num & mesh.flags.num & IN_ORDER == IN_ORDER:
-        morphing.inbetween(start.ravel(), end.ravel(), fraction, mesh.ravel())
+        _kernels.inbetween(start.ravel(), end.ravel(), fraction, mesh.ravel())
         return mesh
     np.subtract(end, start, out=mesh)
     np.multiply(mesh, start.dtype.type(fraction), out=mesh)

@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from statwalk.maths.columns import lock_fields
+
 TRIANGLES = 4
 
 
@@ -21,6 +23,9 @@ class Skin:
     name: str
     joints: NDArray[np.int32]
     inverse_bind: NDArray[np.float32]
+
+    def __post_init__(self) -> None:
+        lock_fields(self)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats, Ints
-from statwalk.maths.kernels import reading
+from statwalk.skin import _kernels
 
 TOLERANCE, EXACT = 2e-3, 1.2e-7
 """largest deviation from a sum of 1: of quantised weights, and of 32-bit floats"""
@@ -43,7 +43,7 @@ def used_where_normalised(weights: Floats) -> int:
     without negative weights, as in most files; else 0.
     """
     if weights.shape[1] == 4 and _is_plain(weights):
-        return int(reading.normalised(weights, np.float32(EXACT)))
+        return int(_kernels.normalised(weights, np.float32(EXACT)))
     columns = np.ascontiguousarray(weights.T)
     sums = columns.sum(0)
     right = (

@@ -20,15 +20,15 @@ from statwalk.machine.runtime.result import StepResult, result_of
 from statwalk.machine.runtime.state import STATE
 from statwalk.machine.runtime.surroundings import Inputs
 from statwalk.maths.arrays import Ints
-from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
+from statwalk.maths.compiling import FLOAT, LONG, kernel, write
 from statwalk.maths.packed import ADDRESSES, opened
+from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.layer_lanes import MASKS
 from statwalk.motion.tables.motion_tables import MOTIONS
-from statwalk.rig.hierarchy_lanes import model_block
+from statwalk.rig.hierarchy import model_block
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
 from statwalk.stage.steps._kernels import (
-    LANES,
     hash_actor,
     keep_block,
     move_root,
@@ -41,6 +41,7 @@ from statwalk.stage.steps.memory import MEMORY, Memory, memory_of
 from statwalk.stage.steps.offset_apart import begin_transitions
 from statwalk.stage.steps.offset_begin import begins_here
 from statwalk.stage.steps.offset_clocks import advance_clocks, blend_root_delta, release_slots
+from statwalk.stage.steps.offset_cuts import cuts_here, forget_cuts
 from statwalk.stage.steps.offset_lanes import add_block
 from statwalk.stage.steps.step_machines import NOT_MEASURED, MeasuredFrom, step_machines
 
@@ -104,7 +105,7 @@ def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: boo
 
 @kernel(
     ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, write(FLOAT, 3),
-    read(FLOAT, 3), write(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 2), write(types.uint64, 1), LONG,
+    write(FLOAT, 3), write(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 2), write(types.uint64, 1), LONG,
     DOUBLE, types.boolean,
 )  # fmt: skip
 def _pose_blocks(
@@ -121,9 +122,11 @@ def _pose_blocks(
         sample_layers(m, t, s, masks, mem, s.state, s.time, mem.coming, block)
         # 4 blend: the jump of a pose becomes an offset that decays; the root motion goes over into its new
         # velocity
+        if cuts_here(mem, block):
+            forget_cuts(p, m, t, s, o, masks, done, mem, shown, block, dt)
         if begins_here(mem, block):
             begin_transitions(p, m, t, s, o, masks, done, mem, previous, shown, block, root_delta, dt)
-        for row in range(LANES * block, min(LANES * (block + 1), s.state.shape[0])):
+        for row in range(first_row(block), end_row(block, s.state.shape[0])):
             advance_clocks(o, row, dt)
             root_delta[row, 0], root_delta[row, 1], root_delta[row, 2] = root_motion(p, m, s, mem, done, row)
             blend_root_delta(o, row, root_delta)

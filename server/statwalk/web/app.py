@@ -14,7 +14,6 @@ from starlette.types import ASGIApp
 
 from statwalk.services.hosting.file_watch import FileWatch
 from statwalk.services.hosting.registry import Registry
-from statwalk.services.hosting.stage_messages import Status
 from statwalk.services.hosting.ticker import Ticker
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import ModelStore
@@ -115,10 +114,9 @@ async def _housekeeping(registry: Registry, watch: FileWatch | None) -> None:
     """
     while True:
         await asyncio.sleep(1.0)
+        now = time.monotonic()
         for host in registry.all():
-            host.fanout.cut_overdue(time.monotonic())
-            if host.fanout.outboxes:
-                host.fanout.tell(messages.fact(host.handle(Status())))
-        registry.drop_idle()
+            host.look_after_viewers(now)
+        registry.drop_idle(now)
         if watch:
             await to_thread.run_sync(watch.look)

@@ -5,7 +5,7 @@ weights, off.
 import pytest
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.machine_file import read_machine
-from statwalk.machine.definition.cell_definition import ActionDefinition, Alternative, Moment
+from statwalk.machine.definition.cell_definition import ActionDefinition, AlternativeDefinition, CellTiming
 
 TABLE = """character: c.glb
 initial: A
@@ -29,11 +29,11 @@ def cell(said: str, place: str = "A/GO"):
 @pytest.mark.parametrize(
     ("said", "moment"),
     [
-        ("now", Moment("now")),
-        ("end", Moment("end")),
-        ("marker left-down", Moment("marker", marker="left-down")),
-        ("window 0.2..0.6", Moment("window", first=0.2, last=0.6)),
-        ("window .9..0.1", Moment("window", first=0.9, last=0.1)),
+        ("now", CellTiming("now")),
+        ("end", CellTiming("end")),
+        ("marker left-down", CellTiming("marker", marker="left-down")),
+        ("window 0.2..0.6", CellTiming("window", first=0.2, last=0.6)),
+        ("window .9..0.1", CellTiming("window", first=0.9, last=0.1)),
     ],
 )
 def test_when(said, moment):
@@ -88,8 +88,10 @@ def test_alternatives():
     found = cell("[{if: stamina > 10, to: C!, blend: 0.5, enter: match, action: cheer}, {to: A}]")
     assert (found.to, found.line) == ("", 12)
     assert found.alternatives == (
-        Alternative("C", 12, True, "stamina > 10", None, 0.5, None, "match", ActionDefinition("cheer")),
-        Alternative("A", 12),
+        AlternativeDefinition(
+            "C", 12, True, "stamina > 10", None, 0.5, None, "match", ActionDefinition("cheer")
+        ),
+        AlternativeDefinition("A", 12),
     )
 
 

@@ -5,7 +5,7 @@ tables.
 import pytest
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.machine_file import read_machine
-from statwalk.machine.definition.machine_definition import OuterDefinition
+from statwalk.machine.definition.machine_definition import CompositeDefinition
 
 TEXT = """character: c.glb
 initial: FIGHT
@@ -52,7 +52,7 @@ def test_states_are_flattened_in_the_order_of_the_file():
         "FIGHT.COMBO.LEFT",
         "FIGHT.COMBO.RIGHT",
     ]
-    assert [one.outer for one in machine.states.values()] == [
+    assert [one.composite for one in machine.states.values()] == [
         "",
         "FIGHT",
         "FIGHT",
@@ -60,9 +60,9 @@ def test_states_are_flattened_in_the_order_of_the_file():
         "FIGHT.COMBO",
     ]
     assert machine.states["FIGHT.HIT"].final
-    assert machine.outers == {
-        "FIGHT": OuterDefinition("FIGHT.GUARD", True, 7, "", False),
-        "FIGHT.COMBO": OuterDefinition("FIGHT.COMBO.LEFT", False, 14, "FIGHT", True),
+    assert machine.composites == {
+        "FIGHT": CompositeDefinition("FIGHT.GUARD", True, 7, "", False),
+        "FIGHT.COMBO": CompositeDefinition("FIGHT.COMBO.LEFT", False, 14, "FIGHT", True),
     }
 
 

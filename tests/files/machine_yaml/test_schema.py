@@ -190,13 +190,13 @@ def test_wrong_files_fail_in_both(old, new):
     [
         (("properties",), KEYS),
         (("definitions", "state", "properties"), states.STATE_KEYS),
-        (("definitions", "outer", "properties"), levels.OUTER_KEYS),
+        (("definitions", "composite", "properties"), levels.COMPOSITE_KEYS),
         (("definitions", "cell", "properties"), cells.CELL_KEYS),
         (("definitions", "choices", "items", "properties"), cells.CHOICE_KEYS),
         (("properties", "layers", "additionalProperties", "properties"), layers.LAYER_KEYS),
         (("properties", "flock", "properties"), (*flock_part.NUMBERS, *flock_part.OTHERS)),
     ],
-    ids=["machine", "state", "outer", "cell", "alternative", "layer", "flock"],
+    ids=["machine", "state", "composite", "cell", "alternative", "layer", "flock"],
 )
 def test_reader_and_schema_know_the_same_keys(place, keys):
     part = SCHEMA

@@ -33,8 +33,9 @@ def test_the_table_is_an_integer_array():
 
 def test_what_else_the_cells_say():
     machine = machine_of(TABLE, TICKS, MORE)
-    assert (machine.when[0, 0], machine.when[1, 1], bool(machine.restart[0, 0])) == (AT_END, NOW, True)
-    assert (float(machine.blend[1, 1]), str(machine.actions[machine.action[1, 1]])) == (0.5, "bow")
+    (to_b,), (to_a,) = machine.alternatives[0, 0], machine.alternatives[1, 1]
+    assert (machine.when[0, 0], machine.when[1, 1], to_b.restart) == (AT_END, NOW, True)
+    assert (to_a.blend, str(machine.actions[to_a.action])) == (0.5, "bow")
     assert machine.buffer.tolist() == pytest.approx([1, 0.3, 0])
 
 
@@ -93,7 +94,7 @@ def test_markers_and_conditions_that_do_not_exist_are_refused(more, message):
 
 def test_a_default_may_name_a_marker_that_not_all_motions_have():
     machine = machine_of(TABLE, TICKS, 'cells: {"*/GO": {to: A, when: marker left}}\n', {"b": {"left": 6}})
-    assert (machine.when[1, 0], machine.moments[1, 0].marker, machine.markers) == (
+    assert (machine.when[1, 0], machine.timings[1, 0].marker, machine.markers) == (
         AT_MARKER,
         "left",
         ((), (("left", 0.1),)),

@@ -19,7 +19,7 @@ def test_a_weight_of_nothing_is_never_drawn():
         "state | GO | END\nA | | B\nB | | A\nC | A | A", "A B C", "cells: {A/GO: {to: {B: 1, C: 0}}}\n"
     ) == [
         ("unreachable state", "C cannot be reached from A"),
-        ("outcome never chosen", "A/GO: C is never chosen, its weight is 0"),
+        ("alternative never chosen", "A/GO: C is never chosen, its weight is 0"),
     ]
 
 

@@ -4,9 +4,9 @@ import random
 
 import pytest
 from statwalk.machine.model_checker.lengths import Lengths
-from statwalk.machine.model_checker.moments import MOST_WAITING, NOT_BEGUN
 from statwalk.machine.model_checker.program_in_ticks import program_in_ticks
 from statwalk.machine.model_checker.search import beginning, searched
+from statwalk.machine.model_checker.state_space import MOST_WAITING, NOT_BEGUN
 from statwalk.machine.model_checker.work import Work
 from statwalk.machine.runtime.state import BEGINNING
 from ticking import RATE, Ticking
@@ -45,7 +45,7 @@ def random_cell(chance, state, states):
 
 
 def random_machine(seed):
-    """A file over five motions, some of them loops, with markers, moments, conditions and weights."""
+    """A file over five motions, some of them loops, with markers, timings, conditions and weights."""
     chance = random.Random(seed)
     states = list(LENGTHS)
     places = [
@@ -76,7 +76,7 @@ def random_machine(seed):
     )
 
 
-def moment_of(actor):
+def node_of(actor):
     """The actor as the search sees it: state, time, begun, ended, no first one, what waits, and for how many
     ticks more.
     """
@@ -103,17 +103,17 @@ def moment_of(actor):
 
 
 def following(actor):
-    """For each moment that the search knows the moments that a tick may lead to; what waits in blank cells
+    """For each node that the search knows the nodes that a tick may lead to; what waits in blank cells
     waits for its buffer.
     """
     program = program_in_ticks(actor.machine, Lengths(tuple(LENGTHS.values()), (True,) * 5), is_patient=True)
     search = searched(
         program, beginning(program), (), [actor.machine.columns[name] for name in INPUTS], Work(10_000_000)
     )
-    moments = [tuple(row) for row in search.moments.moment.tolist()]
-    found = {moment: set() for moment in moments}
+    nodes = [tuple(row) for row in search.space.node.tolist()]
+    found = {node: set() for node in nodes}
     for start, end in zip(search.start.tolist(), search.end.tolist(), strict=True):
-        found[moments[start]].add(moments[end])
+        found[nodes[start]].add(nodes[end])
     return found
 
 
@@ -123,11 +123,11 @@ def test_what_happens_is_among_what_can_happen(seed):
     actor = Ticking.of(random_machine(seed), LENGTHS)
     known = following(actor)
     for _ in range(150):
-        before = moment_of(actor)
+        before = node_of(actor)
         press = chance.choice(INPUTS) if not actor.memory.waiting[0, 0] and chance.random() < 0.2 else ""
         if chance.random() < 0.1:
             actor.set(p=round(chance.uniform(0, 3), 2))
         actor.step(*([press] if press else []))
         if press and actor.memory.waiting[0, 0] > 1:
             break  # the event waits beside one of a marker: the search leaves such lives out
-        assert moment_of(actor) in known[before]
+        assert node_of(actor) in known[before]

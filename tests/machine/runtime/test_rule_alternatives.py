@@ -7,7 +7,6 @@ from collections import Counter
 import numpy as np
 import pytest
 from statwalk.machine.compile.compile_machine import MIXED, OFF
-from statwalk.machine.runtime.chance import chance
 from statwalk.machine.runtime.state import fresh
 from statwalk.machine.runtime.surroundings import Inputs, Measurements
 from ticking import DT, Ticking, machine_of, stepped, verdicts_of
@@ -168,21 +167,6 @@ def test_weights_are_shares():
     assert counts["JUMP"] + counts["STUP"] == 1000
 
 
-def test_chance_follows_from_key_tick_layer_event_and_count_alone():
-    parts = [
-        (7, 1, 0, 1, 0),
-        (8, 1, 0, 1, 0),
-        (7, 2, 0, 1, 0),
-        (7, 1, 1, 1, 0),
-        (7, 1, 0, 2, 0),
-        (7, 1, 0, 1, 1),
-        (7, 0, 1, 1, 0),
-    ]
-    assert len({chance(*some) for some in parts}) == len(parts)
-    assert [chance(*some) for some in parts] == [chance(*some) for some in parts]
-    assert all(0 <= chance(*some) < 1 for some in parts)
-
-
 def test_the_same_key_draws_the_same_in_a_crowd():
     states, verdicts = drawn(key=3, tick=5, actors=4)
     assert set(states) == set(drawn(key=3, tick=5)[0])
@@ -196,13 +180,14 @@ def test_off_makes_a_cell_a_dash_without_deleting_what_it_says():
     assert actor.machine.target[0].tolist()[1] == OFF
 
 
-def test_cells_of_several_outcomes_are_mixed_in_the_array():
+def test_cells_of_several_alternatives_are_mixed_in_the_array():
     machine = machine_of(TABLE, TICKS, JUMP_OR_STUP)
     assert machine.target[0, 0] == MIXED
-    assert [(one.to, one.said, one.weight) for one in machine.alternatives[0, 0]] == [
-        ("JUMP", "stamina > 10", None),
-        ("STUP", "", None),
+    assert [(one.to, one.weight) for one in machine.alternatives[0, 0]] == [
+        ("JUMP", None),
+        ("STUP", None),
     ]
+    assert machine.text.conditions[:2] == ("stamina > 10", "")
 
 
 def test_a_tap_on_what_is_never_true_does_not_wait_for_ever_in_a_loop():

@@ -67,10 +67,10 @@ def test_match_goes_by_the_markers_that_both_have(pressed_at, enters):
     assert actor.time_in_ticks == pytest.approx(enters, abs=1e-6)
 
 
-def test_it_stands_in_the_table_as_an_array():
+def test_it_stands_in_the_program_as_an_array():
     machine = machine_of(TABLE, TICKS, "cells: {walk/RUN: {enter: match}, walk/JUMP: {enter: 0.25}}\n")
-    assert machine.enter[0].tolist() == [MATCH, 0.25, 0]
-    assert machine.enter.dtype == np.float32
+    program = machine.program
+    assert program.enter[program.alternatives[0] : program.alternatives[2]].tolist() == [MATCH, 0.25]
 
 
 def test_a_motion_begins_in_the_tick_of_its_event_with_its_own_blend_and_curve():

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from numba import types
 from statwalk.maths.compiling import kernel, write
-from statwalk.maths.simd.hashing import hash_rows, hash_span, scrambled
+from statwalk.maths.random import scrambled
+from statwalk.maths.simd.hashing import hash_rows, hash_span
 
 WORD = (1 << 64) - 1
 RNG = np.random.default_rng(6)

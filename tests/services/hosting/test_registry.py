@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import httpx
 import pytest
+from serving import wait_for
 from stages import registry
 from statwalk.errors import LimitError, UnknownNameError
 from statwalk.services.hosting import stage_messages as ask
@@ -22,28 +23,29 @@ def catalogue() -> Catalogue:
     return Catalogue()
 
 
-def test_idle_stages_are_let_go_and_no_others(catalogue: Catalogue) -> None:
+@pytest.mark.anyio
+async def test_idle_stages_are_let_go_and_no_others(catalogue: Catalogue) -> None:
     """A client with a clock of its own may think for an hour; then its stage makes room for others."""
     held = registry(catalogue, idle_seconds=600.0)
-    manual = StageSetup(clock="manual")
     main, idle, watched = held.open_main(), held.open(StageSetup()), held.open(StageSetup())
-    thinking, forgotten = held.open(manual), held.open(manual)
-    watched.fanout.outboxes = frozenset({Outbox("pose")})
-    for host, minutes in ((main, 700), (idle, 11), (thinking, 50), (forgotten, 61), (watched, 700)):
-        host.touched = time.monotonic() - 60 * minutes
-    held.drop_idle()
-    assert held.all() == [main, watched, thinking]
+    thinking = held.open(StageSetup(clock="manual"))
+    watched.join(Outbox("pose"))
+    left = []
+    for minutes in (9, 11, 59, 61):
+        held.drop_idle(time.monotonic() + 60 * minutes)
+        left.append(held.all())
+    assert left == [[main, idle, watched, thinking], *[[main, watched, thinking]] * 2, [main, watched]]
 
 
-def test_a_stage_that_was_watched_until_now_is_not_idle(catalogue: Catalogue) -> None:
+@pytest.mark.anyio
+async def test_a_stage_that_was_watched_until_now_is_not_idle(catalogue: Catalogue) -> None:
     """Its viewer may only load the page again."""
-    held = registry(catalogue)
-    host, outbox = held.open(StageSetup()), Outbox("pose")
-    host.fanout.outboxes = frozenset({outbox})
-    host.touched = time.monotonic() - 2 * held.limits.idle_seconds
+    host, outbox = registry(catalogue).open(StageSetup()), Outbox("pose")
+    opened = time.monotonic()
+    host.join(outbox)
+    wait_for(lambda: time.monotonic() > opened)
     host.leave(outbox)
-    held.drop_idle()
-    assert held.all() == [host]
+    assert host.idle_for(opened) < 0
 
 
 def test_a_stage_more_than_there_may_be_is_refused(catalogue: Catalogue) -> None:
@@ -86,8 +88,8 @@ def test_a_fork_that_nobody_uses_is_let_go_sooner(past: Registry) -> None:
     """After a minute, unless somebody has asked for it; that one is kept for an hour."""
     host = past.all()[-1]
     claimed, unclaimed = (host.handle(FORWARD_AT_0).stage for _ in range(2))
-    past.find(claimed).touched = past.stages[unclaimed].touched = time.monotonic() - 61
-    past.drop_idle()
+    past.find(claimed)
+    past.drop_idle(time.monotonic() + 61)
     assert (claimed in past.stages, unclaimed in past.stages) == (True, False)
 
 

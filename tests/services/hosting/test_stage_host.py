@@ -75,6 +75,11 @@ def test_a_message_and_its_reply_are_plain_data(held: Registry, host: StageHost,
     np.testing.assert_equal(plain(pickle.loads(pickle.dumps(reply))), plain(reply))
 
 
+def test_nothing_of_the_live_stage_is_reached_through_the_host(host: StageHost) -> None:
+    reached = [type(value).__module__ for name, value in vars(host).items() if not name.startswith("_")]
+    assert [module for module in reached if module.startswith("statwalk")] == [Registry.__module__]
+
+
 def test_an_input_belongs_to_the_next_tick(host: StageHost) -> None:
     posted = host.handle(ask.Post((FORWARD,)))
     assert (posted.tick, posted.seq, posted.stage) == (10, 3, host.id)
@@ -157,7 +162,7 @@ class CountingLock:
 
 @pytest.mark.parametrize("commands", [(FORWARD,), COMMANDS])
 def test_inputs_take_the_lock_once(host: StageHost, commands: Any) -> None:
-    host._lock = counting = CountingLock()
+    host._lock.lock = counting = CountingLock()
     host.handle(ask.Post(commands))
     assert counting.taken == 1
 

@@ -1,6 +1,5 @@
 """Layouts: the same epoch for the same actors, as long as it is remembered; what is in them."""
 
-import pickle
 from functools import partial
 
 from statwalk.services.library.load import load
@@ -22,7 +21,7 @@ def test_the_layout_that_is_shown_is_not_forgotten_for_those_looked_at() -> None
     walker = load("faq-walker")
     live, past = Stage(), Stage()
     live.add(walker)
-    encoder = Encoder(pickle.dumps)
+    encoder = Encoder()
     first = epoch(encoder, live)
     past.add(walker)
     for _ in range(MOST_LAYOUTS + 1):

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from serving import open_and_never_read, serving, wait_for
 from statwalk.web.socket import protocol
-from websockets.exceptions import InvalidStatus
+from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
 LARGE = b"x" * (1 << 20)
@@ -73,6 +73,37 @@ def test_a_viewer_that_reads_again_in_time_is_kept(monkeypatch: pytest.MonkeyPat
         for _ in range(stuck_at + 2):
             assert viewer.recv(timeout=5) == LARGE
         assert not flood.ended.is_set()
+
+
+class SendsToTheEnd:
+    """Receives until its connection ends, and then sends once more."""
+
+    def __init__(self) -> None:
+        self.refused: BaseException | None = None
+
+    async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
+        if scope["type"] == "lifespan":
+            await Flood()(scope, receive, send)
+            return
+        await send({"type": "websocket.accept"})
+        while (await receive())["type"] != "websocket.disconnect":
+            pass
+        try:
+            await send({"type": "websocket.send", "bytes": b"frame"})
+        except (OSError, RuntimeError) as error:
+            self.refused = error
+
+
+def test_a_peer_that_sends_too_much_gets_the_reason() -> None:
+    """It reads the close frame although it still sent when the server refused its message."""
+    app = SendsToTheEnd()
+    with serving(app) as address, connect(f"ws://{address}/", compression=None) as viewer:
+        viewer.send(b"x" * (8 << 20))
+        with pytest.raises(ConnectionClosed) as closed:
+            viewer.recv(timeout=5)
+    assert closed.value.rcvd is not None
+    assert closed.value.rcvd.code == 1009
+    assert isinstance(app.refused, OSError)  # as when a viewer has left
 
 
 def test_a_refusal_is_no_error_in_the_log(address: str, caplog: pytest.LogCaptureFixture) -> None:

@@ -8,12 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.errors import ModelError
-from statwalk.files.gltf import check
+from statwalk.files.gltf import _kernels, check
 from statwalk.files.gltf.accessors import Accessors, Array
 from statwalk.files.gltf.check import Json
 from statwalk.files.gltf.document import Document
 from statwalk.files.gltf.formats import COLORS, JOINTS, TEXCOORDS, VECTORS, WEIGHTS
-from statwalk.maths.kernels import reading
 from statwalk.skin.rows import unit
 from statwalk.skin.shading import smooth_normals, triangles
 
@@ -73,7 +72,7 @@ def _unit_normals(vectors: Floats32) -> Floats32:
 
 def are_unit(vectors: Floats32) -> bool:
     """Returns whether all vectors (V,3) are of unit length, to the precision of 32-bit floats."""
-    return bool(reading.unit_length(np.require(vectors, requirements=["C", "A"]), np.float32(1e-6)))
+    return bool(_kernels.unit_length(np.require(vectors, requirements=["C", "A"]), np.float32(1e-6)))
 
 
 def influences(

@@ -13,12 +13,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.files.gltf import check
+from statwalk.files.gltf import _kernels, check
 from statwalk.files.gltf.columns import Codes, Column, codes, named, whole_numbers
 from statwalk.files.gltf.document import Document
 from statwalk.files.gltf.formats import FLOAT, FLOAT_BYTES
 from statwalk.files.gltf.views import Views
-from statwalk.maths.kernels import reading
 
 WIDTHS = Codes(("no type", "SCALAR", "VEC2", "VEC3", "VEC4"))
 """floats to an element; matrices are left to `accessors`"""
@@ -130,4 +129,4 @@ def _sift(usable: Bools, in_buffer: Bools, accessors: PlainFloats, numbers: Floa
 
 def is_usable(numbers: Floats32) -> bool:
     """Returns whether all numbers are finite and none is beyond 1e24."""
-    return bool(reading.within(np.require(numbers, requirements=["C", "A"]), *BOUNDS))
+    return bool(_kernels.within(np.require(numbers, requirements=["C", "A"]), *BOUNDS))

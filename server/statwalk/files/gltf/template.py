@@ -19,8 +19,8 @@ from statwalk.files.gltf import container
 from statwalk.files.gltf.layout import ActorBlock, laid_out
 from statwalk.maths.arrays import Floats
 from statwalk.maths.elementary import sincos
-from statwalk.maths.kernels.hierarchy import placed
 from statwalk.maths.pose import Pose
+from statwalk.rig.evaluate import stage_from_local
 
 
 class PosedCast(NamedTuple):
@@ -138,7 +138,7 @@ def actor_matrices(character: Character, cast: PosedCast) -> Floats:
 
     :raises ValueError: when the pose has another number of actors or joints.
     """
-    return np.concatenate([_root_matrices(cast), stage_worlds(character, cast)], axis=1)
+    return np.concatenate([_root_matrices(cast)[:, None], stage_worlds(character, cast)], axis=1)
 
 
 def stage_worlds(character: Character, cast: PosedCast) -> Floats:
@@ -146,23 +146,14 @@ def stage_worlds(character: Character, cast: PosedCast) -> Floats:
 
     :raises ValueError: when the pose has another number of actors or joints.
     """
-    roots = _root_matrices(cast)
-    if any(array.shape[:2] != (len(roots), len(character.skeleton)) for array in cast.pose[:3]):
-        raise ValueError(
-            f"a pose of {cast.pose.translation.shape} for {len(roots)} actors of {len(character.skeleton)} "
-            "joints"
-        )
-    translation, rotation, scale = (np.ascontiguousarray(array, np.float32) for array in cast.pose[:3])
-    worlds = np.empty((len(roots), len(character.skeleton), 3, 4), np.float32)
-    placed(character.skeleton.parent, translation, rotation, scale, roots, worlds)
-    return worlds
+    return stage_from_local(character.skeleton, cast.pose, _root_matrices(cast))
 
 
 def _root_matrices(cast: PosedCast) -> NDArray[np.float32]:
-    """Returns (n,1,3,4): each actor rotated by its heading about +Y, then moved to its position."""
+    """Returns (n,3,4): each actor rotated by its heading about +Y, then moved to its position."""
     sin, cos = sincos(np.asarray(cast.heading, np.float64))
-    roots = np.zeros((len(sin), 1, 3, 4), np.float32)
-    roots[:, 0, 0, 0] = roots[:, 0, 2, 2] = cos
-    roots[:, 0, 0, 2], roots[:, 0, 2, 0], roots[:, 0, 1, 1] = sin, -sin, 1
-    roots[:, 0, :, 3] = cast.root_position
+    roots = np.zeros((len(sin), 3, 4), np.float32)
+    roots[:, 0, 0] = roots[:, 2, 2] = cos
+    roots[:, 0, 2], roots[:, 2, 0], roots[:, 1, 1] = sin, -sin, 1
+    roots[:, :, 3] = cast.root_position
     return roots

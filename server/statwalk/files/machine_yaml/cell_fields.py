@@ -1,4 +1,4 @@
-"""Reads the fields of a cell, or of one of its alternatives: moment, blend, entry phase, action."""
+"""Reads the fields of a cell, or of one of its alternatives: timing, blend, entry phase, action."""
 
 from __future__ import annotations
 
@@ -7,17 +7,24 @@ import re
 
 from statwalk.files.machine_yaml import fields
 from statwalk.files.yaml.yaml_text import Node
-from statwalk.machine.definition.cell_definition import AT_END, NOW, ActionDefinition, Curve, Enter, Moment
+from statwalk.machine.definition.cell_definition import (
+    AT_END,
+    NOW,
+    ActionDefinition,
+    CellTiming,
+    Curve,
+    Enter,
+)
 from statwalk.machine.definition.state_table import NAME
 
-MOMENTS = ("now", "end", "marker NAME", "window A..B")
+TIMINGS = ("now", "end", "marker NAME", "window A..B")
 WINDOW = re.compile(r"([0-9.]+)\.\.([0-9.]+)")
 LONGEST_ACTION = 100
 MOST_ARGUMENTS = 8
 RAISE = "raise"
 
 
-def when(node: Node) -> Moment:
+def when(node: Node) -> CellTiming:
     """Reads `now`, `end`, `marker NAME` or `window A..B`, with phases 0…1.
 
     :raises MachineError: when the text is no moment.
@@ -29,13 +36,13 @@ def when(node: Node) -> Moment:
         case "end", "":
             return AT_END
         case "marker", name if NAME.fullmatch(name):
-            return Moment("marker", marker=name)
+            return CellTiming("marker", marker=name)
         case "window", bounds:
             return window(node, bounds)
-    raise node.unknown("moment", node.text(), MOMENTS)
+    raise node.unknown("moment", node.text(), TIMINGS)
 
 
-def window(node: Node, bounds: str) -> Moment:
+def window(node: Node, bounds: str) -> CellTiming:
     """Reads `0.2..0.6`, a window of the motion's phase; if the first bound is the greater, the window lies
     across the seam of a loop.
 
@@ -51,7 +58,7 @@ def window(node: Node, bounds: str) -> Moment:
             f"`window {bounds[:40]}`: a window is written A..B with two phases from 0 to 1, as in `window "
             "0.2..0.6`"
         )
-    return Moment("window", first=first, last=last)
+    return CellTiming("window", first=first, last=last)
 
 
 def blend(node: Node) -> tuple[float | None, Curve | None]:

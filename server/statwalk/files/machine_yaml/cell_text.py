@@ -34,7 +34,7 @@ def with_cell(text: str, place: CellPlace, new: str, file: str) -> str:
     table = level.entries().get("table")
     if table is None or "\n" not in table.text() or table.style != "|":
         raise level.refuse("this table is in another file, or is no block (`table: |`); edit it in the file")
-    _refuse_outcome_elsewhere(level, f"{row}/{place.event}")
+    _refuse_target_elsewhere(level, f"{row}/{place.event}")
     new = new.strip()
     _check_cell(new, file, table.line)
     lines = text.splitlines(keepends=True)
@@ -71,19 +71,19 @@ def _level_of(root: Node, place: CellPlace) -> tuple[Node, str]:
         if place.layer not in layers:
             raise root.unknown("layer", place.layer, (BASE, *layers))
         level = layers[place.layer]
-    *outers, row = place.state.split(".")
-    for outer in outers:
+    *composites, row = place.state.split(".")
+    for composite in composites:
         states = level.entries()["states"].entries()
-        if outer not in states or "machine" not in states[outer].entries():
+        if composite not in states or "machine" not in states[composite].entries():
             inner = [name for name, node in states.items() if node.is_mapping and "machine" in node.entries()]
-            raise level.unknown("sub-machine", outer, inner)
-        level = states[outer].entries()["machine"]
+            raise level.unknown("sub-machine", composite, inner)
+        level = states[composite].entries()["machine"]
     if row != ANY and row not in level.entries()["states"].entries():
         raise level.unknown("state", row, level.entries()["states"].entries())
     return level, row
 
 
-def _refuse_outcome_elsewhere(level: Node, name: str) -> None:
+def _refuse_target_elsewhere(level: Node, name: str) -> None:
     """Refuses a cell whose next state is set under `cells`, because the table's cell has no effect."""
     cells = level.entries().get("cells")
     entry = cells.entries().get(name) if cells is not None and cells.is_mapping else None

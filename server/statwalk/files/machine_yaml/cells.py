@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from statwalk.files.machine_yaml import cell_fields, conditions, fields
 from statwalk.files.yaml.yaml_text import Node
-from statwalk.machine.definition.cell_definition import Alternative, CellDefinition
+from statwalk.machine.definition.cell_definition import AlternativeDefinition, CellDefinition
 from statwalk.machine.definition.machine_definition import ANY, END
 from statwalk.machine.definition.state_table import NAME, read_cell
 
@@ -116,7 +116,7 @@ def _is_weights(node: Node, names: CellNames) -> bool:
     )
 
 
-def weights(node: Node) -> tuple[Alternative, ...]:
+def weights(node: Node) -> tuple[AlternativeDefinition, ...]:
     """Reads `{STAT: 4, SCRATCH: 1}`: one of the states is drawn, each by its share of the sum.
 
     :raises MachineError: when no weight is more than 0, or there are too many alternatives.
@@ -130,13 +130,13 @@ def weights(node: Node) -> tuple[Alternative, ...]:
     return alternatives
 
 
-def weighted_alternative(node: Node, name: str) -> Alternative:
+def weighted_alternative(node: Node, name: str) -> AlternativeDefinition:
     """Reads one state of a mapping of weights."""
     to, restart = _named_state(node, name)
-    return Alternative(to, node.line, restart, weight=node.number(0, LARGEST_WEIGHT))
+    return AlternativeDefinition(to, node.line, restart, weight=node.number(0, LARGEST_WEIGHT))
 
 
-def choices(node: Node, names: CellNames) -> tuple[Alternative, ...]:
+def choices(node: Node, names: CellNames) -> tuple[AlternativeDefinition, ...]:
     """Reads `[{if: stamina > 10, to: JUMP}, {to: STUP}]`: the first alternative whose condition is true
     counts.
 
@@ -153,12 +153,12 @@ def choices(node: Node, names: CellNames) -> tuple[Alternative, ...]:
     return alternatives
 
 
-def _choice(node: Node, names: CellNames) -> Alternative:
+def _choice(node: Node, names: CellNames) -> AlternativeDefinition:
     """Reads one alternative; fields that it does not set follow the cell."""
     entries = _checked(node, CHOICE_KEYS)
     to_node = fields.required(node, "to")
     to, restart = _named_state(to_node, to_node.text())
-    alternative = Alternative(to, node.line, restart)
+    alternative = AlternativeDefinition(to, node.line, restart)
     if "if" in entries:
         alternative = replace(alternative, condition=conditions.condition(entries["if"], names.variables))
     if "blend" in entries:

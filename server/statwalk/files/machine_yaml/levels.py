@@ -12,23 +12,23 @@ from statwalk.files.machine_yaml import fields, states, tables
 from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.definition.machine_definition import (
     ANY,
-    OuterDefinition,
+    CompositeDefinition,
     ParameterDefinition,
     StateDefinition,
 )
 
 LEVEL_KEYS = ("initial", "states", "table", "cells")
-OUTER_KEYS = ("machine", "resume", "final")
+COMPOSITE_KEYS = ("machine", "resume", "final")
 MOST_STATES = 10_000
 
 
 @dataclass(frozen=True)
 class Level:
-    """The table of one machine, layer or sub-machine, cells not resolved yet; `outer` is the composite state
-    around it, empty at the top level.
+    """The table of one machine, layer or sub-machine, cells not resolved yet; `composite` is the composite
+    state around it, empty at the top level.
     """
 
-    outer: str
+    composite: str
     table: tables.TableText | None
     cells: Node | None
 
@@ -39,7 +39,7 @@ class FlatStates:
 
     initial: str = ""
     states: dict[str, StateDefinition] = field(default_factory=dict)
-    outers: dict[str, OuterDefinition] = field(default_factory=dict)
+    composites: dict[str, CompositeDefinition] = field(default_factory=dict)
     levels: list[Level] = field(default_factory=list)
 
     @property
@@ -49,34 +49,34 @@ class FlatStates:
 
     def has(self, name: str) -> bool:
         """Returns whether a full name is the name of a state or a composite state."""
-        return name in self.states or name in self.outers
+        return name in self.states or name in self.composites
 
     def resumed(self) -> int:
         """Returns the number of states in the largest composite state that resumes."""
         counts: dict[str, int] = dict.fromkeys(
-            (name for name, composite in self.outers.items() if composite.resume), 0
+            (name for name, composite in self.composites.items() if composite.resume), 0
         )
         for state in self.states.values():
-            outer = state.outer
-            while outer:
-                counts[outer] = counts.get(outer, 0) + 1
-                outer = self.outers[outer].outer
-        return max((count for name, count in counts.items() if self.outers[name].resume), default=0)
+            composite = state.composite
+            while composite:
+                counts[composite] = counts.get(composite, 0) + 1
+                composite = self.composites[composite].composite
+        return max((count for name, count in counts.items() if self.composites[name].resume), default=0)
 
     def start(self, name: str) -> str:
         """Returns the innermost state that a state begins with."""
-        while name in self.outers:
-            name = self.outers[name].initial
+        while name in self.composites:
+            name = self.composites[name].initial
         return name
 
 
 class Scope:
-    """The names that a table may use: first the names of its own level, then the names around it; `outer` is
-    empty at the top level.
+    """The names that a table may use: first the names of its own level, then the names around it; `composite`
+    is empty at the top level.
     """
 
-    def __init__(self, flat: FlatStates, outer: str) -> None:
-        self.flat, self.outer = flat, outer
+    def __init__(self, flat: FlatStates, composite: str) -> None:
+        self.flat, self.composite = flat, composite
 
     def __contains__(self, name: object) -> bool:
         return isinstance(name, str) and self.flat.has(self.state(name))
@@ -86,17 +86,17 @@ class Scope:
 
         :raises MachineError: when the row is no state of this level or of a level within.
         """
-        full = f"{self.outer}.{name}" if self.outer else name
+        full = f"{self.composite}.{name}" if self.composite else name
         if name != ANY and not self.flat.has(full):
             raise node.unknown("state", name, self.own(), line)
         return full
 
     def own(self) -> list[str]:
         """Returns the states of this level and the levels within, by the names that are valid here."""
-        start = f"{self.outer}." if self.outer else ""
+        start = f"{self.composite}." if self.composite else ""
         return [
             full.removeprefix(start)
-            for full in (*self.flat.states, *self.flat.outers)
+            for full in (*self.flat.states, *self.flat.composites)
             if full.startswith(start)
         ]
 
@@ -104,12 +104,12 @@ class Scope:
         """Returns the full name that a name means here: the nearest from inside out; the name itself if it
         means no state.
         """
-        outer = self.outer
-        while outer:
-            full = f"{outer}.{name}"
+        composite = self.composite
+        while composite:
+            full = f"{composite}.{name}"
             if self.flat.has(full):
                 return full
-            outer = self.flat.outers[outer].outer
+            composite = self.flat.composites[composite].composite
         return name
 
 
@@ -126,7 +126,7 @@ def read(node: Node, parameters: Mapping[str, ParameterDefinition], folder: Path
 def _gather(
     flat: FlatStates,
     node: Node,
-    outer: str,
+    composite: str,
     parameters: Mapping[str, ParameterDefinition],
     folder: Path | None,
 ) -> str:
@@ -136,47 +136,47 @@ def _gather(
     initial = fields.chosen(fields.required(node, "initial"), "state", local)
     table = tables.read(entries["table"], folder) if "table" in entries else None
     for name, entry in local.items():
-        full = f"{outer}.{name}" if outer else name
+        full = f"{composite}.{name}" if composite else name
         if entry.is_mapping and "machine" in entry.entries():
-            _add_outer(flat, entry, full, outer, parameters, folder)
+            _add_composite(flat, entry, full, composite, parameters, folder)
         else:
-            add(flat, full, entry, states.state(entry, outer, parameters))
-    flat.levels.append(Level(outer, table, entries.get("cells")))
-    return f"{outer}.{initial}" if outer else initial
+            add(flat, full, entry, states.state(entry, composite, parameters))
+    flat.levels.append(Level(composite, table, entries.get("cells")))
+    return f"{composite}.{initial}" if composite else initial
 
 
-def add(flat: FlatStates, name: str, node: Node, state: StateDefinition | OuterDefinition) -> None:
+def add(flat: FlatStates, name: str, node: Node, state: StateDefinition | CompositeDefinition) -> None:
     """Adds a state.
 
     :raises MachineError: when the name is taken, which is possible only for a name with a dot in it.
     """
     if flat.has(name):
         raise node.refuse(
-            f"the state {name[:80]} was already given in line {(flat.states | flat.outers)[name].line}"
+            f"the state {name[:80]} was already given in line {(flat.states | flat.composites)[name].line}"
         )
-    if isinstance(state, OuterDefinition):
-        flat.outers[name] = state
+    if isinstance(state, CompositeDefinition):
+        flat.composites[name] = state
     else:
         flat.states[name] = state
 
 
-def _add_outer(
+def _add_composite(
     flat: FlatStates,
     node: Node,
     name: str,
-    outer: str,
+    composite: str,
     parameters: Mapping[str, ParameterDefinition],
     folder: Path | None,
 ) -> None:
     """Adds a composite state, `{machine: {initial: …, states: …, table: …}, resume: true}`, and all states in
     it.
     """
-    entries = node.entries(*OUTER_KEYS)
-    if "final" in entries and not outer:
+    entries = node.entries(*COMPOSITE_KEYS)
+    if "final" in entries and not composite:
         raise entries["final"].refuse("`final` is only for states of a sub-machine")
     machine = entries["machine"]
     machine.entries(*LEVEL_KEYS)
     resume, final = fields.truth(entries, "resume"), fields.truth(entries, "final")
-    add(flat, name, node, OuterDefinition("", resume, node.line, outer, final))
+    add(flat, name, node, CompositeDefinition("", resume, node.line, composite, final))
     initial = _gather(flat, machine, name, parameters, folder)
-    flat.outers[name] = replace(flat.outers[name], initial=initial)
+    flat.composites[name] = replace(flat.composites[name], initial=initial)

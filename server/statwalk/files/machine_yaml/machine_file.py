@@ -14,7 +14,7 @@ from pathlib import Path
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml import fields, flock_part, inputs, layers, levels, senses, whole_table
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
-from statwalk.machine.compile.alternatives import MEASURED
+from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import (
     END,
     EventDefinition,
@@ -128,7 +128,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
     parameters = inputs.parameters(entries.get("parameters"))
     colliders, variables = (
         senses.colliders(entries.get("colliders")),
-        (*parameters, *(name for name in MEASURED if name not in parameters)),
+        variables_of(parameters),
     )
     base, layer_parts = (
         levels.read(root, parameters, folder),
@@ -144,11 +144,11 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         initial=base.initial,
         events=events,
         cells=whole_table.cells_of(base, events, variables, root.file),
-        outers=base.outers,
+        composites=base.composites,
         layers={layer: _layer_of(part, events, variables, root.file) for layer, part in layer_parts.items()},
         defaults=inputs.defaults(entries.get("defaults")),
         idle=fields.chosen(entries["idle"], "event", events) if "idle" in entries else None,
-        fallback=base.start(fields.chosen(entries["fallback"], "state", (*base.states, *base.outers)))
+        fallback=base.start(fields.chosen(entries["fallback"], "state", (*base.states, *base.composites)))
         if "fallback" in entries
         else "",
         keys=inputs.keys(entries.get("keys"), events),
@@ -176,7 +176,7 @@ def _layer_of(
         mask=layer.mask,
         mode=layer.mode,
         weight=layer.weight,
-        outers=flat.outers,
+        composites=flat.composites,
         cells=whole_table.cells_of(flat, events, variables, file),
         rows=flat.top.table.rows,
     )

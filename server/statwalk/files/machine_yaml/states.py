@@ -20,7 +20,7 @@ MOST_CLIPS = 64
 MOST_MARKERS = 256
 
 
-def state(node: Node, outer: str, parameters: Mapping[str, ParameterDefinition]) -> StateDefinition:
+def state(node: Node, composite: str, parameters: Mapping[str, ParameterDefinition]) -> StateDefinition:
     """Reads `{motion: walk, loop: true, speed: 1.5, markers: {left-down: 0.05}}`; the speed may be a
     parameter.
 
@@ -31,7 +31,7 @@ def state(node: Node, outer: str, parameters: Mapping[str, ParameterDefinition])
         raise node.refuse(
             "a state needs a motion: `{motion: NAME}`, or a machine of its own: `{machine: {…}}`"
         )
-    if "final" in entries and not outer:
+    if "final" in entries and not composite:
         raise entries["final"].refuse("`final` is only for states of a sub-machine")
     return StateDefinition(
         motion=motion(entries["motion"], parameters),
@@ -39,7 +39,7 @@ def state(node: Node, outer: str, parameters: Mapping[str, ParameterDefinition])
         loop=entries["loop"].truth() if "loop" in entries else None,
         speed=speed(entries["speed"]) if "speed" in entries else 1.0,
         markers=markers(entries.get("markers")),
-        outer=outer,
+        composite=composite,
         final=fields.truth(entries, "final"),
     )
 

@@ -26,7 +26,7 @@ def cells_of(flat: FlatStates, events: Collection[str], variables: tuple[str, ..
     :raises MachineError: when a row, an event or a cell is wrong.
     """
     joined: Cells = {}
-    scopes = [(level, Scope(flat, level.outer)) for level in flat.levels]
+    scopes = [(level, Scope(flat, level.composite)) for level in flat.levels]
     for level, scope in scopes:
         if level.table is not None:
             _add_table(joined, scope, level.table)
@@ -69,7 +69,7 @@ def _with_full_names(cell: CellDefinition, scope: Scope) -> CellDefinition:
     alternatives = tuple(
         replace(alternative, to=scope.state(alternative.to)) for alternative in cell.alternatives
     )
-    return replace(cell, to=scope.state(cell.to), alternatives=alternatives) if scope.outer else cell
+    return replace(cell, to=scope.state(cell.to), alternatives=alternatives) if scope.composite else cell
 
 
 def _check_targets(joined: Cells, flat: FlatStates, file: str) -> None:

@@ -1,5 +1,5 @@
-"""The parts of a compiled machine: outcomes of cells, layers, senses, colliders, and the numbers for cells
-that name no state.
+"""The parts of a compiled machine: alternatives of cells, layers, senses, colliders, and the numbers for
+cells that name no state.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 from statwalk.maths.formula.postfix import Formula
 
 BLANK, OFF, UNDEFINED, MIXED = -1, -2, -3, -4
-"""targets that are no state: an empty cell, a `-`, an unknown name, a cell with several outcomes (see
+"""targets that are no state: an empty cell, a `-`, an unknown name, a cell with several alternatives (see
 `alternatives`)
 """
 NOW, AT_END, AT_MARKER, IN_WINDOW = range(4)
@@ -18,12 +18,10 @@ CURVES = ("cubic", "quintic")
 """the curves, by their numbers"""
 MATCH = -2.0
 """the `enter` of a motion that begins at the phase of the old motion"""
-MEASURED = ("speed", "turning", "height", "phase", "time")
-"""what conditions may ask of an actor beside its parameters; a parameter of the same name comes first"""
 
 
-class Outcome(NamedTuple):
-    """One outcome of a cell."""
+class Alternative(NamedTuple):
+    """One alternative of a cell."""
 
     target: int
     """row of the table, or UNDEFINED"""
@@ -40,10 +38,8 @@ class Outcome(NamedTuple):
     resume: int = -1
     """row of `histories`: the inner state left last replaces `target`, if one was left; -1 none"""
     condition: Formula | None = None
-    said: str = ""
-    """the condition as written"""
     weight: float | None = None
-    """its share, if the cell draws one of its outcomes"""
+    """its share, if the cell draws one of its alternatives"""
 
 
 @dataclass(frozen=True)
@@ -90,8 +86,6 @@ class Sense(NamedTuple):
     event: int
     when: Formula
     release: Formula | None
-    said: str
-    """the condition as written"""
 
 
 class Touch(NamedTuple):

@@ -1,4 +1,4 @@
-"""Compiles the cells of the full tables to arrays: targets, moments, blends and actions."""
+"""Compiles the cells of the full tables to arrays: targets, timings, blends and actions."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.machine.compile.alternatives import BLANK, CURVES, MATCH, MIXED, OFF, UNDEFINED, Outcome
+from statwalk.machine.compile.alternatives import BLANK, CURVES, MATCH, MIXED, OFF, UNDEFINED, Alternative
 from statwalk.machine.compile.resolve_defaults import Cell, Choice
 from statwalk.machine.compile.resolved_table import ResolvedTable
 from statwalk.machine.definition.cell_definition import ActionDefinition
@@ -17,7 +17,7 @@ from statwalk.machine.definition.machine_definition import MachineDefinition, ne
 from statwalk.maths.formula.postfix import Formula
 
 WHENS = ("now", "end", "marker", "window")
-"""the kinds of moments, by their numbers"""
+"""the kinds of timings, by their numbers"""
 Conditions = Callable[[str, int], Formula]
 """reads a condition from its text and its line"""
 Place = tuple[int, int]
@@ -29,7 +29,7 @@ class Cells:
     """The cells of all layers, by their rows in the arrays."""
 
     full: dict[Place, Cell] = field(default_factory=dict)
-    outcomes: dict[Place, tuple[Outcome, ...]] = field(default_factory=dict)
+    alternatives: dict[Place, tuple[Alternative, ...]] = field(default_factory=dict)
     actions: dict[ActionDefinition, int] = field(default_factory=dict)
     """numbered in the order in which the cells name them"""
 
@@ -51,15 +51,15 @@ def cell_arrays(
     return {
         **_arrays_of((first, len(events)), cells),
         "layer_concerns": concerns(cells, states["layer_of"], len(tables), len(events)),
-        "outcomes": cells.outcomes,
-        "moments": {
+        "alternatives": cells.alternatives,
+        "timings": {
             place: cell.when for place, cell in cells.full.items() if cell.when.kind in ("marker", "window")
         },
         "sources": {place: cell.written for place, cell in cells.full.items()},
         "undefined": {
-            place: outcomes[0].to
-            for place, outcomes in cells.outcomes.items()
-            if len(outcomes) == 1 and outcomes[0].target == UNDEFINED
+            place: alternatives[0].to
+            for place, alternatives in cells.alternatives.items()
+            if len(alternatives) == 1 and alternatives[0].target == UNDEFINED
         },
         "actions": tuple(cells.actions),
     }
@@ -76,26 +76,28 @@ def collect(
     table = resolved.definition
     rows = {name: first + row for row, name in enumerate(table.states)}
     histories = {
-        outer: row for row, (owner, outer) in enumerate(states["histories"]) if owner == resolved.layer
+        composite: row
+        for row, (owner, composite) in enumerate(states["histories"])
+        if owner == resolved.layer
     }
     for (state, event), cell in resolved.cells.items():
         place = rows[state], table.columns.index(event)
         _check_marker(table, cell, state, states["markers"][place[0]])
         cells.full[place] = cell
         if not cell.off:
-            cells.outcomes[place] = tuple(
-                _outcome_of(choice, rows, histories, cells.actions, conditions) for choice in cell.choices
+            cells.alternatives[place] = tuple(
+                _alternative_of(choice, rows, histories, cells.actions, conditions) for choice in cell.choices
             )
 
 
-def _outcome_of(
+def _alternative_of(
     choice: Choice,
     rows: Mapping[str, int],
     histories: Mapping[str, int],
     actions: dict[ActionDefinition, int],
     conditions: Conditions,
-) -> Outcome:
-    return Outcome(
+) -> Alternative:
+    return Alternative(
         target=rows.get(choice.to, UNDEFINED),
         restart=choice.restart,
         blend=float(np.float32(choice.blend)),
@@ -105,7 +107,6 @@ def _outcome_of(
         to=choice.to,
         resume=histories.get(choice.resume, -1),
         condition=conditions(choice.condition, choice.line) if choice.condition else None,
-        said=choice.condition,
         weight=choice.weight,
     )
 
@@ -128,39 +129,21 @@ def _check_marker(
 
 
 def _arrays_of(shape: tuple[int, int], cells: Cells) -> dict[str, NDArray[Any]]:
-    """target, when, restart, blend, curve, enter and action, each (S, E); a cell with several outcomes shows
-    its first outcome.
-    """
+    """target and when, each (S, E)."""
     target, when = np.full(shape, BLANK, np.int16), np.zeros(shape, np.uint8)
-    restart, blend, action = np.zeros(shape, bool), np.zeros(shape, np.float32), np.full(shape, -1, np.int16)
-    curve, enter = np.zeros(shape, np.uint8), np.zeros(shape, np.float32)
     for place, cell in cells.full.items():
-        outcomes = cells.outcomes.get(place)
-        when[place] = WHENS.index(cell.when.kind)
-        target[place] = _target_of(outcomes)
-        if outcomes:
-            first = outcomes[0]
-            restart[place], blend[place], action[place] = first.restart, first.blend, first.action
-            curve[place], enter[place] = first.curve, first.enter
-    return {
-        "target": target,
-        "when": when,
-        "restart": restart,
-        "blend": blend,
-        "curve": curve,
-        "enter": enter,
-        "action": action,
-    }
+        target[place], when[place] = _target_of(cells.alternatives.get(place)), WHENS.index(cell.when.kind)
+    return {"target": target, "when": when}
 
 
-def _target_of(outcomes: tuple[Outcome, ...] | None) -> int:
-    """MIXED also for a single outcome with a condition, and for one that resumes: its state is known only at
-    runtime.
+def _target_of(alternatives: tuple[Alternative, ...] | None) -> int:
+    """MIXED also for a single alternative with a condition, and for one that resumes: its state is known
+    only at runtime.
     """
-    if not outcomes:
+    if not alternatives:
         return OFF
-    plain = len(outcomes) == 1 and outcomes[0].condition is None and outcomes[0].resume < 0
-    return outcomes[0].target if plain else MIXED
+    plain = len(alternatives) == 1 and alternatives[0].condition is None and alternatives[0].resume < 0
+    return alternatives[0].target if plain else MIXED
 
 
 def concerns(cells: Cells, layer_of: NDArray[np.int16], layers: int, events: int) -> NDArray[np.bool_]:

@@ -14,7 +14,6 @@ from statwalk.machine.compile.alternatives import (
     BLANK,
     IN_WINDOW,
     MATCH,
-    MEASURED,
     MIXED,
     NOW,
     OFF,
@@ -31,6 +30,7 @@ from statwalk.machine.compile.compile_states import LARGEST_SPEED, MotionFacts, 
 from statwalk.machine.compile.link import linked
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.resolved_table import ResolvedTable, resolved_tables
+from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import BASE, MachineDefinition, TouchDefinition, nearest
 from statwalk.maths.formula.parser import parse
 from statwalk.maths.formula.postfix import Formula
@@ -67,7 +67,7 @@ def build(
     resolved = resolved_tables(definition, motions) if resolved is None else resolved
     tables = {table.layer: table.definition for table in resolved}
     states = state_arrays(tables, motions)
-    variables = (*definition.parameters, *(name for name in MEASURED if name not in definition.parameters))
+    variables = variables_of(definition.parameters)
     conditions = _conditions_of(definition, variables)
     machine = Machine(
         name=definition.name,
@@ -140,7 +140,7 @@ def _senses_of(definition: MachineDefinition, conditions: Conditions) -> dict[st
             touches.append(Touch(event, sense.own, sense.other, sense.on))
         else:
             release = conditions(sense.release, sense.line) if sense.release else None
-            senses.append(Sense(event, conditions(sense.when, sense.line), release, sense.when))
+            senses.append(Sense(event, conditions(sense.when, sense.line), release))
     return {"senses": tuple(senses), "touches": tuple(touches)}
 
 

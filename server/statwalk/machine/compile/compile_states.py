@@ -45,9 +45,9 @@ def state_arrays(
     used = _motions_used(tables, motions)
     speeds = [_speed_of(table, name) for table, name, _ in states]
     histories = tuple(
-        (layer, outer)
+        (layer, name)
         for layer, table in tables.items()
-        for outer, composite in table.outers.items()
+        for name, composite in table.composites.items()
         if composite.resume
     )
     return {
@@ -70,7 +70,7 @@ def state_arrays(
         "histories": histories,
         "inside": np.array(
             [
-                [(layer, outer) in _around(layer, table, name) for layer, outer in histories]
+                [(layer, composite) in _around(layer, table, name) for layer, composite in histories]
                 for layer, table, name in named(tables)
             ],
             bool,
@@ -84,7 +84,7 @@ def named(tables: Mapping[str, MachineDefinition]) -> Iterator[tuple[str, Machin
 
 
 def _around(layer: str, table: MachineDefinition, state: str) -> set[tuple[str, str]]:
-    return {(layer, outer) for outer in enclosing(table, state)}
+    return {(layer, composite) for composite in enclosing(table, state)}
 
 
 def _motions_used(

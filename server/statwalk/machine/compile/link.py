@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from statwalk.machine.compile.alternatives import BLANK, MATCH, MEASURED, OFF, Outcome
+from statwalk.machine.compile.alternatives import BLANK, MATCH, OFF, Alternative
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.program import (
     NO_CONDITION,
@@ -16,6 +16,7 @@ from statwalk.machine.compile.program import (
     ProgramText,
     program,
 )
+from statwalk.machine.conditions.condition_code import condition_arrays
 from statwalk.maths.formula.postfix import Formula as Condition
 from statwalk.maths.phases import Warp, warp
 
@@ -35,7 +36,7 @@ def _program_of(machine: Machine) -> Program:
     return program(
         target=machine.target,
         when=machine.when,
-        **_moments(machine),
+        **_timings(machine),
         **_alternatives(machine, conditions),
         buffer=machine.buffer,
         received=machine.received,
@@ -47,7 +48,7 @@ def _program_of(machine: Machine) -> Program:
         inside=machine.inside,
         **_markers(machine),
         **_warps(machine),
-        **_code(machine, conditions),
+        **condition_arrays(conditions.values(), machine.variables, len(machine.parameters)),
         **_parameters(machine),
         **_senses(machine, conditions),
         initials=machine.initials,
@@ -56,25 +57,27 @@ def _program_of(machine: Machine) -> Program:
 
 
 def _text_of(machine: Machine) -> ProgramText:
-    outcomes = [outcome for _, outcomes in _by_cell(machine) for outcome in outcomes]
+    alternatives = [alternative for _, alternatives in _by_cell(machine) for alternative in alternatives]
     return ProgramText(
         states=machine.states,
         events=machine.events,
         variables=machine.variables,
         actions=tuple((action.name, action.arguments) for action in machine.actions),
-        written=tuple(outcome.to for outcome in outcomes),
-        conditions=tuple(outcome.said for outcome in outcomes),
-        senses=tuple(sense.said for sense in machine.senses),
-        moments={place: str(moment) for place, moment in machine.moments.items()},
+        written=tuple(alternative.to for alternative in alternatives),
+        conditions=tuple(
+            alternative.condition.text if alternative.condition else "" for alternative in alternatives
+        ),
+        senses=tuple(sense.when.text for sense in machine.senses),
+        timings={place: str(timing) for place, timing in machine.timings.items()},
         cells=dict(machine.sources),
     )
 
 
-def _by_cell(machine: Machine) -> Iterable[tuple[tuple[int, int], tuple[Outcome, ...]]]:
-    """All cells in the order of states and events, each with its outcomes; a cell may have none."""
+def _by_cell(machine: Machine) -> Iterable[tuple[tuple[int, int], tuple[Alternative, ...]]]:
+    """All cells in the order of states and events, each with its alternatives; a cell may have none."""
     states, events = machine.target.shape
     return (
-        ((state, event), machine.outcomes.get((state, event), ()))
+        ((state, event), machine.alternatives.get((state, event), ()))
         for state in range(states)
         for event in range(events)
     )
@@ -84,9 +87,13 @@ def _conditions(machine: Machine) -> dict[int, Condition]:
     """All conditions, each once, in the order of their rows; keyed by id, as conditions live as long as the
     machine.
     """
-    of_outcomes = (outcome.condition for outcomes in machine.outcomes.values() for outcome in outcomes)
+    of_alternatives = (
+        alternative.condition
+        for alternatives in machine.alternatives.values()
+        for alternative in alternatives
+    )
     of_senses = (condition for sense in machine.senses for condition in (sense.when, sense.release))
-    return {id(condition): condition for condition in (*of_outcomes, *of_senses) if condition is not None}
+    return {id(condition): condition for condition in (*of_alternatives, *of_senses) if condition is not None}
 
 
 def _rows(conditions: dict[int, Condition], asked: Iterable[Condition | None]) -> list[int]:
@@ -103,33 +110,33 @@ def _firsts(counts: Iterable[int]) -> list[int]:
 def _marker_names(machine: Machine) -> dict[str, int]:
     """A number for each marker name, of a motion or in a cell."""
     names = [name for markers in machine.markers for name, _ in markers]
-    names += [moment.marker for moment in machine.moments.values() if moment.kind == "marker"]
+    names += [timing.marker for timing in machine.timings.values() if timing.kind == "marker"]
     return {name: number for number, name in enumerate(dict.fromkeys(names))}
 
 
-def _moments(machine: Machine) -> dict[str, Any]:
+def _timings(machine: Machine) -> dict[str, Any]:
     marker, numbers = np.full(machine.target.shape, -1), _marker_names(machine)
-    for place, moment in machine.moments.items():
-        if moment.kind == "marker":
-            marker[place] = numbers[moment.marker]
+    for place, timing in machine.timings.items():
+        if timing.kind == "marker":
+            marker[place] = numbers[timing.marker]
     opens, closes = machine.windows
     return {"marker": marker, "opens": opens, "closes": closes}
 
 
 def _alternatives(machine: Machine, conditions: dict[int, Condition]) -> dict[str, Any]:
-    cells = [outcomes for _, outcomes in _by_cell(machine)]
-    flat = [outcome for outcomes in cells for outcome in outcomes]
+    cells = [alternatives for _, alternatives in _by_cell(machine)]
+    flat = [alternative for alternatives in cells for alternative in alternatives]
     return {
         "alternatives": _firsts(map(len, cells)),
-        "to": [outcome.target for outcome in flat],
-        "restart": [outcome.restart for outcome in flat],
-        "blend": [outcome.blend for outcome in flat],
-        "curve": [outcome.curve for outcome in flat],
-        "enter": [outcome.enter for outcome in flat],
-        "action": [outcome.action for outcome in flat],
-        "condition": _rows(conditions, (outcome.condition for outcome in flat)),
-        "weight": [NO_WEIGHT if outcome.weight is None else outcome.weight for outcome in flat],
-        "resume": [outcome.resume for outcome in flat],
+        "to": [alternative.target for alternative in flat],
+        "restart": [alternative.restart for alternative in flat],
+        "blend": [alternative.blend for alternative in flat],
+        "curve": [alternative.curve for alternative in flat],
+        "enter": [alternative.enter for alternative in flat],
+        "action": [alternative.action for alternative in flat],
+        "condition": _rows(conditions, (alternative.condition for alternative in flat)),
+        "weight": [NO_WEIGHT if alternative.weight is None else alternative.weight for alternative in flat],
+        "resume": [alternative.resume for alternative in flat],
     }
 
 
@@ -162,9 +169,9 @@ def _marker_event(machine: Machine, state: int, name: str) -> int:
 def _warps(machine: Machine) -> dict[str, Any]:
     """The correspondence of phases for each pair of states that a cell with MATCH may connect."""
     warps: dict[tuple[int, int], Warp] = {}
-    for (source, _), outcomes in machine.outcomes.items():
-        matched = (outcome for outcome in outcomes if outcome.enter == MATCH)
-        for target in (state for outcome in matched for state in _landings(machine, outcome)):
+    for (source, _), alternatives in machine.alternatives.items():
+        matched = (alternative for alternative in alternatives if alternative.enter == MATCH)
+        for target in (state for alternative in matched for state in _landings(machine, alternative)):
             loop = bool(machine.loop[source] and machine.loop[target])
             warps[source, target] = warp(machine.markers[source], machine.markers[target], loop)
     size = len(machine.states) if warps else 0
@@ -181,26 +188,10 @@ def _warps(machine: Machine) -> dict[str, Any]:
     }
 
 
-def _landings(machine: Machine, outcome: Outcome) -> list[int]:
-    """The states that an outcome may lead to: several if it resumes a composite state."""
-    inside = machine.inside[:, outcome.resume].nonzero()[0].tolist() if outcome.resume >= 0 else []
-    return [state for state in (outcome.target, *inside) if state >= 0]
-
-
-def _code(machine: Machine, conditions: dict[int, Condition]) -> dict[str, Any]:
-    steps = [condition.code(machine.variables) for condition in conditions.values()]
-    asked = [
-        [machine.variables.index(name) for name in condition.variables] for condition in conditions.values()
-    ]
-    parameters = len(machine.parameters)
-    return {
-        "code": _firsts(map(len, steps)),
-        "opcode": [opcode for code in steps for opcode, _ in code],
-        "operand": [operand for code in steps for _, operand in code],
-        "asks": _firsts(map(len, asked)),
-        "asked": [row for code in asked for row in code],
-        "measured": [*[-1] * parameters, *(MEASURED.index(name) for name in machine.variables[parameters:])],
-    }
+def _landings(machine: Machine, alternative: Alternative) -> list[int]:
+    """The states that an alternative may lead to: several if it resumes a composite state."""
+    inside = machine.inside[:, alternative.resume].nonzero()[0].tolist() if alternative.resume >= 0 else []
+    return [state for state in (alternative.target, *inside) if state >= 0]
 
 
 def _parameters(machine: Machine) -> dict[str, Any]:

@@ -16,16 +16,16 @@ from statwalk.machine.compile.alternatives import (
     MIXED,
     OFF,
     UNDEFINED,
+    Alternative,
     Collider,
     Key,
     Layer,
-    Outcome,
     Parameter,
     Sense,
     Touch,
 )
 from statwalk.machine.compile.program import Program, ProgramText
-from statwalk.machine.definition.cell_definition import ActionDefinition, Moment
+from statwalk.machine.definition.cell_definition import ActionDefinition, CellTiming
 from statwalk.machine.definition.machine_definition import BlendDefinition
 
 
@@ -53,21 +53,11 @@ class Machine:
     """(S, E) the next state, or BLANK, OFF, UNDEFINED, MIXED"""
     when: NDArray[np.uint8]
     """(S, E) NOW, AT_END, AT_MARKER or IN_WINDOW"""
-    restart: NDArray[np.bool_]
-    """(S, E); `restart` to `action` describe the first outcome of a cell with several"""
-    blend: NDArray[np.float32]
-    """(S, E)"""
-    curve: NDArray[np.uint8]
-    """(S, E) row of CURVES"""
-    enter: NDArray[np.float32]
-    """(S, E) phase 0…1 at which the new motion begins, or MATCH"""
-    action: NDArray[np.int16]
-    """(S, E) row of `actions`, -1 none"""
-    moments: Mapping[tuple[int, int], Moment]
+    timings: Mapping[tuple[int, int], CellTiming]
     """the marker or window of each cell whose `when` is AT_MARKER or IN_WINDOW"""
-    outcomes: Mapping[tuple[int, int], tuple[Outcome, ...]]
-    """the outcomes of every cell that is neither blank nor off; the first true one counts, or one is drawn by
-    weight
+    alternatives: Mapping[tuple[int, int], tuple[Alternative, ...]]
+    """the alternatives, often only one, of every cell that is neither blank nor off: the first true one
+    counts, or one is drawn by weight
     """
     sources: Mapping[tuple[int, int], tuple[str, str]]
     """the row and column of the file in which each cell is written"""
@@ -96,8 +86,8 @@ class Machine:
     keys: Mapping[str, Key]
     parameters: tuple[Parameter, ...]
     variables: tuple[str, ...]
-    """the names that conditions may ask for: the parameters, then the names of MEASURED that are no
-    parameter
+    """the names that conditions may ask for: the parameters, then `conditions.variables.NAMES` that
+    are no parameter
     """
     senses: tuple[Sense, ...]
     touches: tuple[Touch, ...]
@@ -122,11 +112,6 @@ class Machine:
     def end(self) -> int:
         """Returns the column of END."""
         return len(self.events) - 1
-
-    @property
-    def alternatives(self) -> dict[tuple[int, int], tuple[Outcome, ...]]:
-        """Returns the cells with several outcomes (MIXED)."""
-        return {place: outcomes for place, outcomes in self.outcomes.items() if self.target[place] == MIXED}
 
     def rows(self, layer: int) -> range:
         """Returns the rows of a layer's states."""
@@ -164,10 +149,10 @@ class Machine:
         cell without a window or a motion.
         """
         opens, closes = np.full(self.when.shape, np.inf), np.full(self.when.shape, np.inf)
-        for place, moment in self.moments.items():
+        for place, timing in self.timings.items():
             if np.isfinite(self.duration[place[0]]):
                 opens[place], closes[place] = (
-                    moment.first * self.duration[place[0]],
-                    moment.last * self.duration[place[0]],
+                    timing.first * self.duration[place[0]],
+                    timing.last * self.duration[place[0]],
                 )
         return opens, closes

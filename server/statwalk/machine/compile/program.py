@@ -14,8 +14,6 @@ from numpy.typing import DTypeLike, NDArray
 from statwalk.maths.compiling import read
 
 NO_CONDITION, NO_WEIGHT = -1, -1.0
-SPEED, TURNING, HEIGHT, PHASE, TIME = range(5)
-"""the measured variables of an actor"""
 
 
 class Program(NamedTuple):
@@ -101,8 +99,8 @@ class Program(NamedTuple):
     """(C + 1,) the first variable that each condition asks for"""
     asked: NDArray[np.int16]
     """(…,) variables, in the order of the text"""
-    measured: NDArray[np.int8]
-    """(V,) -1 for the parameters, which come first; else SPEED … TIME"""
+    variable_kind: NDArray[np.int8]
+    """(V,) PARAMETER for the parameters, which come first; else a row of `conditions.variables.NAMES`"""
     default: NDArray[np.float64]
     """(P,)"""
     minimum: NDArray[np.float64]
@@ -138,7 +136,7 @@ class ProgramText(NamedTuple):
     """(A,) the condition of each alternative as written, empty for none"""
     senses: tuple[str, ...]
     """(Q,) the condition of each sense as written"""
-    moments: dict[tuple[int, int], str]
+    timings: dict[tuple[int, int], str]
     """the marker (`marker NAME`) or window (`window A..B`) of the cells that have one"""
     cells: dict[tuple[int, int], tuple[str, str]]
     """the row and column of the file in which each cell is written"""
@@ -182,7 +180,7 @@ KINDS: dict[str, tuple[Any, int]] = {
     "operand": (np.float64, 1),
     "asks": (np.int32, 1),
     "asked": (np.int16, 1),
-    "measured": (np.int8, 1),
+    "variable_kind": (np.int8, 1),
     "default": (np.float64, 1),
     "minimum": (np.float64, 1),
     "maximum": (np.float64, 1),

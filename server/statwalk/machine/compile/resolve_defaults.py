@@ -9,18 +9,18 @@ from dataclasses import dataclass, replace
 
 from statwalk.machine.definition.cell_definition import (
     ActionDefinition,
-    Alternative,
+    AlternativeDefinition,
     CellDefinition,
+    CellTiming,
     Curve,
     Enter,
-    Moment,
 )
 from statwalk.machine.definition.machine_definition import ANY, END, MachineDefinition
 
 
 @dataclass(frozen=True)
 class Choice:
-    """One outcome of a cell, with all defaults filled in."""
+    """One alternative of a cell, with all defaults filled in."""
 
     to: str
     """a state of this table (or an unknown name); for a composite state, its initial inner state"""
@@ -59,7 +59,7 @@ class Cell:
     restart: bool
     off: bool
     """the event means nothing in this state; `to` and `alternatives` keep the rest of the cell"""
-    when: Moment
+    when: CellTiming
     blend: float
     """seconds"""
     curve: Curve
@@ -72,7 +72,7 @@ class Cell:
 
     @property
     def choices(self) -> tuple[Choice, ...]:
-        """Returns the outcomes of the cell in order: its alternatives, or its only outcome; none if it is
+        """Returns the alternatives of the cell in order, or its only choice; none if it is
         off.
         """
         if self.off:
@@ -118,11 +118,11 @@ Inner = Mapping[str, tuple[str, ...]]
 
 
 def _inner_states(definition: MachineDefinition) -> Inner:
-    inner: dict[str, list[str]] = {outer: [] for outer in definition.outers}
+    inner: dict[str, list[str]] = {composite: [] for composite in definition.composites}
     for state in definition.states:
-        for outer in enclosing(definition, state):
-            inner[outer].append(state)
-    return {outer: tuple(states) for outer, states in inner.items()}
+        for composite in enclosing(definition, state):
+            inner[composite].append(state)
+    return {composite: tuple(states) for composite, states in inner.items()}
 
 
 def _find(definition: MachineDefinition, state: str, event: str, starred: bool, inner: Inner) -> Cell | None:
@@ -141,11 +141,11 @@ def _of_input(definition: MachineDefinition, state: str, event: str) -> Iterator
     """
     yield state, event, "cell"
     yield state, ANY, "row default"
-    for outer in enclosing(definition, state):
-        yield f"{outer}.{ANY}", event, f"column default in {outer}"
-        yield f"{outer}.{ANY}", ANY, f"table default in {outer}"
-        yield outer, event, f"cell of {outer}"
-        yield outer, ANY, f"row default of {outer}"
+    for composite in enclosing(definition, state):
+        yield f"{composite}.{ANY}", event, f"column default in {composite}"
+        yield f"{composite}.{ANY}", ANY, f"table default in {composite}"
+        yield composite, event, f"cell of {composite}"
+        yield composite, ANY, f"row default of {composite}"
     yield ANY, event, "column default"
     yield ANY, ANY, "table default"
 
@@ -156,20 +156,20 @@ def _of_end(definition: MachineDefinition, state: str) -> Iterator[tuple[str, st
     """
     yield state, END, "cell"
     final = definition.states[state].final
-    for outer in enclosing(definition, state):
-        yield f"{outer}.{ANY}", END, f"column default in {outer}"
+    for composite in enclosing(definition, state):
+        yield f"{composite}.{ANY}", END, f"column default in {composite}"
         if final:
-            yield outer, END, f"cell of {outer}"
-        final = final and definition.outers[outer].final
+            yield composite, END, f"cell of {composite}"
+        final = final and definition.composites[composite].final
     yield ANY, END, "column default"
 
 
 def enclosing(definition: MachineDefinition, state: str) -> Iterator[str]:
     """Yields the composite states around a state, from inside out."""
-    outer = definition.states[state].outer
-    while outer:
-        yield outer
-        outer = definition.outers[outer].outer
+    composite = definition.states[state].composite
+    while composite:
+        yield composite
+        composite = definition.composites[composite].composite
 
 
 def _filled(
@@ -202,7 +202,7 @@ def _filled(
 
 
 def _choice(
-    definition: MachineDefinition, state: str, written: Alternative, cell: Cell, inner: Inner
+    definition: MachineDefinition, state: str, written: AlternativeDefinition, cell: Cell, inner: Inner
 ) -> Choice:
     to, resume = _landing(definition, state, cell.written[0], written)
     return Choice(
@@ -221,26 +221,26 @@ def _choice(
 
 
 def _landing(
-    definition: MachineDefinition, state: str, row: str, outcome: CellDefinition | Alternative
+    definition: MachineDefinition, state: str, row: str, written: CellDefinition | AlternativeDefinition
 ) -> tuple[str, str]:
-    """The state that `outcome`, written in `row`, leads to from a state, and the composite state that it
+    """The state that `written`, in `row`, leads to from a state, and the composite state that it
     resumes (empty: none).
 
     If a cell outside a composite state names it while the actor is inside, the actor stays in its inner
     state, unless the cell has a `!`.
     """
-    to, resume = outcome.to, ""
+    to, resume = written.to, ""
     if (
-        to in definition.outers
-        and not outcome.restart
+        to in definition.composites
+        and not written.restart
         and to in enclosing(definition, state)
         and not row.startswith(f"{to}.")
     ):
         return state, ""
-    while to in definition.outers:
-        if definition.outers[to].resume and not outcome.restart:
+    while to in definition.composites:
+        if definition.composites[to].resume and not written.restart:
             resume = resume or to
-        to = definition.outers[to].initial
+        to = definition.composites[to].initial
     return to, resume
 
 

@@ -1,4 +1,4 @@
-"""A cell as written: its moment, target, blend and action."""
+"""A cell as written: its timing, target, blend and action."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Literal
 
 
 @dataclass(frozen=True)
-class Moment:
+class CellTiming:
     """When an event takes effect: `now`, at the `end` of the motion (or of its loop), at a `marker` of the
     motion, or in a `window` of its phase.
     """
@@ -28,7 +28,7 @@ class Moment:
         return self.kind
 
 
-NOW, AT_END = Moment("now"), Moment("end")
+NOW, AT_END = CellTiming("now"), CellTiming("end")
 
 Enter = float | Literal["match"]
 """phase 0…1 at which the new motion begins; `match`: at the phase of the old motion (by common markers, if
@@ -54,8 +54,8 @@ class ActionDefinition:
 
 
 @dataclass(frozen=True)
-class Alternative:
-    """One of several outcomes of a cell; None takes the value of the cell.
+class AlternativeDefinition:
+    """One of several alternatives of a cell; None takes the value of the cell.
 
     The first true alternative counts, or one is drawn by weight.
     """
@@ -84,20 +84,20 @@ class CellDefinition:
     line: int
     restart: bool = False
     off: bool = False
-    when: Moment | None = None
+    when: CellTiming | None = None
     blend: float | None = None
     """seconds"""
     curve: Curve | None = None
     enter: Enter | None = None
     action: ActionDefinition | None = None
-    alternatives: tuple[Alternative, ...] = ()
+    alternatives: tuple[AlternativeDefinition, ...] = ()
 
 
 @dataclass(frozen=True)
 class Defaults:
     """The values that cells take if they define none; `blend` and `buffer` in seconds."""
 
-    when: Moment = NOW
+    when: CellTiming = NOW
     blend: float = 0.2
     curve: Curve = "cubic"
     buffer: float = 0.3

@@ -46,7 +46,7 @@ class StateDefinition:
     """a factor of time, or the parameter that gives it"""
     markers: Mapping[str, float] = field(default_factory=dict)
     """phases 0…1 of named markers, beside the markers of the clip"""
-    outer: str = ""
+    composite: str = ""
     """the composite state around this one, if any"""
     final: bool = False
     """the composite state ends when the motion of this one ends"""
@@ -60,7 +60,7 @@ class StateDefinition:
 
 
 @dataclass(frozen=True)
-class OuterDefinition:
+class CompositeDefinition:
     """A composite state: a row of defaults for its inner states, flattened when the file is read."""
 
     initial: str
@@ -68,7 +68,7 @@ class OuterDefinition:
     resume: bool
     """whether a transition to it resumes the inner state left last"""
     line: int
-    outer: str = ""
+    composite: str = ""
     """the composite state around this one"""
     final: bool = False
     """the composite state around it ends when this one ends"""
@@ -171,7 +171,7 @@ class LayerDefinition:
     mode: Literal["override", "additive"] = "override"
     weight: float | str = 1.0
     """0…1, or the parameter that gives it"""
-    outers: Mapping[str, OuterDefinition] = field(default_factory=dict)
+    composites: Mapping[str, CompositeDefinition] = field(default_factory=dict)
     cells: Mapping[tuple[str, str], CellDefinition] = field(default_factory=dict)
     rows: tuple[tuple[str, ...], ...] = ()
 
@@ -190,7 +190,7 @@ class MachineDefinition:
     events: Mapping[str, EventDefinition] = field(default_factory=dict)
     """the inputs, in the order of the columns; END is not among them"""
     cells: Mapping[tuple[str, str], CellDefinition] = field(default_factory=dict)
-    outers: Mapping[str, OuterDefinition] = field(default_factory=dict)
+    composites: Mapping[str, CompositeDefinition] = field(default_factory=dict)
     layers: Mapping[str, LayerDefinition] = field(default_factory=dict)
     """the layers above the base, from below to above"""
     defaults: Defaults = field(default_factory=Defaults)
@@ -227,7 +227,7 @@ class MachineDefinition:
                 states=layer.states,
                 initial=layer.initial,
                 cells=layer.cells,
-                outers=layer.outers,
+                composites=layer.composites,
                 rows=layer.rows,
                 fallback="",
                 properties=(),

@@ -10,11 +10,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from statwalk.errors import MachineError
-from statwalk.machine.definition.cell_definition import AT_END, CellDefinition, Moment
+from statwalk.machine.definition.cell_definition import AT_END, CellDefinition, CellTiming
 from statwalk.machine.definition.machine_definition import ANY
 
 NAME = re.compile(r"\w[\w.-]{0,99}")
-CELL = re.compile(r"(?P<state>\w[\w.-]{0,99})(?P<restart>!?)(?:\s+at\s+(?P<moment>\w[\w.-]{0,99}))?")
+CELL = re.compile(r"(?P<state>\w[\w.-]{0,99})(?P<restart>!?)(?:\s+at\s+(?P<timing>\w[\w.-]{0,99}))?")
 MOST_CELLS = 100_000
 MOST_ROWS, MOST_COLUMNS = 10_000, 4_000
 
@@ -46,14 +46,14 @@ def read_cell(text: str, file: str, line: int) -> CellDefinition:
             file=file,
             place=place,
         )
-    moment = (
+    timing = (
         AT_END
-        if match["moment"] == "end"
-        else Moment("marker", marker=match["moment"])
-        if match["moment"]
+        if match["timing"] == "end"
+        else CellTiming("marker", marker=match["timing"])
+        if match["timing"]
         else None
     )
-    return CellDefinition(match["state"], line, restart=bool(match["restart"]), when=moment)
+    return CellDefinition(match["state"], line, restart=bool(match["restart"]), when=timing)
 
 
 def read_table(text: str, file: str, first_line: int = 1) -> Table:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from statwalk.machine.definition.cell_definition import Alternative
+from statwalk.machine.definition.cell_definition import AlternativeDefinition
 from statwalk.machine.definition.machine_definition import END
 from statwalk.machine.lint.findings import Finding, Severity
 from statwalk.machine.lint.firing import why_never
@@ -17,7 +17,7 @@ def shadowed(context: LintContext) -> Iterator[Finding]:
     """
     counted = {cell.written for cell in context.cells.values()}
     for (row, column), cell in context.definition.cells.items():
-        if (row, column) not in counted and not (column == END and row in context.definition.outers):
+        if (row, column) not in counted and not (column == END and row in context.definition.composites):
             message = f"{row}/{column} never counts: other cells come before it"
             yield Finding("cell never fires", "warning", message, cell.line, row, column)
 
@@ -53,7 +53,7 @@ def unchosen(context: LintContext) -> Iterator[Finding]:
             why = _why_unchosen(cell.alternatives[:number], alternative)
             if why:
                 yield Finding(
-                    "outcome never chosen",
+                    "alternative never chosen",
                     "warning",
                     f"{row}/{column}: {alternative.to} is never chosen, {why}",
                     alternative.line,
@@ -62,7 +62,7 @@ def unchosen(context: LintContext) -> Iterator[Finding]:
                 )
 
 
-def _why_unchosen(before: tuple[Alternative, ...], alternative: Alternative) -> str:
+def _why_unchosen(before: tuple[AlternativeDefinition, ...], alternative: AlternativeDefinition) -> str:
     """Why an alternative is never chosen; empty if it may be."""
     if alternative.weight is not None:
         return "" if alternative.weight > 0 else "its weight is 0"

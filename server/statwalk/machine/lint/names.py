@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from statwalk.machine.compile.resolved_table import Motions
+from statwalk.machine.conditions.condition_info import condition_info
 from statwalk.machine.definition.machine_definition import (
     BlendDefinition,
     MachineDefinition,
@@ -14,7 +15,6 @@ from statwalk.machine.definition.machine_definition import (
     TouchDefinition,
     nearest,
 )
-from statwalk.machine.lint.condition_info import condition_info
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.lint.lint_context import LintContext
 
@@ -64,7 +64,7 @@ def raised_on_nobody(definition: MachineDefinition, contexts: Contexts) -> Itera
 def conditions(definition: MachineDefinition, contexts: Contexts) -> Iterator[Finding]:
     """Finds conditions that cannot be read, and conditions that are always true or always false."""
     for text, line, place in _conditions_of(definition, contexts):
-        info = condition_info(definition, text)
+        info = condition_info(text, definition.parameters)
         if info.refused:
             yield Finding("condition", "error", f"{place}: {text[:80]!r}: {info.refused}", line)
         elif info.constant is not None:
@@ -98,7 +98,7 @@ def parameters(definition: MachineDefinition, contexts: Contexts) -> Iterator[Fi
     """
     parameter_names, used = tuple(definition.parameters), set[str]()
     for text, _, _ in _conditions_of(definition, contexts):
-        used.update(condition_info(definition, text).names)
+        used.update(condition_info(text, definition.parameters).names)
     for name, line, state, user in _parameter_uses(definition, contexts):
         used.add(name)
         if name not in parameter_names:

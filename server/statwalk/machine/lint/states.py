@@ -16,13 +16,13 @@ def undefined_states(context: LintContext) -> Iterator[Finding]:
     definition = context.definition
     places: dict[str, dict[tuple[str, str], int]] = {}
     for place, cell in definition.cells.items():
-        for outcome in () if cell.off else cell.alternatives or (cell,):
-            if outcome.to not in definition.states and outcome.to not in definition.outers:
-                places.setdefault(outcome.to, {}).setdefault(place, outcome.line)
+        for alternative in () if cell.off else cell.alternatives or (cell,):
+            if alternative.to not in definition.states and alternative.to not in definition.composites:
+                places.setdefault(alternative.to, {}).setdefault(place, alternative.line)
     for name, lines in places.items():
         (state, event), line = next(iter(lines.items()))
         listed = ", ".join(f"{row}/{column} (line {number})" for (row, column), number in lines.items())
-        hint = nearest(name, (*definition.states, *definition.outers))
+        hint = nearest(name, (*definition.states, *definition.composites))
         yield Finding(
             "undefined state",
             "error",
@@ -67,7 +67,7 @@ def endless(context: LintContext) -> Iterator[Finding]:
     definition = context.definition
     before = reached(context.graph, definition.initial)
     for (row, event), cell in definition.cells.items():
-        if event == END and row in definition.outers:
+        if event == END and row in definition.composites:
             finals = [state for (state, _), full in context.cells.items() if full.written == (row, END)]
             if not any(state in before for state in finals):
                 why = (
@@ -82,9 +82,9 @@ def swinging(context: LintContext) -> Iterator[Finding]:
     """Finds cycles that take no time: an input that changes the state in every tick while it is held down."""
     moves: dict[str, dict[str, str]] = {event: {} for event in context.definition.events}
     for (state, event), cell in context.cells.items():
-        outcome = certain(cell) if event != END and cell.when.kind == "now" else None
-        if outcome and outcome.to in context.definition.states and outcome.to != state:
-            moves[event][state] = outcome.to
+        alternative = certain(cell) if event != END and cell.when.kind == "now" else None
+        if alternative and alternative.to in context.definition.states and alternative.to != state:
+            moves[event][state] = alternative.to
     for event, edges in moves.items():
         states = cycle(edges)
         if states:

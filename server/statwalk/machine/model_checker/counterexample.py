@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.model_checker.lengths import TICKS_PER_SECOND
-from statwalk.machine.model_checker.moments import NOTHING
 from statwalk.machine.model_checker.search import SearchStep
+from statwalk.machine.model_checker.state_space import NOTHING
 
 MOST_CHANGES_SAID = 12
 
@@ -33,8 +33,8 @@ def refuted(
 ) -> Refuted:
     """The counterexample that goes by those steps: to the start, and on from there without a goal."""
     goal = " or ".join(machine.states[one] for one in sorted(goals))
-    rest = f"{said(machine, after, len(before))} and after {seconds(len(after))} not in {goal}"
-    return shown(machine, (*before, *after), f"{said(machine, before, 0)}{rest}")
+    rest = f"{in_words(machine, after, len(before))} and after {seconds(len(after))} not in {goal}"
+    return shown(machine, (*before, *after), f"{in_words(machine, before, 0)}{rest}")
 
 
 def shown(machine: Machine, steps: Sequence[SearchStep], words: str = "") -> Refuted:
@@ -44,11 +44,11 @@ def shown(machine: Machine, steps: Sequence[SearchStep], words: str = "") -> Ref
     )
     chance = ", if conditions and chance will have it" if any(step.is_free for step in steps) else ""
     return Refuted(
-        f"refuted: {machine.states[machine.initial]}{words or said(machine, steps, 0)}{chance}", replay
+        f"refuted: {machine.states[machine.initial]}{words or in_words(machine, steps, 0)}{chance}", replay
     )
 
 
-def said(machine: Machine, steps: Sequence[SearchStep], since: int) -> str:
+def in_words(machine: Machine, steps: Sequence[SearchStep], since: int) -> str:
     """` -LEFT 0.5 s-> TLFT`, for each change and each event from outside; `since` ticks went before."""
     parts: list[str] = []
     told = [

@@ -1,4 +1,4 @@
-"""Explores all moments of an actor: every tick is a run of `step_actor`, with what comes from outside, truths
+"""Explores all nodes of an actor: every tick is a run of `step_actor`, with what comes from outside, truths
 and draws chosen freely.
 """
 
@@ -8,26 +8,31 @@ from numba import types
 
 from statwalk.machine.compile.alternatives import BLANK, MIXED
 from statwalk.machine.compile.program import PROGRAM, Program
+from statwalk.machine.conditions.condition_values import UNKNOWN
 from statwalk.machine.model_checker.found_ticks import EVERYTHING, TOO_MUCH, add_tick, room
 from statwalk.machine.model_checker.guesses import guess_nothing, guess_otherwise, is_asked, make_known
-from statwalk.machine.model_checker.moment_rows import NOW, put_in_place, read_moment, write_moment
-from statwalk.machine.model_checker.moments import (
+from statwalk.machine.model_checker.node_rows import (
+    NOW,
+    put_in_place,
+    read_node,
+    write_node,
+)
+from statwalk.machine.model_checker.state_space import (
     GUESSES,
     IS_FIRST,
-    MOMENTS,
     MOST_WAITING,
     OF_EXPANDED,
-    OF_MOMENTS,
+    OF_NODES,
     OF_TAKEN,
     OF_TICKS,
     OF_WORK,
     QUEUE,
     STATE,
+    STATE_SPACE,
     WAITING,
     Guesses,
-    Moments,
+    StateSpace,
 )
-from statwalk.machine.runtime.condition_values import UNKNOWN
 from statwalk.machine.runtime.effects import EFFECTS, MachineEffects
 from statwalk.machine.runtime.scratch import CHANGES, DRAWS, DT, TICK
 from statwalk.machine.runtime.state import FOR_END, MachineState
@@ -48,17 +53,17 @@ def _add_ticks(
     around: Measurements,
     inputs: Inputs,
     out: MachineEffects,
-    m: Moments,
+    m: StateSpace,
     g: Guesses,
     row: int,
     ticks: int,
     most_work: int,
 ) -> int:
-    """All ticks of a moment in which an event comes (or nothing), whatever conditions and chance say.
+    """All ticks of a node in which an event comes (or nothing), whatever conditions and chance say.
 
-    `ticks`: the first of the moment.
+    `ticks`: the first of the node.
     """
-    press, is_first, height = inputs.event[0], m.moment[row, IS_FIRST], 1
+    press, is_first, height = inputs.event[0], m.node[row, IS_FIRST], 1
     if press >= 0 and not is_first and _means_nothing(p, m, row, press):
         return EVERYTHING
     guess_nothing(g)
@@ -73,23 +78,23 @@ def _add_ticks(
         waiting = s.waiting[0, 0]
         if height < 0 or m.counts[OF_WORK] > most_work or (press < 0 and waiting > MOST_WAITING):
             return TOO_MUCH
-        if press < 0 or waiting <= max(m.moment[row, WAITING], 1):
-            write_moment(s, out.work.scratch[CHANGES], g.now)
+        if press < 0 or waiting <= max(m.node[row, WAITING], 1):
+            write_node(s, out.work.scratch[CHANGES], g.now)
             add_tick(m, out, g.now, row, ticks, press, is_free)
     return EVERYTHING
 
 
 @called
-def _means_nothing(p: Program, m: Moments, row: int, press: int) -> bool:
+def _means_nothing(p: Program, m: StateSpace, row: int, press: int) -> bool:
     """Whether an event is sure to be dropped: it means nothing in the state, which nothing can change before
     it is looked up.
     """
-    state = m.moment[row, STATE]
+    state = m.node[row, STATE]
     target = p.target[state, press]
     if target >= 0 or target == MIXED or (target == BLANK and p.buffer[press] > 0):
         return False
-    for slot in range(m.moment[row, WAITING]):
-        if m.moment[row, QUEUE + 3 * slot + 1] != FOR_END:
+    for slot in range(m.node[row, WAITING]):
+        if m.node[row, QUEUE + 3 * slot + 1] != FOR_END:
             return False
     for marker in range(p.markers[state], p.markers[state + 1]):  # noqa: SIM110 - kernels know no generators
         if p.marker_event[marker] >= 0:
@@ -104,13 +109,13 @@ def _run(
     around: Measurements,
     inputs: Inputs,
     out: MachineEffects,
-    m: Moments,
+    m: StateSpace,
     g: Guesses,
     row: int,
     guess: int,
 ) -> None:
     """A tick of the actor."""
-    read_moment(m, row, s)
+    read_node(m, row, s)
     make_known(g, guess, out)
     for kind in range(out.counts.shape[0]):
         out.counts[kind] = 0
@@ -135,7 +140,7 @@ def _is_free(p: Program, out: MachineEffects, g: Guesses, guess: int) -> bool:
     SURROUNDINGS,
     INPUTS,
     EFFECTS,
-    MOMENTS,
+    STATE_SPACE,
     GUESSES,
     _PRESSES,
     _PRESSES,
@@ -148,13 +153,13 @@ def explore(
     around: Measurements,
     inputs: Inputs,
     out: MachineEffects,
-    m: Moments,
+    m: StateSpace,
     g: Guesses,
     first: Ints,
     presses: Ints,
     most_work: int,
 ) -> int:
-    """Adds all ticks of all moments, and the moments that they lead to.
+    """Adds all ticks of all nodes, and the nodes that they lead to.
 
     In each one of `presses` comes; where IS_FIRST one of `first`.
     """
@@ -164,16 +169,16 @@ def explore(
         by_reference(around),
         by_reference(inputs),
     )
-    effects, moments, guesses = by_reference(out), by_reference(m), by_reference(g)
+    effects, space, guesses = by_reference(out), by_reference(m), by_reference(g)
     out.work.scratch[TICK], out.work.clock[DT] = NOW, 1.0
-    put_in_place(moments, g.now)
-    while m.counts[OF_EXPANDED] < m.counts[OF_MOMENTS]:
+    put_in_place(space, g.now)
+    while m.counts[OF_EXPANDED] < m.counts[OF_NODES]:
         row, ticks, taken = m.counts[OF_EXPANDED], m.counts[OF_TICKS], m.counts[OF_TAKEN]
-        is_first = m.moment[row, IS_FIRST]
+        is_first = m.node[row, IS_FIRST]
         for k in range(first.shape[0] if is_first else presses.shape[0]):
             inputs.event[0] = first[k] if is_first else presses[k]
             end = _add_ticks(
-                program, state, surroundings, given, effects, moments, guesses, row, ticks, most_work
+                program, state, surroundings, given, effects, space, guesses, row, ticks, most_work
             )
             if end != EVERYTHING:
                 m.counts[OF_TICKS], m.counts[OF_TAKEN] = ticks, taken

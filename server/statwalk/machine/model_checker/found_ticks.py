@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
-from statwalk.machine.model_checker.moment_rows import place_of
-from statwalk.machine.model_checker.moments import OF_MOMENTS, OF_TAKEN, OF_TICKS, Moments
+from statwalk.machine.model_checker.node_rows import place_of
+from statwalk.machine.model_checker.state_space import (
+    OF_NODES,
+    OF_TAKEN,
+    OF_TICKS,
+    StateSpace,
+)
 from statwalk.machine.runtime.effects import EVENT, FROM, OF_VERDICTS, TO, VERDICT, MachineEffects
 from statwalk.machine.runtime.reasons import TAKEN
 from statwalk.maths.arrays import Ints
 from statwalk.maths.reference import called
 
-EVERYTHING, TOO_MUCH, MORE_MOMENTS, MORE_TICKS, MORE_TAKEN = range(5)
+EVERYTHING, TOO_MUCH, MORE_NODES, MORE_TICKS, MORE_TAKEN = range(5)
 """how an exploration ends: all is found; it takes more work than is allowed, or more than can be kept of a
-moment; more room is needed
+node; more room is needed
 """
 
 
 @called
-def room(m: Moments, out: MachineEffects) -> int:
+def room(m: StateSpace, out: MachineEffects) -> int:
     """Returns EVERYTHING if there is room for one more tick, else what is full."""
-    if m.counts[OF_MOMENTS] == m.moment.shape[0]:
-        return MORE_MOMENTS
+    if m.counts[OF_NODES] == m.node.shape[0]:
+        return MORE_NODES
     if m.counts[OF_TICKS] == m.start.shape[0]:
         return MORE_TICKS
     return MORE_TAKEN if m.counts[OF_TAKEN] + out.verdicts.shape[0] > m.taken.shape[0] else EVERYTHING
@@ -27,9 +32,9 @@ def room(m: Moments, out: MachineEffects) -> int:
 
 @called
 def add_tick(
-    m: Moments, out: MachineEffects, numbers: Ints, row: int, ticks: int, press: int, is_free: int
+    m: StateSpace, out: MachineEffects, numbers: Ints, row: int, ticks: int, press: int, is_free: int
 ) -> None:
-    """A tick, and the moment that it leads to, unless a tick from the same moment has brought about the
+    """A tick, and the node that it leads to, unless a tick from the same node has brought about the
     same.
     """
     place, tick = place_of(m, numbers), m.counts[OF_TICKS]
@@ -37,10 +42,10 @@ def add_tick(
     if m.place[place] >= 0 and _is_known(m, m.place[place], ticks, past, is_free):
         return
     if m.place[place] < 0:
-        found = m.counts[OF_MOMENTS]
+        found = m.counts[OF_NODES]
         for k in range(numbers.shape[0]):
-            m.moment[found, k] = numbers[k]
-        m.place[place], m.found_by[found], m.counts[OF_MOMENTS] = found, tick, found + 1
+            m.node[found, k] = numbers[k]
+        m.place[place], m.found_by[found], m.counts[OF_NODES] = found, tick, found + 1
     m.start[tick], m.end[tick], m.press[tick], m.is_free[tick], m.past[tick] = (
         row,
         m.place[place],
@@ -52,7 +57,7 @@ def add_tick(
 
 
 @called
-def _add_taken(m: Moments, out: MachineEffects) -> int:
+def _add_taken(m: StateSpace, out: MachineEffects) -> int:
     """Writes the events taken in the tick behind those of the ticks before; where they end."""
     past = int(m.counts[OF_TAKEN])
     for row in range(out.counts[OF_VERDICTS]):
@@ -67,8 +72,8 @@ def _add_taken(m: Moments, out: MachineEffects) -> int:
 
 
 @called
-def _is_known(m: Moments, end: int, ticks: int, past: int, is_free: int) -> bool:
-    """Whether a tick from the same moment leads to the same by the same events, as free of chance at
+def _is_known(m: StateSpace, end: int, ticks: int, past: int, is_free: int) -> bool:
+    """Whether a tick from the same node leads to the same by the same events, as free of chance at
     least.
     """
     last, count = m.counts[OF_TICKS], past - m.counts[OF_TAKEN]
@@ -85,7 +90,7 @@ def _is_known(m: Moments, end: int, ticks: int, past: int, is_free: int) -> bool
 
 
 @called
-def _is_same(m: Moments, begin: int, count: int) -> bool:
+def _is_same(m: StateSpace, begin: int, count: int) -> bool:
     first = m.counts[OF_TAKEN]
     for k in range(count):
         for column in range(3):

@@ -6,8 +6,8 @@ import numpy as np
 
 from statwalk.machine.compile.alternatives import MIXED
 from statwalk.machine.compile.program import NO_WEIGHT, Program
-from statwalk.machine.model_checker.moments import MOST_GUESSES, Guesses
-from statwalk.machine.runtime.condition_values import UNKNOWN
+from statwalk.machine.conditions.condition_values import UNKNOWN
+from statwalk.machine.model_checker.state_space import MOST_GUESSES, Guesses
 from statwalk.machine.runtime.effects import ALTERNATIVE, EVENT, FROM, OF_VERDICTS, MachineEffects
 from statwalk.machine.runtime.scratch import DRAWS
 from statwalk.maths.reference import called
@@ -29,7 +29,7 @@ def guess_nothing(g: Guesses) -> None:
 def make_known(g: Guesses, guess: int, out: MachineEffects) -> None:
     """Tells a tick the truths and draws of a guess."""
     for condition in range(g.truths.shape[1]):
-        out.work.truths[0, condition] = g.truths[guess, condition]
+        out.work.conditions.truths[0, condition] = g.truths[guess, condition]
     for draw in range(g.draws.shape[1]):
         out.work.draws[0, draw] = g.draws[guess, draw]
 
@@ -51,8 +51,8 @@ def guess_otherwise(p: Program, out: MachineEffects, g: Guesses, guess: int) -> 
                 return -1
             _copy(g, guess, top)
             for before in range(condition):
-                g.truths[top, before] = out.work.truths[0, before]
-            g.truths[top, condition] = _OTHERWISE - out.work.truths[0, condition]
+                g.truths[top, before] = out.work.conditions.truths[0, before]
+            g.truths[top, condition] = _OTHERWISE - out.work.conditions.truths[0, condition]
     top = _draw_otherwise(p, out, g, guess, top)
     if top > guess:
         _copy(g, top, guess)
@@ -62,7 +62,7 @@ def guess_otherwise(p: Program, out: MachineEffects, g: Guesses, guess: int) -> 
 @called
 def is_asked(p: Program, out: MachineEffects, g: Guesses, guess: int, condition: int) -> bool:
     """Whether the tick has asked for a condition that was left open, and that is not always the same."""
-    is_new = g.truths[guess, condition] == UNKNOWN and out.work.truths[0, condition] != UNKNOWN
+    is_new = g.truths[guess, condition] == UNKNOWN and out.work.conditions.truths[0, condition] != UNKNOWN
     return bool(is_new and p.asks[condition + 1] > p.asks[condition])
 
 
@@ -92,7 +92,7 @@ def _draw_otherwise(p: Program, out: MachineEffects, g: Guesses, guess: int, top
                     return -1
                 _copy(g, guess, top)
                 for condition in range(g.truths.shape[1]):
-                    g.truths[top, condition] = out.work.truths[0, condition]
+                    g.truths[top, condition] = out.work.conditions.truths[0, condition]
                 g.draws[top, draw] = _middle(p, cell, other)
         g.draws[guess, draw] = _middle(p, cell, drawn)
     return top

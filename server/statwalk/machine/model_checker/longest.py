@@ -1,4 +1,4 @@
-"""The most ticks that it can take from each moment until a goal is entered."""
+"""The most ticks that it can take from each node until a goal is entered."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _INTS = read(types.int64, 1)
 
 @inlined
 def _count(start: Ints, is_goal: Bools, left: Ints, value: Floats) -> None:
-    """How many ticks of each moment enter no goal; a tick that enters one takes 1."""
+    """How many ticks of each node enter no goal; a tick that enters one takes 1."""
     for tick in range(start.shape[0]):
         if is_goal[tick]:
             value[start[tick]] = 1.0
@@ -30,17 +30,17 @@ def _settle(
     left: Ints,
     queue: Ints,
     value: Floats,
-    moment: int,
+    node: int,
     count: int,
 ) -> int:
-    """Passes a settled moment's length to the moments before it; a moment whose ticks are all known joins the
+    """Passes a settled node's length to the nodes before it; a node whose ticks are all known joins the
     queue.
     """
-    for k in range(first[moment], first[moment + 1]):
+    for k in range(first[node], first[node + 1]):
         tick = by_end[k]
         if not is_goal[tick]:
             before = start[tick]
-            value[before] = max(value[before], value[moment] + 1)
+            value[before] = max(value[before], value[node] + 1)
             left[before] -= 1
             if left[before] == 0:
                 queue[count] = before
@@ -62,33 +62,33 @@ def _fill(
 ) -> None:
     _count(start, is_goal, left, value)
     count, done = 0, 0
-    for moment in range(left.shape[0]):
-        if left[moment] == 0:
-            queue[count] = moment
+    for node in range(left.shape[0]):
+        if left[node] == 0:
+            queue[count] = node
             count += 1
     while done < count:
         count = _settle(start, by_end, first, is_goal, left, queue, value, queue[done], count)
         done += 1
-    for moment in range(left.shape[0]):  # what is left leads round for ever
-        if left[moment] > 0:
-            value[moment] = np.inf
+    for node in range(left.shape[0]):  # what is left leads round for ever
+        if left[node] > 0:
+            value[node] = np.inf
 
 
-def longest(start: Ints, end: Ints, is_goal: Bools, moments: int) -> Floats:
+def longest(start: Ints, end: Ints, is_goal: Bools, nodes: int) -> Floats:
     """(M,) ticks, infinite where a goal can be avoided for ever.
 
     `start`, `end`, `is_goal` (T,): of each tick; whether it enters a goal.
     """
     by_end = np.argsort(end, kind="stable")
-    first = np.searchsorted(end[by_end], np.arange(moments + 1))
-    value = np.zeros(moments)
+    first = np.searchsorted(end[by_end], np.arange(nodes + 1))
+    value = np.zeros(nodes)
     _fill(
         start.astype(np.int64),
         by_end,
         first,
         is_goal,
-        np.zeros(moments, np.int64),
-        np.zeros(moments, np.int64),
+        np.zeros(nodes, np.int64),
+        np.zeros(nodes, np.int64),
         value,
     )
     return value

@@ -16,7 +16,7 @@ def program_in_ticks(machine: Machine, lengths: Lengths, is_patient: bool) -> Pr
     """Returns a program of one layer, for ticks of length 1: motions last `lengths` at speed 1, and senses
     raise nothing by themselves.
 
-    All its times are whole numbers, so that two moments that mean the same are the same bits.
+    All its times are whole numbers, so that two nodes that mean the same are the same bits.
     `is_patient`: events wait in blank cells for their buffers; else they do not wait there.
     """
     whole, states = machine.program, len(machine.rows(0))
@@ -58,10 +58,10 @@ def _markers(machine: Machine, ticks: NDArray[np.float64]) -> dict[str, NDArray[
 def _windows(machine: Machine, ticks: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     shape = len(ticks), len(machine.events)
     opens, closes = np.full(shape, np.inf), np.full(shape, np.inf)
-    for (state, event), moment in machine.moments.items():
-        if moment.kind == "window" and state < len(ticks):
+    for (state, event), timing in machine.timings.items():
+        if timing.kind == "window" and state < len(ticks):
             opens[state, event], closes[state, event] = (
-                moment.first * ticks[state],
-                moment.last * ticks[state],
+                timing.first * ticks[state],
+                timing.last * ticks[state],
             )
     return opens, closes

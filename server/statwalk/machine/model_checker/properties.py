@@ -1,7 +1,7 @@
 """Sentences about a table: `A only after B`, `never A -> B`, `A leads to B within T`, `from A, EVENT reaches
 B within T`.
 
-A and B are states of the base, or outer ones, which stand for all that is within them.
+A and B are states of the base, or composite ones, which stand for all that is within them.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from statwalk.machine.definition.machine_definition import END, MachineDefinitio
 from statwalk.machine.lint.findings import Finding, Severity
 from statwalk.machine.lint.reach import Graph, reached, way
 from statwalk.machine.model_checker.lengths import TICKS_PER_SECOND
-from statwalk.machine.model_checker.moments import NOTHING
+from statwalk.machine.model_checker.state_space import NOTHING
 from statwalk.machine.model_checker.timed import Timed, TimedQuestion, timed
 from statwalk.machine.model_checker.work import Checkpoint, Work
 
@@ -45,18 +45,18 @@ def answers(
     `graph` is that of its base; `machine` where it was compiled before; `checkpoint` is called for each
     property and between searches.
     """
-    asked = PropertyChecker(
+    checker = PropertyChecker(
         definition,
         graph,
         lambda: machine or build(definition, motions or {}, tables),
         motions,
         Work(checkpoint=checkpoint),
     )
-    found = [asked.answer(said) for said in definition.properties[:MOST_PROPERTIES]]
+    found = [checker.answer(question) for question in definition.properties[:MOST_PROPERTIES]]
     rest = definition.properties[MOST_PROPERTIES:]
     return found + [
-        _finding(said, "warning", f"undecided: only the first {MOST_PROPERTIES} are looked at")
-        for said in rest
+        _finding(question, "warning", f"undecided: only the first {MOST_PROPERTIES} are looked at")
+        for question in rest
     ]
 
 
@@ -79,29 +79,29 @@ class PropertyChecker:
         """What answers those with a time."""
         return timed(self.compiled, self.motions, self.work)
 
-    def answer(self, said: PropertyDefinition) -> Finding:
+    def answer(self, question: PropertyDefinition) -> Finding:
         """proved, refuted (with a shortest counterexample) or undecided (with the reason)."""
         self.work.checkpoint()
-        text = said.text.strip()
+        text = question.text.strip()
         match = next(
             (match for form in (ONLY_AFTER, NEVER, LEADS, REACHES) if (match := form.fullmatch(text))), None
         )
         if match is None:
-            return _finding(said, "error", f"undecided: a property reads {FORMS}")
+            return _finding(question, "error", f"undecided: a property reads {FORMS}")
         unknown = self.unknown(match)
         if unknown:
-            return _finding(said, "error", f"undecided: {unknown}")
+            return _finding(question, "error", f"undecided: {unknown}")
         if match.re in (LEADS, REACHES):
-            return self.within(said, match)
+            return self.within(question, match)
         first, second = self.states_of(match["first"]), self.states_of(match["second"])
         way = (_only_after if match.re is ONLY_AFTER else _never)(
             self.definition.initial, self.graph, first, second
         )
-        return self._untimed(said, match, way) if way else _finding(said, "info", "proved")
+        return self._untimed(question, match, way) if way else _finding(question, "info", "proved")
 
     def unknown(self, match: re.Match[str]) -> str:
         """Which name of a property does not exist; empty where all do."""
-        states = (*self.definition.states, *self.definition.outers)
+        states = (*self.definition.states, *self.definition.composites)
         for name in (match["first"], match["second"]):
             if name not in states:
                 return f"no state is called {name!r}{nearest(name, states)}"
@@ -117,27 +117,27 @@ class PropertyChecker:
         inner = tuple(state for state in self.definition.states if name in enclosing(self.definition, state))
         return inner or (name,)
 
-    def _untimed(self, said: PropertyDefinition, match: re.Match[str], way: str) -> Finding:
+    def _untimed(self, question: PropertyDefinition, match: re.Match[str], way: str) -> Finding:
         """The answer where the graph refutes a property by a `way`: a run of the actor, if the motions leave
         time for one.
         """
         if isinstance(self.timed, str):
-            return _finding(said, "error", f"refuted: {way}")
+            return _finding(question, "error", f"refuted: {way}")
         first, second = (self.rows(match[name]) for name in ("first", "second"))
         answer = (self.timed.only_after if match.re is ONLY_AFTER else self.timed.never)(first, second)
         if isinstance(answer, str):
-            return _finding(said, "info" if answer.startswith("proved") else "warning", answer)
-        return _finding(said, "error", answer.message, answer.replay)
+            return _finding(question, "info" if answer.startswith("proved") else "warning", answer)
+        return _finding(question, "error", answer.message, answer.replay)
 
     def rows(self, name: str) -> tuple[int, ...]:
         """The rows of the states of that name."""
         assert not isinstance(self.timed, str)
         return tuple(self.timed.machine.states.index(one) for one in self.states_of(name))
 
-    def within(self, said: PropertyDefinition, match: re.Match[str]) -> Finding:
+    def within(self, question: PropertyDefinition, match: re.Match[str]) -> Finding:
         """The answer to a property with a time."""
         if isinstance(self.timed, str):
-            return _finding(said, "warning", self.timed)
+            return _finding(question, "warning", self.timed)
         machine = self.timed.machine
         first, second = (self.rows(match[name]) for name in ("first", "second"))
         event = machine.columns[match["event"]] if match.re is REACHES else NOTHING
@@ -146,15 +146,15 @@ class PropertyChecker:
         )
         answer = self.timed.answer(TimedQuestion(first, second, event, int(ticks + 1e-6)))
         if isinstance(answer, str):
-            return _finding(said, "info" if answer.startswith("proved") else "warning", answer)
-        return _finding(said, "error", answer.message, answer.replay)
+            return _finding(question, "info" if answer.startswith("proved") else "warning", answer)
+        return _finding(question, "error", answer.message, answer.replay)
 
 
 def _finding(
-    said: PropertyDefinition, severity: Severity, message: str, replay: tuple[tuple[int, str], ...] = ()
+    question: PropertyDefinition, severity: Severity, message: str, replay: tuple[tuple[int, str], ...] = ()
 ) -> Finding:
     """The answer to a property."""
-    return Finding("property", severity, f"{said.text}: {message}", said.line, replay=replay)
+    return Finding("property", severity, f"{question.text}: {message}", question.line, replay=replay)
 
 
 def _only_after(initial: str, graph: Graph, goals: States, gates: States) -> str:

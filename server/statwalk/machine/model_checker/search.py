@@ -1,4 +1,4 @@
-"""All that can happen to an actor: the moments that it can come to, and how long it can take from each of
+"""All that can happen to an actor: the nodes that it can come to, and how long it can take from each of
 them to a goal.
 """
 
@@ -13,25 +13,25 @@ from numpy.typing import NDArray
 
 from statwalk.machine.compile.program import Program
 from statwalk.machine.model_checker.explore import explore
-from statwalk.machine.model_checker.found_ticks import EVERYTHING, MORE_MOMENTS, MORE_TAKEN, MORE_TICKS
+from statwalk.machine.model_checker.found_ticks import EVERYTHING, MORE_NODES, MORE_TAKEN, MORE_TICKS
 from statwalk.machine.model_checker.longest import longest
-from statwalk.machine.model_checker.moments import (
+from statwalk.machine.model_checker.state_space import (
     BEGUN,
-    MOMENT_ARRAYS,
     MOST_GUESSES,
     MOST_WAITING,
+    NODE_ARRAYS,
     NOTHING,
-    OF_MOMENTS,
+    OF_NODES,
     OF_WORK,
     QUEUE,
     STATE,
     TAKEN_ARRAYS,
     TICK_ARRAYS,
     Guesses,
-    Moments,
+    StateSpace,
     columns,
     doubled,
-    no_moments,
+    empty_state_space,
     trimmed,
 )
 from statwalk.machine.model_checker.work import TOO_MANY, TooManyError, Work
@@ -42,7 +42,7 @@ from statwalk.maths.arrays import Bools, Floats, Ints
 
 MOST_BYTES = 1 << 27
 """of memory for one search"""
-SHORT = {MORE_MOMENTS: MOMENT_ARRAYS, MORE_TICKS: TICK_ARRAYS, MORE_TAKEN: TAKEN_ARRAYS}
+SHORT = {MORE_NODES: NODE_ARRAYS, MORE_TICKS: TICK_ARRAYS, MORE_TAKEN: TAKEN_ARRAYS}
 """the arrays that need more room, by how an exploration ends"""
 
 
@@ -57,7 +57,7 @@ class SearchStep(NamedTuple):
 
 
 def beginning(program: Program) -> Ints:
-    """(1, C) the moment in which an actor begins."""
+    """(1, C) the node in which an actor begins."""
     numbers = np.zeros((1, columns(program.inside.shape[1])), np.int32)
     numbers[0, STATE], numbers[0, BEGUN] = program.initials[0], 0
     numbers[0, QUEUE + 3 * MOST_WAITING :] = -1
@@ -67,7 +67,7 @@ def beginning(program: Program) -> Ints:
 def searched(
     program: Program, starts: Ints, first: Sequence[int], presses: Sequence[int], work: Work
 ) -> Search:
-    """All that can follow the moments `starts` (N, C).
+    """All that can follow the nodes `starts` (N, C).
 
     first    the events that come in the tick after a start that is marked as first
     presses  the events that may come in every other tick; at most one in each
@@ -82,10 +82,14 @@ def searched(
         np.zeros((MOST_GUESSES, MOST_DRAWS)),
         np.zeros(starts.shape[1], np.int32),
     )
-    moments = no_moments(
+    space = empty_state_space(
         program.inside.shape[1], max(1 << 12, 1 << int(2 * len(starts)).bit_length(), 1 << room.bit_length())
     )
-    moments.moment[: len(starts)], moments.found_by[: len(starts)], moments.counts[OF_MOMENTS] = (
+    (
+        space.node[: len(starts)],
+        space.found_by[: len(starts)],
+        space.counts[OF_NODES],
+    ) = (
         starts,
         -1,
         len(starts),
@@ -93,28 +97,28 @@ def searched(
     given = np.array(first, np.int64), np.array([NOTHING, *presses], np.int64)
     effects, state = effects_for(program, 1, room), fresh(program, 1)
     while (
-        end := explore(program, state, surroundings, inputs, effects, moments, guesses, *given, work.left)
+        end := explore(program, state, surroundings, inputs, effects, space, guesses, *given, work.left)
     ) in SHORT:
-        moments = doubled(moments, SHORT[end])
-        if sum(array.nbytes for array in moments) > MOST_BYTES:
+        space = doubled(space, SHORT[end])
+        if sum(array.nbytes for array in space) > MOST_BYTES:
             break
         work.checkpoint()
-    work.spend(int(moments.counts[OF_WORK]))
+    work.spend(int(space.counts[OF_WORK]))
     work.checkpoint()
     if end != EVERYTHING:
         raise TooManyError(TOO_MANY)
-    return Search(trimmed(moments))
+    return Search(trimmed(space))
 
 
 class Search:
-    """Moments and ticks, once all are found. T ticks, M moments."""
+    """Nodes and ticks, once all are found. T ticks, M nodes."""
 
-    def __init__(self, moments: Moments) -> None:
-        self.moments = moments
-        self.start, self.end = moments.start, moments.end
-        self.states: NDArray[np.int32] = moments.moment[:, STATE]
+    def __init__(self, space: StateSpace) -> None:
+        self.space = space
+        self.start, self.end = space.start, space.end
+        self.states: NDArray[np.int32] = space.node[:, STATE]
         """(M,)"""
-        self.first_taken = np.concatenate([[0], moments.past]).astype(np.int64)
+        self.first_taken = np.concatenate([[0], space.past]).astype(np.int64)
         self.tick_of = np.repeat(np.arange(len(self.start)), np.diff(self.first_taken))
         """(K,) of each event that is taken"""
         self.work = len(self.start) + len(self.tick_of)
@@ -122,12 +126,12 @@ class Search:
 
     @cached_property
     def first_tick(self) -> NDArray[np.int64]:
-        """(M + 1,) where the ticks of each moment begin."""
+        """(M + 1,) where the ticks of each node begin."""
         return np.searchsorted(self.start, np.arange(len(self.states) + 1))
 
     def _changes_to(self, states: Collection[int]) -> Bools:
         """(K,) the events taken that lead to one of those states."""
-        return np.isin(self.moments.taken[:, 2], list(states))
+        return np.isin(self.space.taken[:, 2], list(states))
 
     def ticks_of(self, taken: Bools) -> Bools:
         """(T,) the ticks in which one of those events is taken."""
@@ -167,30 +171,30 @@ class Search:
 
     def step(self, tick: int) -> SearchStep:
         """A tick in a form to be told."""
-        events = self.moments.taken[self.first_taken[tick] : self.first_taken[tick + 1]].tolist()
+        events = self.space.taken[self.first_taken[tick] : self.first_taken[tick + 1]].tolist()
         changes = tuple((event, to) for event, _, to in events if to >= 0)
-        return SearchStep(int(self.moments.press[tick]), changes, bool(self.moments.is_free[tick]))
+        return SearchStep(int(self.space.press[tick]), changes, bool(self.space.is_free[tick]))
 
-    def way(self, moment: int) -> list[int]:
-        """The ticks by which a moment was found."""
+    def way(self, node: int) -> list[int]:
+        """The ticks by which a node was found."""
         ticks: list[int] = []
-        while (tick := int(self.moments.found_by[moment])) >= 0:
+        while (tick := int(self.space.found_by[node])) >= 0:
             ticks.append(tick)
-            moment = int(self.start[tick])
+            node = int(self.start[tick])
         return ticks[::-1]
 
-    def beyond(self, moment: int, goals: Collection[int], values: Floats, limit: int) -> list[int]:
-        """Ticks from a moment that enter no goal, `limit` of them; from outside comes as little as will do,
+    def beyond(self, node: int, goals: Collection[int], values: Floats, limit: int) -> list[int]:
+        """Ticks from a node that enter no goal, `limit` of them; from outside comes as little as will do,
         as late as it can.
         """
         is_goal, run = self.entering(goals), list[int]()
         while len(run) < limit:
-            some = range(int(self.first_tick[moment]), int(self.first_tick[moment + 1]))
+            some = range(int(self.first_tick[node]), int(self.first_tick[node + 1]))
             tick = next(
                 one for one in some if not is_goal[one] and len(run) + 1 + values[self.end[one]] > limit
             )
             run.append(tick)
-            moment = int(self.end[tick])
+            node = int(self.end[tick])
         return run
 
     def shortest(self, goals: Bools, allowed: Bools) -> list[int] | None:
@@ -199,7 +203,7 @@ class Search:
 
         Ticks in which nothing is left to conditions and chance are tried first.
         """
-        sure = self.moments.is_free == 0
+        sure = self.space.is_free == 0
         return self._shortest(goals & sure, allowed & sure) or self._shortest(goals, allowed)
 
     def _shortest(self, goals: Bools, allowed: Bools) -> list[int] | None:

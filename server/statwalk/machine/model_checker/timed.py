@@ -2,7 +2,7 @@
 replayed, or undecided.
 
 In the first, whatever comes from outside, one event a tick, B follows every entry of A in time; it counts as
-soon as it is entered. In the second the event comes once, in any moment of A in which nothing waits, and
+soon as it is entered. In the second the event comes once, in any node of A in which nothing waits, and
 after it nothing but what senses raise. Conditions, senses and weights are free choices, and of what comes
 from outside at most one event waits. A column named after a marker comes with the marker alone. Time counts
 in ticks of 1/60 s; what a tick cuts off a motion, a parameter or a blend leaves open is looked at from both
@@ -23,9 +23,9 @@ from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.resolved_table import Motions
 from statwalk.machine.model_checker.counterexample import Refuted, refuted, seconds, shown
 from statwalk.machine.model_checker.lengths import TICKS_PER_SECOND, Lengths, depends, lengths
-from statwalk.machine.model_checker.moments import IS_FIRST, NOTHING, STATE, WAITING
 from statwalk.machine.model_checker.program_in_ticks import program_in_ticks
 from statwalk.machine.model_checker.search import Search, SearchStep, beginning, searched
+from statwalk.machine.model_checker.state_space import IS_FIRST, NOTHING, STATE, WAITING
 from statwalk.machine.model_checker.work import RUN_STEP_WORK, TooManyError, Work
 from statwalk.maths.arrays import Floats
 
@@ -93,7 +93,7 @@ class Timed:
         """Whether an event that is taken in one of the states `here` never leads to one of `there`."""
 
         def shortest(search: Search) -> list[int] | None:
-            taken = search.moments.taken
+            taken = search.space.taken
             to = np.where(taken[:, 2] < 0, taken[:, 1], taken[:, 2])
             every = np.ones(len(search.start), bool)
             return search.shortest(
@@ -186,11 +186,11 @@ class Pace:
         world has a say.
         """
         start, goals, event, limit = question
-        moments = self.freely.moments.moment
-        rows = np.flatnonzero(np.isin(moments[:, STATE], list(start)) & (moments[:, WAITING] == 0))
+        nodes = self.freely.space.node
+        rows = np.flatnonzero(np.isin(nodes[:, STATE], list(start)) & (nodes[:, WAITING] == 0))
         if not len(rows):
             return TimedAnswer(-1)
-        starts = moments[rows]
+        starts = nodes[rows]
         starts[:, IS_FIRST] = 1
         program = program_in_ticks(self.machine, self.lengths, is_patient=True)
         search = searched(program, starts, (event,), self.world, self.work)
@@ -209,10 +209,10 @@ class Pace:
         return search.longest(goals)
 
     def _beyond(
-        self, search: Search, moment: int, question: TimedQuestion, values: Floats
+        self, search: Search, node: int, question: TimedQuestion, values: Floats
     ) -> tuple[SearchStep, ...]:
         self.work.spend(question.limit * RUN_STEP_WORK)
-        return _steps(search, search.beyond(moment, question.goals, values, question.limit))
+        return _steps(search, search.beyond(node, question.goals, values, question.limit))
 
 
 def _lasting(search: Search, question: TimedQuestion, values: Floats) -> Floats:

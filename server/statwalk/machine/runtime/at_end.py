@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from statwalk.machine.compile.alternatives import BLANK, MIXED, OFF, UNDEFINED
 from statwalk.machine.compile.program import Program
-from statwalk.machine.runtime.decide import NO_ALTERNATIVE, drop, fire
+from statwalk.machine.runtime.choose import NO_ALTERNATIVE
+from statwalk.machine.runtime.decide import drop, fire
 from statwalk.machine.runtime.effects import MOST_CHANGES, MachineEffects
 from statwalk.machine.runtime.events_in_order import mark_due, next_due
 from statwalk.machine.runtime.reasons import AT_ONCE, AT_THE_END, IDLE, NO_STATE

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
-from statwalk.machine.compile.alternatives import AT_END, BLANK, MIXED, NOW, OFF, UNDEFINED
-from statwalk.machine.compile.program import NO_CONDITION, NO_WEIGHT, Program
-from statwalk.machine.runtime.chance import chance
-from statwalk.machine.runtime.condition_values import is_true
-from statwalk.machine.runtime.effects import MOST_CHANGES, MOST_DRAWS, MachineEffects
+from statwalk.machine.compile.alternatives import AT_END, BLANK, NOW, OFF, UNDEFINED
+from statwalk.machine.compile.program import Program
+from statwalk.machine.runtime.choose import NO_ALTERNATIVE, choose
+from statwalk.machine.runtime.effects import MOST_CHANGES, MachineEffects
 from statwalk.machine.runtime.event_queue import append, forget
 from statwalk.machine.runtime.reasons import (
     AFTER_THE_END,
@@ -28,15 +25,12 @@ from statwalk.machine.runtime.reasons import (
     WAITS,
 )
 from statwalk.machine.runtime.record import record_verdict
-from statwalk.machine.runtime.scratch import CHANGES, DRAWS, DT, ENDING, FIRST_TRIED, OWED, PAST_TRIED, TICK
+from statwalk.machine.runtime.scratch import CHANGES, DT, ENDING, FIRST_TRIED, OWED, PAST_TRIED, TICK
 from statwalk.machine.runtime.state import FOR_BUFFER, FOR_END, FOR_MOMENT, LOOK_UP, UNSET, MachineState
 from statwalk.machine.runtime.state_change import take
 from statwalk.machine.runtime.surroundings import Measurements
 from statwalk.machine.runtime.timing import is_its_moment
 from statwalk.maths.reference import called
-
-NO_ALTERNATIVE = -1
-"""row of an alternative: none"""
 
 
 @called
@@ -103,7 +97,7 @@ def fire(
     Returns the row of the alternative that was taken, else NO_ALTERNATIVE. `repeated`: the alternative that
     the same held input took in the tick before; taking it again gives no second verdict.
     """
-    chosen = _choose(p, s, around, out, i, layer, event)
+    chosen = choose(p, s, around, out, i, layer, event)
     if chosen == NO_ALTERNATIVE and not fleeting:
         _wait_for_buffer(p, s, around, out, i, layer, event, slot, other, NOTHING_TRUE)
     elif chosen == NO_ALTERNATIVE:
@@ -118,55 +112,6 @@ def fire(
         forget(s, out, i, layer, slot)
         take(p, s, around, out, i, layer, event, chosen, reason, other)
     return chosen
-
-
-@called
-def _choose(
-    p: Program, s: MachineState, around: Measurements, out: MachineEffects, i: int, layer: int, event: int
-) -> int:
-    """Picks a cell's alternative: the first whose condition holds, or the one that chance draws;
-    NO_ALTERNATIVE where no condition holds.
-    """
-    scratch, current = out.work.scratch, s.state[i, layer]
-    cell = current * p.target.shape[1] + event
-    first, past = p.alternatives[cell], p.alternatives[cell + 1]
-    scratch[FIRST_TRIED] = scratch[PAST_TRIED] = first
-    if p.target[current, event] != MIXED:
-        return first
-    if p.weight[first] != NO_WEIGHT:
-        return _drawn(p, around, out, i, layer, event, first, past)
-    for row in range(first, past):
-        scratch[PAST_TRIED] = row + 1
-        if p.condition[row] == NO_CONDITION or is_true(p, s, out.work, around, i, layer, p.condition[row]):
-            return row
-    return NO_ALTERNATIVE
-
-
-@called
-def _drawn(
-    p: Program,
-    around: Measurements,
-    out: MachineEffects,
-    i: int,
-    layer: int,
-    event: int,
-    first: int,
-    past: int,
-) -> int:
-    scratch, draw, total = out.work.scratch, np.nan, 0.0
-    if scratch[DRAWS] < MOST_DRAWS:
-        draw = out.work.draws[layer, scratch[DRAWS]]
-    if np.isnan(draw):
-        draw = chance(around.key[i], scratch[TICK], layer, event, scratch[DRAWS])
-    scratch[DRAWS] += 1
-    for row in range(first, past):
-        total += p.weight[row]
-    place = total * draw
-    for row in range(first, past):
-        place -= p.weight[row]
-        if place < 0:
-            return row
-    return past - 1
 
 
 @called

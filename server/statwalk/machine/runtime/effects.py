@@ -11,6 +11,7 @@ from numba import types
 from numpy.typing import NDArray
 
 from statwalk.machine.compile.program import Program
+from statwalk.machine.conditions.condition_values import CONDITION_VALUES, ConditionValues, condition_values
 from statwalk.machine.runtime.scratch import SIZE_OF_CLOCK, SIZE_OF_SCRATCH
 from statwalk.machine.runtime.state import MOST_WAITING
 from statwalk.maths.compiling import write
@@ -34,14 +35,9 @@ class Workspace(NamedTuple):
     """(24,) integers, see `runtime.scratch`"""
     clock: NDArray[np.float64]
     """(4,) seconds, see `runtime.scratch`"""
-    truths: NDArray[np.uint8]
-    """(L, C) truth of each condition: UNKNOWN, FALSE or TRUE"""
+    conditions: ConditionValues
     draws: NDArray[np.float64]
     """(L, 32) 0 ≤ … < 1; NaN: unknown"""
-    values: NDArray[np.float64]
-    """(V,) values of the variables"""
-    stack: NDArray[np.float64]
-    """stack on which a condition is evaluated"""
     due: NDArray[np.uint8]
     """(16,) whether the event in a place of the queue is still to be looked up in this tick"""
     held: NDArray[np.int32]
@@ -90,7 +86,7 @@ def effects_for(program: Program, actors: int, room: int = 1024) -> MachineEffec
     needed.
     """
     layers, rows = len(program.initials), room
-    values = rows * max(1, len(program.measured))
+    values = rows * max(1, len(program.variable_kind))
     return MachineEffects(
         np.zeros(4, np.int64),
         np.zeros((rows, 12), np.int64),
@@ -113,10 +109,8 @@ def workspace_for(program: Program) -> Workspace:
     return Workspace(
         np.zeros(SIZE_OF_SCRATCH, np.int64),
         np.zeros(SIZE_OF_CLOCK),
-        np.zeros((layers, len(program.code) - 1), np.uint8),
+        condition_values(layers, len(program.code) - 1, len(program.variable_kind), len(program.opcode)),
         np.full((layers, MOST_DRAWS), np.nan),
-        np.zeros(len(program.measured)),
-        np.zeros(max(1, len(program.opcode))),
         np.zeros(MOST_WAITING, np.uint8),
         np.zeros(events, np.int32),
         np.zeros(len(program.sense_event), np.uint8),
@@ -131,9 +125,8 @@ def doubled(effects: MachineEffects) -> MachineEffects:
 
 WORKSPACE = types.BaseTuple.from_types(
     (
-        *(write(types.int64, 1), write(types.float64, 1), write(types.uint8, 2), write(types.float64, 2)),
-        *(write(types.float64, 1), write(types.float64, 1), write(types.uint8, 1), write(types.int32, 1)),
-        write(types.uint8, 1),
+        *(write(types.int64, 1), write(types.float64, 1), CONDITION_VALUES, write(types.float64, 2)),
+        *(write(types.uint8, 1), write(types.int32, 1), write(types.uint8, 1)),
     ),
     Workspace,
 )

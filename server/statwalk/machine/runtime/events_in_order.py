@@ -6,7 +6,8 @@ END comes last, see `at_end`.
 from __future__ import annotations
 
 from statwalk.machine.compile.program import Program
-from statwalk.machine.runtime.decide import NO_ALTERNATIVE, over
+from statwalk.machine.runtime.choose import NO_ALTERNATIVE
+from statwalk.machine.runtime.decide import over
 from statwalk.machine.runtime.effects import MachineEffects
 from statwalk.machine.runtime.event_queue import forget, place_of
 from statwalk.machine.runtime.reasons import DROPPED, HELD_ALREADY, ONLY_MOTIONS_END, RELEASED

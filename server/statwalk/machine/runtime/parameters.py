@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from statwalk.machine.compile.program import NO_CONDITION, Program
-from statwalk.machine.runtime.condition_values import UNKNOWN, is_true
+from statwalk.machine.conditions.condition_values import is_true, observe
 from statwalk.machine.runtime.effects import Workspace
-from statwalk.machine.runtime.scratch import AGE, STATE_BEFORE, TIME_BEFORE
+from statwalk.machine.runtime.scratch import DT
 from statwalk.machine.runtime.state import MachineState
 from statwalk.machine.runtime.surroundings import Measurements
 from statwalk.maths.reference import inlined
@@ -46,23 +46,16 @@ def sense(p: Program, s: MachineState, w: Workspace, around: Measurements, i: in
     A sense that is off goes on, and raises its event, when its condition is true. It goes off when `release`
     is true, or, without a `release`, when its condition is false. `w.sensed` marks the senses that went on.
     """
-    w.scratch[STATE_BEFORE], w.scratch[AGE], w.clock[TIME_BEFORE] = s.state[i, 0], s.age[i, 0], s.time[i, 0]
+    observe(p, w.conditions, s.state[i, 0], s.time[i, 0], s.age[i, 0], w.clock[DT])
     raised = 0
     for k in range(p.sense_event.shape[0]):
         w.sensed[k] = 0
         releases = s.sensing[i, k] and p.sense_release[k] != NO_CONDITION
-        answer = is_true(p, s, w, around, i, 0, p.sense_release[k] if releases else p.sense_when[k])
+        condition = p.sense_release[k] if releases else p.sense_when[k]
+        answer = is_true(p, s, around, w.conditions, i, 0, condition)
         now = answer != releases
         if now and not s.sensing[i, k]:
             w.sensed[k] = 1
             raised += 1
         s.sensing[i, k] = now
     return raised
-
-
-@inlined
-def forget_truths(w: Workspace) -> None:
-    """Sets the truth of every condition to UNKNOWN."""
-    for layer in range(w.truths.shape[0]):
-        for condition in range(w.truths.shape[1]):
-            w.truths[layer, condition] = UNKNOWN

@@ -5,7 +5,7 @@ actions.
 from __future__ import annotations
 
 from statwalk.machine.compile.program import NO_CONDITION, Program
-from statwalk.machine.runtime.condition_values import value
+from statwalk.machine.conditions.condition_values import value
 from statwalk.machine.runtime.effects import (
     OF_ACTIONS,
     OF_CHANGES,
@@ -69,7 +69,7 @@ def _note_value(
     for row in range(first, last):
         if out.variable[row] == variable:
             return
-    out.variable[last], out.value[last] = variable, value(p, s, out.work, around, i, variable)
+    out.variable[last], out.value[last] = variable, value(p, s, around, out.work.conditions, i, variable)
     out.counts[OF_VALUES] = last + 1
 
 

@@ -2,7 +2,6 @@
 
 (
     STATE_BEFORE,
-    AGE,
     SEAMS,
     CROSSED,
     AT_END,
@@ -23,8 +22,8 @@
     OTHER,
     FLEETING,
     TICK,
-) = range(22)
-"""STATE_BEFORE, AGE: after the tick before; SEAMS: how many seams of its loop the motion has crossed since
+) = range(21)
+"""STATE_BEFORE: after the tick before; SEAMS: how many seams of its loop the motion has crossed since
 `passed`; CROSSED: markers of the motion count; AT_END: END came and is not yet answered; OWED: this END was
 put off by a stay; ENDING: END is being answered; RESTARTED: END came, and the motion has restarted since;
 CARRIED: the time left in the tick must still be added; CHANGES: number of changes; ENTERED: the state was
@@ -36,6 +35,6 @@ the number of the tick
 """
 SIZE_OF_SCRATCH = 24
 
-TIME_BEFORE, CARRY, DT = range(3)
-"""seconds into the motion after the tick before; seconds left after END; seconds of a tick"""
+CARRY, DT = range(2)
+"""seconds left after END; seconds of a tick"""
 SIZE_OF_CLOCK = 4

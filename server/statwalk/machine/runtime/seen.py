@@ -9,10 +9,9 @@ from numba import types
 from numpy.typing import NDArray
 
 from statwalk.machine.compile.program import PROGRAM, Program
-from statwalk.machine.runtime.condition_values import value
+from statwalk.machine.conditions.condition_values import observe, value
 from statwalk.machine.runtime.effects import WORKSPACE, Workspace, workspace_for
 from statwalk.machine.runtime.parameters import smooth
-from statwalk.machine.runtime.scratch import AGE, DT, STATE_BEFORE, TIME_BEFORE
 from statwalk.machine.runtime.state import STATE, MachineState
 from statwalk.machine.runtime.surroundings import SURROUNDINGS, Measurements
 from statwalk.maths.compiling import kernel
@@ -27,11 +26,10 @@ def _see(p: Program, s: MachineState, around: Measurements, w: Workspace, dt: fl
         by_reference(around),
         by_reference(w),
     )
-    w.clock[DT] = dt
     smooth(program, state, 0, dt)
-    w.scratch[STATE_BEFORE], w.scratch[AGE], w.clock[TIME_BEFORE] = s.state[0, 0], s.age[0, 0], s.time[0, 0]
-    for variable in range(p.measured.shape[0]):
-        w.values[variable] = value(program, state, work, surroundings, 0, variable)
+    observe(program, work.conditions, s.state[0, 0], s.time[0, 0], s.age[0, 0], dt)
+    for variable in range(p.variable_kind.shape[0]):
+        w.conditions.values[variable] = value(program, state, surroundings, work.conditions, 0, variable)
 
 
 def seen(
@@ -43,4 +41,4 @@ def seen(
     rows, work = np.array([row]), workspace_for(program)
     own = Measurements(around.rate[rows], np.ascontiguousarray(around.measured[:, rows]), around.key[rows])
     _see(program, state.take(rows), own, work, dt)
-    return work.values
+    return work.conditions.values

@@ -6,9 +6,9 @@ Implements "One tick" of the specification.
 from __future__ import annotations
 
 from statwalk.machine.compile.program import Program
+from statwalk.machine.conditions.condition_values import forget_truths
 from statwalk.machine.runtime.effects import MOST_CHANGES, OF_VALUES, OF_VERDICTS, MachineEffects
 from statwalk.machine.runtime.idle_step import passes_quietly
-from statwalk.machine.runtime.parameters import forget_truths
 from statwalk.machine.runtime.scratch import DT, TICK
 from statwalk.machine.runtime.state import MOST_WAITING, MachineState
 from statwalk.machine.runtime.step_actor import step_actor
@@ -50,7 +50,7 @@ def step_from(
         0,
         _most_verdicts(program),
         state.state.shape[1],
-        program.measured.shape[0],
+        program.variable_kind.shape[0],
     )
     while next_input < inputs.actor.shape[0] and inputs.actor[next_input] < row:
         next_input += 1
@@ -66,6 +66,6 @@ def step_from(
             or effects.value.shape[0] - counts[OF_VALUES] < need * variables
         ):
             return i
-        forget_truths(effects.work)
+        forget_truths(effects.work.conditions)
         step_actor(program, state, around, inputs, effects, i, first, next_input)
     return int(state.state.shape[0])

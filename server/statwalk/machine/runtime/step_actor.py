@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from statwalk.machine.compile.program import Program
+from statwalk.machine.conditions.condition_values import observe
 from statwalk.machine.runtime.at_end import answer_end
 from statwalk.machine.runtime.decide import decide
 from statwalk.machine.runtime.effects import OF_CHANGES, MachineEffects
@@ -10,7 +11,6 @@ from statwalk.machine.runtime.event_queue import wait_again
 from statwalk.machine.runtime.events_in_order import WAITING, mark_due, next_event
 from statwalk.machine.runtime.parameters import sense, smooth
 from statwalk.machine.runtime.scratch import (
-    AGE,
     AT_END,
     CARRIED,
     CHANGES,
@@ -26,7 +26,6 @@ from statwalk.machine.runtime.scratch import (
     RESTARTED,
     SLOT,
     STATE_BEFORE,
-    TIME_BEFORE,
 )
 from statwalk.machine.runtime.state import MachineState
 from statwalk.machine.runtime.surroundings import Inputs, Measurements
@@ -57,11 +56,8 @@ def step_actor(
         for event in range(s.held.shape[1]):
             work.held[event] = s.held[i, event]
     for layer in range(s.state.shape[1]):
-        work.scratch[STATE_BEFORE], work.scratch[AGE], work.clock[TIME_BEFORE] = (
-            s.state[i, layer],
-            s.age[i, layer],
-            s.time[i, layer],
-        )
+        work.scratch[STATE_BEFORE] = s.state[i, layer]
+        observe(p, work.conditions, s.state[i, layer], s.time[i, layer], s.age[i, layer], work.clock[DT])
         s.age[i, layer] += 1
         advance(p, s, out, around.rate[i, layer], i, layer)
         if (

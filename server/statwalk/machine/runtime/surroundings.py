@@ -8,6 +8,7 @@ import numpy as np
 from numba import types
 from numpy.typing import ArrayLike, NDArray
 
+from statwalk.machine.conditions.variables import COUNT_MEASURED
 from statwalk.maths.compiling import write
 
 PRESS, HOLD, RELEASE, TOUCH, RAISED, TRAVEL = range(6)
@@ -52,16 +53,14 @@ class Measurements(NamedTuple):
     one, else 1
     """
     measured: NDArray[np.float64]
-    """(3, N) as shown at the tick before: metres per second along the ground, radians per second (left
-    positive), height in metres
-    """
+    """(3, N) the rows of `conditions.variables.MEASURED`, as shown at the tick before"""
     key: NDArray[np.uint64]
     """(N,) the random key of each actor"""
 
     @classmethod
     def none(cls, actors: int, layers: int) -> Measurements:
         """Returns the measurements of actors that stand still."""
-        return cls(np.ones((actors, layers)), np.zeros((3, actors)), np.zeros(actors, np.uint64))
+        return cls(np.ones((actors, layers)), np.zeros((COUNT_MEASURED, actors)), np.zeros(actors, np.uint64))
 
 
 def _type(kind: Any, axes: list[tuple[Any, int]]) -> Any:

@@ -19,23 +19,23 @@ NOT_POWER, MINUS_POWER = 3, 7
 RESERVED = (*FUNCTIONS, *CONSTANTS, "and", "or", "not")
 
 
-def parse(text: str, known: Sequence[str]) -> Formula:
-    """Returns the program of a condition over the names `known`.
+def parse(text: str, scope: Sequence[str]) -> Formula:
+    """Returns the program of a condition over the names in `scope`.
 
     :raises ConditionError: when the text cannot be read; with column and nearest name.
     """
-    parser = Parser(words_of(text), tuple(known))
+    parser = Parser(words_of(text), tuple(scope))
     parser.value(0, 0)
     if parser.word.kind != "end":
         raise parser.refuse("an operator or the end is wanted here, not")
-    return Formula(text.strip(), tuple(known), tuple(parser.steps))
+    return Formula(text.strip(), tuple(scope), tuple(parser.steps))
 
 
 class Parser:
     """A position in the words, and the steps of the words before it."""
 
-    def __init__(self, words: list[Word], known: tuple[str, ...]) -> None:
-        self.words, self.known = words, known
+    def __init__(self, words: list[Word], scope: tuple[str, ...]) -> None:
+        self.words, self.scope = words, scope
         self.place = 0
         self.steps: list[Step] = []
 
@@ -119,7 +119,7 @@ class Parser:
 
         :raises ConditionError: when the name is unknown.
         """
-        if word.text in self.known and self.word.text != "(":
+        if word.text in self.scope and self.word.text != "(":
             self.steps.append(word.text)
         elif word.text in CONSTANTS:
             self.steps.append(float(CONSTANTS[word.text]))
@@ -150,7 +150,7 @@ class Parser:
     def unknown(self, word: Word) -> ConditionError:
         """Returns the error about an unknown name."""
         kind, names = (
-            ("function", tuple(FUNCTIONS)) if self.word.text == "(" else ("name", (*self.known, *RESERVED))
+            ("function", tuple(FUNCTIONS)) if self.word.text == "(" else ("name", (*self.scope, *RESERVED))
         )
         near = get_close_matches(word.text[:100], names, n=1)
         hint = f"; did you mean {near[0]}?" if near else f". There are: {', '.join(names)[:300]}"

@@ -21,7 +21,7 @@ class Formula:
     """Steps over a stack of numbers; the last number on the stack is the result."""
 
     text: str
-    known: tuple[str, ...]
+    scope: tuple[str, ...]
     """the names that it may ask for, in the order of the rows of `values`"""
     steps: tuple[Step, ...]
 
@@ -37,10 +37,10 @@ class Formula:
         return [_coded(step, variables) for step in self.steps]
 
     def evaluate(self, values: Floats) -> Floats:
-        """Returns (N,) float64 results for `values` (V, N), a row for each of `known`; finite, and
+        """Returns (N,) float64 results for `values` (V, N), a row for each of `scope`; finite, and
         independent of N. Any result but 0 is true.
         """
-        opcodes, operands = zip(*self.code(self.known), strict=True)
+        opcodes, operands = zip(*self.code(self.scope), strict=True)
         rows = np.ascontiguousarray(np.asarray(values, np.float64).T)
         results, own, stack = np.empty(len(rows)), np.empty(rows.shape[1]), np.empty(len(self.steps))
         evaluate_rows(np.array(opcodes, np.uint8), np.array(operands), rows, own, stack, results)

@@ -14,23 +14,12 @@ import numpy as np
 from numba import types
 
 from statwalk.maths.compiling import inlined, intrinsic
+from statwalk.maths.random import GOLDEN, scrambled
 from statwalk.maths.simd.lane_bits import INT64, stirring, word_at, word_of
 from statwalk.maths.simd.lane_functions import either
 
 LOW, HALF_WORD = np.uint64(0xFFFFFFFF), np.uint64(32)
-STIR, ROTATE, UNROTATE = np.uint64(0x9E3779B97F4A7C15), np.uint64(29), np.uint64(35)
-FIRST, SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)
-SHIFTS = np.uint64(30), np.uint64(27), np.uint64(31)
-
-
-@inlined
-def scrambled(word: Any) -> Any:
-    """Returns a mixed word: every bit of `word` changes half the bits of the result (splitmix64, Steele, Lea
-    and Flood 2014).
-    """
-    word = (word ^ (word >> SHIFTS[0])) * FIRST
-    word = (word ^ (word >> SHIFTS[1])) * SECOND
-    return word ^ (word >> SHIFTS[2])
+STIR, ROTATE, UNROTATE = np.uint64(GOLDEN), np.uint64(29), np.uint64(35)
 
 
 @inlined

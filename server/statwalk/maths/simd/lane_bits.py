@@ -11,9 +11,9 @@ from numba import types
 from numba.core import cgutils
 
 from statwalk.maths.compiling import intrinsic
-from statwalk.maths.simd.lanes import INT32, LANES, VECTOR, WIDTH
+from statwalk.maths.simd.lanes import INT32, LANES, LANES_TYPE, VECTOR
 
-WORDS = ir.VectorType(INT32, WIDTH)
+WORDS = ir.VectorType(INT32, LANES)
 INT64 = ir.IntType(64)
 
 
@@ -45,7 +45,7 @@ def with_word(_typing: Any, lanes: Any, lane: Any, word: Any) -> Any:
             VECTOR,
         )
 
-    return LANES(LANES, types.int64, types.uint64), code
+    return LANES_TYPE(LANES_TYPE, types.int64, types.uint64), code
 
 
 @intrinsic
@@ -56,7 +56,7 @@ def word_of(_typing: Any, lanes: Any, lane: Any) -> Any:
         word = builder.extract_element(builder.bitcast(args[0], WORDS), builder.trunc(args[1], INT32))
         return builder.zext(word, INT64)
 
-    return types.uint64(LANES, types.int64), code
+    return types.uint64(LANES_TYPE, types.int64), code
 
 
 def stirring(rotation: int, factor: int) -> Any:
@@ -65,11 +65,11 @@ def stirring(rotation: int, factor: int) -> Any:
     def typed(_typing: Any, before: Any, value: Any) -> Any:
         def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
             mixed = builder.xor(*(builder.bitcast(lanes, WORDS) for lanes in args))
-            name = f"llvm.fshl.v{WIDTH}i32"
+            name = f"llvm.fshl.v{LANES}i32"
             rotate = cgutils.get_or_insert_function(builder.module, ir.FunctionType(WORDS, [WORDS] * 3), name)
-            turned = builder.call(rotate, [mixed, mixed, ir.Constant(WORDS, [rotation] * WIDTH)])
-            return builder.bitcast(builder.mul(turned, ir.Constant(WORDS, [factor] * WIDTH)), VECTOR)
+            turned = builder.call(rotate, [mixed, mixed, ir.Constant(WORDS, [rotation] * LANES)])
+            return builder.bitcast(builder.mul(turned, ir.Constant(WORDS, [factor] * LANES)), VECTOR)
 
-        return LANES(LANES, LANES), code
+        return LANES_TYPE(LANES_TYPE, LANES_TYPE), code
 
     return intrinsic(typed)

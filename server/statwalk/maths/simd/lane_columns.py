@@ -12,14 +12,14 @@ from numba import types
 from numba.core import cgutils
 
 from statwalk.maths.compiling import intrinsic
-from statwalk.maths.simd.lanes import INT32, LANES, WIDTH, loaded, place, shuffled, stored
+from statwalk.maths.simd.lanes import INT32, LANES, LANES_TYPE, loaded, place, shuffled, stored
 
 QUAD = ir.VectorType(ir.FloatType(), 4)
 
 
 def _rows_from(context: Any, builder: Any, sig: Any, args: Any, count: int) -> list[Any]:
     """`count` times sixteen floats, one after the other."""
-    starts = [builder.add(args[1], ir.Constant(args[1].type, WIDTH * row)) for row in range(count)]
+    starts = [builder.add(args[1], ir.Constant(args[1].type, LANES * row)) for row in range(count)]
     return [loaded(builder, place(context, builder, sig.args[0], args[0], start)) for start in starts]
 
 
@@ -30,13 +30,13 @@ def load_xyz(_typing: Any, array: Any, index: Any) -> Any:
     def code(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         rows, axes = _rows_from(context, builder, sig, args, 3), []
         for axis in range(3):
-            lanes = [3 * vector + axis for vector in range(WIDTH)]
-            pairs = shuffled(builder, rows[0], rows[1], [lane % (2 * WIDTH) for lane in lanes])
-            picks = [vector if lane < 2 * WIDTH else lane - WIDTH for vector, lane in enumerate(lanes)]
+            lanes = [3 * vector + axis for vector in range(LANES)]
+            pairs = shuffled(builder, rows[0], rows[1], [lane % (2 * LANES) for lane in lanes])
+            picks = [vector if lane < 2 * LANES else lane - LANES for vector, lane in enumerate(lanes)]
             axes.append(shuffled(builder, pairs, rows[2], picks))
         return cgutils.pack_array(builder, axes)
 
-    return types.UniTuple(LANES, 3)(array, types.int64), code
+    return types.UniTuple(LANES_TYPE, 3)(array, types.int64), code
 
 
 @intrinsic
@@ -48,7 +48,7 @@ def load_quads(_typing: Any, array: Any, index: Any) -> Any:
     def code(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         return cgutils.pack_array(builder, _exchanged(builder, _rows_from(context, builder, sig, args, 4)))
 
-    return types.UniTuple(LANES, 4)(array, types.int64), code
+    return types.UniTuple(LANES_TYPE, 4)(array, types.int64), code
 
 
 @intrinsic
@@ -57,12 +57,12 @@ def store_xyz(_typing: Any, array: Any, index: Any, x: Any, y: Any, z: Any) -> A
 
     def code(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         for part in range(3):
-            lanes = [divmod(WIDTH * part + lane, 3) for lane in range(WIDTH)]
+            lanes = [divmod(LANES * part + lane, 3) for lane in range(LANES)]
             pairs = shuffled(
-                builder, args[2], args[3], [vertex + WIDTH * (axis == 1) for vertex, axis in lanes]
+                builder, args[2], args[3], [vertex + LANES * (axis == 1) for vertex, axis in lanes]
             )
-            picks = [WIDTH + vertex if axis == 2 else lane for lane, (vertex, axis) in enumerate(lanes)]
-            start = builder.add(args[1], ir.Constant(args[1].type, WIDTH * part))
+            picks = [LANES + vertex if axis == 2 else lane for lane, (vertex, axis) in enumerate(lanes)]
+            start = builder.add(args[1], ir.Constant(args[1].type, LANES * part))
             stored(
                 builder,
                 shuffled(builder, pairs, args[4], picks),
@@ -70,7 +70,7 @@ def store_xyz(_typing: Any, array: Any, index: Any, x: Any, y: Any, z: Any) -> A
             )
         return context.get_dummy_value()
 
-    return types.void(array, types.int64, LANES, LANES, LANES), code
+    return types.void(array, types.int64, LANES_TYPE, LANES_TYPE, LANES_TYPE), code
 
 
 @intrinsic
@@ -79,7 +79,7 @@ def columns(_typing: Any, array: Any, index: Any) -> Any:
 
     def code(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         def quad(row: int, number: int) -> Any:
-            start = builder.add(args[1], ir.Constant(args[1].type, WIDTH * row + 4 * number))
+            start = builder.add(args[1], ir.Constant(args[1].type, LANES * row + 4 * number))
             return loaded(builder, place(context, builder, sig.args[0], args[0], start, QUAD))
 
         # quads of four rows are loaded side by side: only the rest of the transposition costs shuffles
@@ -89,7 +89,7 @@ def columns(_typing: Any, array: Any, index: Any) -> Any:
         ]
         return cgutils.pack_array(builder, [column for four in fours for column in _exchanged(builder, four)])
 
-    return types.UniTuple(LANES, 12)(array, types.int64), code
+    return types.UniTuple(LANES_TYPE, 12)(array, types.int64), code
 
 
 def _joined(builder: Any, quads: Sequence[Any]) -> Any:

@@ -10,12 +10,12 @@ from numba import types
 from numba.core import cgutils
 
 from statwalk.maths.compiling import intrinsic
-from statwalk.maths.simd.lanes import INT32, LANES, VECTOR, WIDTH
+from statwalk.maths.simd.lanes import INT32, LANES, LANES_TYPE, VECTOR
 
 
 def _constant(value: float) -> ir.Constant:
     """The same number in all lanes."""
-    return ir.Constant(VECTOR, [value] * WIDTH)
+    return ir.Constant(VECTOR, [value] * LANES)
 
 
 @intrinsic
@@ -28,7 +28,7 @@ def fused(_typing: Any, a: Any, b: Any, c: Any) -> Any:
         )
         return builder.call(function, args)
 
-    return LANES(LANES, LANES, LANES), code
+    return LANES_TYPE(LANES_TYPE, LANES_TYPE, LANES_TYPE), code
 
 
 def _of_one(build: Callable[[Any, Any], Any]) -> Any:
@@ -38,7 +38,7 @@ def _of_one(build: Callable[[Any, Any], Any]) -> Any:
         def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
             return build(builder, args[0])
 
-        return LANES(LANES), code
+        return LANES_TYPE(LANES_TYPE), code
 
     return intrinsic(typed)
 
@@ -50,7 +50,7 @@ def _of_two(build: Callable[[Any, Any, Any], Any]) -> Any:
         def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
             return build(builder, args[0], args[1])
 
-        return LANES(LANES, LANES), code
+        return LANES_TYPE(LANES_TYPE, LANES_TYPE), code
 
     return intrinsic(typed)
 
@@ -79,7 +79,7 @@ def most(builder: Any, x: Any, y: Any) -> Any:
 @_of_two
 def lowest_bits(builder: Any, x: Any, y: Any) -> Any:
     """lowest_bits(x, y): the smaller of numbers that are not negative; NaN counts as the largest."""
-    numbers = ir.VectorType(INT32, WIDTH)
+    numbers = ir.VectorType(INT32, LANES)
     return builder.select(
         builder.icmp_unsigned("<", builder.bitcast(x, numbers), builder.bitcast(y, numbers)), x, y
     )
@@ -88,7 +88,7 @@ def lowest_bits(builder: Any, x: Any, y: Any) -> Any:
 @_of_two
 def highest_bits(builder: Any, x: Any, y: Any) -> Any:
     """highest_bits(x, y): the larger of numbers that are not negative; NaN counts as the largest."""
-    numbers = ir.VectorType(INT32, WIDTH)
+    numbers = ir.VectorType(INT32, LANES)
     return builder.select(
         builder.icmp_unsigned(">", builder.bitcast(x, numbers), builder.bitcast(y, numbers)), x, y
     )
@@ -108,10 +108,10 @@ def all_between(_typing: Any, x: Any, low: Any, high: Any) -> Any:
         inside = builder.and_(
             builder.fcmp_ordered(">", args[0], args[1]), builder.fcmp_ordered("<", args[0], args[2])
         )
-        mask = ir.IntType(WIDTH)
-        return builder.icmp_unsigned("==", builder.bitcast(inside, mask), ir.Constant(mask, (1 << WIDTH) - 1))
+        mask = ir.IntType(LANES)
+        return builder.icmp_unsigned("==", builder.bitcast(inside, mask), ir.Constant(mask, (1 << LANES) - 1))
 
-    return types.boolean(LANES, LANES, LANES), code
+    return types.boolean(LANES_TYPE, LANES_TYPE, LANES_TYPE), code
 
 
 @intrinsic
@@ -119,12 +119,12 @@ def any_above(_typing: Any, x: Any, low: Any) -> Any:
     """any_above(x, low): whether x > low in any lane."""
 
     def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
-        mask = ir.IntType(WIDTH)
+        mask = ir.IntType(LANES)
         return builder.icmp_unsigned(
             "!=", builder.bitcast(builder.fcmp_ordered(">", *args), mask), ir.Constant(mask, 0)
         )
 
-    return types.boolean(LANES, LANES), code
+    return types.boolean(LANES_TYPE, LANES_TYPE), code
 
 
 @_of_two
@@ -152,7 +152,7 @@ def where_below(_typing: Any, a: Any, b: Any, x: Any, y: Any) -> Any:
     def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
         return builder.select(builder.fcmp_ordered("<", args[0], args[1]), args[2], args[3])
 
-    return LANES(LANES, LANES, LANES, LANES), code
+    return LANES_TYPE(LANES_TYPE, LANES_TYPE, LANES_TYPE, LANES_TYPE), code
 
 
 @intrinsic
@@ -162,7 +162,7 @@ def either(_typing: Any, mask: Any, x: Any, y: Any) -> Any:
     def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
         return builder.select(builder.fcmp_ordered(">", args[0], _constant(0.0)), args[1], args[2])
 
-    return LANES(LANES, LANES, LANES), code
+    return LANES_TYPE(LANES_TYPE, LANES_TYPE, LANES_TYPE), code
 
 
 @intrinsic
@@ -172,4 +172,4 @@ def with_lane(_typing: Any, lanes: Any, lane: Any, number: Any) -> Any:
     def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
         return builder.insert_element(args[0], args[2], builder.trunc(args[1], INT32))
 
-    return LANES(LANES, types.int64, types.float32), code
+    return LANES_TYPE(LANES_TYPE, types.int64, types.float32), code

@@ -19,8 +19,9 @@ from numba.extending import lower_builtin
 
 from statwalk.maths.compiling import intrinsic
 
-WIDTH = 16
-VECTOR = ir.VectorType(ir.FloatType(), WIDTH)
+LANES = 16
+"""float32 numbers of a value; also the actors of a block of poses (`pose_layout`)"""
+VECTOR = ir.VectorType(ir.FloatType(), LANES)
 INT32 = ir.IntType(32)
 
 
@@ -31,7 +32,7 @@ class LanesType(types.Type):
         super().__init__("lanes16")
 
 
-LANES = LanesType()
+LANES_TYPE = LanesType()
 
 
 @register_model(LanesType)
@@ -47,9 +48,9 @@ def _define_operator(symbol: Callable[..., Any], instruction: str) -> None:
 
     @infer_global(symbol)
     class OfLanes(ConcreteTemplate):
-        cases = [signature(LANES, LANES, LANES)]  # noqa: RUF012 - numba's form
+        cases = [signature(LANES_TYPE, LANES_TYPE, LANES_TYPE)]  # noqa: RUF012 - numba's form
 
-    @lower_builtin(symbol, LANES, LANES)
+    @lower_builtin(symbol, LANES_TYPE, LANES_TYPE)
     def lowered(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
         return getattr(builder, instruction)(*args)
 
@@ -58,10 +59,10 @@ def _define_operator(symbol: Callable[..., Any], instruction: str) -> None:
 class Negated(ConcreteTemplate):
     """The type of -x."""
 
-    cases = [signature(LANES, LANES)]  # noqa: RUF012 - numba's form
+    cases = [signature(LANES_TYPE, LANES_TYPE)]  # noqa: RUF012 - numba's form
 
 
-@lower_builtin(operator.neg, LANES)
+@lower_builtin(operator.neg, LANES_TYPE)
 def negated(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
     """Returns -x, lane by lane."""
     return builder.fneg(args[0])
@@ -78,7 +79,7 @@ for symbol, instruction in (
 
 def shuffled(builder: Any, a: Any, b: Any, picks: Sequence[int]) -> Any:
     """Returns lanes picked from `a` (0…15) and `b` (16…31)."""
-    return builder.shuffle_vector(a, b, ir.Constant(ir.VectorType(INT32, WIDTH), list(picks)))
+    return builder.shuffle_vector(a, b, ir.Constant(ir.VectorType(INT32, LANES), list(picks)))
 
 
 def place(context: Any, builder: Any, kind: Any, array: Any, index: Any, what: Any = VECTOR) -> Any:
@@ -108,7 +109,7 @@ def load(_typing: Any, array: Any, index: Any) -> Any:
     def code(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         return loaded(builder, place(context, builder, sig.args[0], *args))
 
-    return LANES(array, types.int64), code
+    return LANES_TYPE(array, types.int64), code
 
 
 @intrinsic
@@ -119,14 +120,14 @@ def store(_typing: Any, array: Any, index: Any, value: Any) -> Any:
         stored(builder, args[2], place(context, builder, sig.args[0], *args[:2]))
         return context.get_dummy_value()
 
-    return types.void(array, types.int64, LANES), code
+    return types.void(array, types.int64, LANES_TYPE), code
 
 
 def _repeated(builder: Any, number: Any) -> Any:
     """One number in all lanes."""
     nothing = ir.Constant(VECTOR, ir.Undefined)
     return shuffled(
-        builder, builder.insert_element(nothing, number, ir.Constant(INT32, 0)), nothing, [0] * WIDTH
+        builder, builder.insert_element(nothing, number, ir.Constant(INT32, 0)), nothing, [0] * LANES
     )
 
 
@@ -137,7 +138,7 @@ def broadcast(_typing: Any, number: Any) -> Any:
     def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
         return _repeated(builder, args[0])
 
-    return LANES(types.float32), code
+    return LANES_TYPE(types.float32), code
 
 
 @intrinsic
@@ -149,7 +150,7 @@ def spread(_typing: Any, array: Any, index: Any) -> Any:
             builder, loaded(builder, place(context, builder, sig.args[0], args[0], args[1], ir.FloatType()))
         )
 
-    return LANES(array, types.int64), code
+    return LANES_TYPE(array, types.int64), code
 
 
 @intrinsic
@@ -163,4 +164,4 @@ def load_at(_typing: Any, array: Any, indices: Any, index: Any) -> Any:
         start = builder.sext(position, args[2].type)
         return loaded(builder, place(context, builder, sig.args[0], args[0], start))
 
-    return LANES(array, indices, types.int64), code
+    return LANES_TYPE(array, indices, types.int64), code

@@ -1,5 +1,4 @@
-"""Joints of a block of a `PoseBuffer` as lanes: the positions of a joint's channels, defined once for all
-kernels.
+"""Joints of a block of a `PoseBuffer` as lanes (see `pose_layout`).
 
 `at` is the index of a joint's first float in values (B, C, 16); a channel is sixteen floats.
 """
@@ -10,31 +9,35 @@ from typing import Any
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.simd.lane_functions import either
-from statwalk.maths.simd.lanes import load, store
+from statwalk.maths.simd.lanes import LANES, load, store
+from statwalk.maths.simd.pose_layout import (
+    ROTATION_CHANNEL,
+    SCALE_CHANNEL,
+    index_at,
+    joint_channel,
+    weight_channel,
+)
 
-CHANNELS = 10
-"""channels of a joint: translation, rotation, scale"""
-WIDTH = 16
-ROTATION, SCALE = 3 * WIDTH, 7 * WIDTH
+ROTATION, SCALE = ROTATION_CHANNEL * LANES, SCALE_CHANNEL * LANES
 """floats from a joint's first float to its rotation and scale"""
 
 
 @inlined
 def joint_at(values: Any, block: int, joint: int) -> Any:
     """Returns the index of a joint's first float."""
-    return (block * values.shape[1] + CHANNELS * joint) * WIDTH
+    return index_at(values, block, joint_channel(joint))
 
 
 @inlined
 def weight_at(values: Any, block: int, joints: int, weight: int) -> Any:
     """Returns the index of a morph weight of a pose of `joints` joints."""
-    return (block * values.shape[1] + CHANNELS * joints + weight) * WIDTH
+    return index_at(values, block, weight_channel(joints, weight))
 
 
 @inlined
 def load3(values: Any, at: int) -> Any:
     """Returns three channels."""
-    return load(values, at), load(values, at + WIDTH), load(values, at + 2 * WIDTH)
+    return load(values, at), load(values, at + LANES), load(values, at + 2 * LANES)
 
 
 @inlined
@@ -42,9 +45,9 @@ def load4(values: Any, at: int) -> Any:
     """Returns four channels."""
     return (
         load(values, at),
-        load(values, at + WIDTH),
-        load(values, at + 2 * WIDTH),
-        load(values, at + 3 * WIDTH),
+        load(values, at + LANES),
+        load(values, at + 2 * LANES),
+        load(values, at + 3 * LANES),
     )
 
 
@@ -52,8 +55,8 @@ def load4(values: Any, at: int) -> Any:
 def store3(values: Any, at: int, v: Any) -> None:
     """Writes three channels."""
     store(values, at, v[0])
-    store(values, at + WIDTH, v[1])
-    store(values, at + 2 * WIDTH, v[2])
+    store(values, at + LANES, v[1])
+    store(values, at + 2 * LANES, v[2])
 
 
 @inlined
@@ -66,7 +69,7 @@ def either3(mask: Any, a: Any, b: Any) -> Any:
 def store4(values: Any, at: int, q: Any) -> None:
     """Writes four channels."""
     store3(values, at, q)
-    store(values, at + 3 * WIDTH, q[3])
+    store(values, at + 3 * LANES, q[3])
 
 
 @inlined

@@ -8,15 +8,15 @@ from llvmlite import ir
 from numba import types
 
 from statwalk.maths.compiling import intrinsic
-from statwalk.maths.simd.lanes import INT32, VECTOR, WIDTH, loaded, place, shuffled, stored
+from statwalk.maths.simd.lanes import INT32, LANES, VECTOR, loaded, place, shuffled, stored
 
 
 def _transposed(builder: Any, rows: list[Any]) -> list[Any]:
     """Sixteen rows of sixteen, exchanged at distances 8, 4, 2, 1."""
     for distance in (8, 4, 2, 1):
-        low = [k if not k & distance else WIDTH + (k ^ distance) for k in range(WIDTH)]
-        high = [k | distance if not k & distance else WIDTH + k for k in range(WIDTH)]
-        for row in range(WIDTH):
+        low = [k if not k & distance else LANES + (k ^ distance) for k in range(LANES)]
+        high = [k | distance if not k & distance else LANES + k for k in range(LANES)]
+        for row in range(LANES):
             if not row & distance:
                 pair = rows[row], rows[row | distance]
                 rows[row], rows[row | distance] = (
@@ -42,7 +42,7 @@ def store_columns(
         def number(kind: Any, value: Any) -> Any:
             return ir.Constant(kind.type, value)
 
-        starts = [builder.add(at, builder.mul(stride, number(stride, row))) for row in range(WIDTH)]
+        starts = [builder.add(at, builder.mul(stride, number(stride, row))) for row in range(LANES)]
         loaded_rows = [loaded(builder, place(context, builder, sig.args[4], rows, start)) for start in starts]
         for k, column in enumerate(_transposed(builder, loaded_rows)):
             index = place(context, builder, sig.args[2], places, builder.add(first, number(first, k)), INT32)
@@ -59,7 +59,7 @@ def chosen(_typing: Any, test: Any, x: Any, y: Any) -> Any:
 
     def code(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
         return builder.select(
-            builder.fcmp_ordered("!=", args[0], ir.Constant(VECTOR, [0.0] * WIDTH)), args[1], args[2]
+            builder.fcmp_ordered("!=", args[0], ir.Constant(VECTOR, [0.0] * LANES)), args[1], args[2]
         )
 
     return test(test, x, y), code

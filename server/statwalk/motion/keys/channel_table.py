@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Ints
-from statwalk.maths.kernels import reading
 from statwalk.maths.pose import Pose
+from statwalk.motion.keys import _kernels
 from statwalk.motion.keys.channel import WIDTHS, Channel, Interpolation, Path
 from statwalk.motion.keys.key_set import KeySet
 from statwalk.motion.keys.key_times import KeyTimes
@@ -71,7 +71,7 @@ class ChannelTable:
 def gathered(numbers: NDArray[np.float32], starts: Ints, counts: Ints) -> NDArray[np.float32]:
     """Returns counts[i] numbers from starts[i] on, for all i one after the other."""
     out = np.empty(int(counts.sum()), np.float32)
-    reading.gathered(
+    _kernels.gathered(
         np.require(numbers, requirements=["C", "A"]),
         np.asarray(starts, np.int64),
         np.asarray(counts, np.int64),

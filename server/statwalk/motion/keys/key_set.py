@@ -12,8 +12,8 @@ import numpy as np
 
 from statwalk.maths import quat
 from statwalk.maths.arrays import Bools, Floats, Ints
-from statwalk.maths.kernels import reading
 from statwalk.maths.pose import Pose
+from statwalk.motion.keys import _kernels
 from statwalk.motion.keys.channel import Channel, Interpolation, Path
 from statwalk.motion.keys.key_times import KeyTimes
 
@@ -61,7 +61,7 @@ class KeySet:
         """Returns (C,) whether a channel has the same value at every time."""
         if self.values.ndim == 2 and self.values.dtype == np.float32:
             constant = np.empty(len(self.counts), bool)
-            reading.constant(
+            _kernels.constant(
                 np.require(self.values, requirements=["C", "A"]), np.asarray(self.ends, np.int64), constant
             )
             return constant

@@ -20,7 +20,7 @@ import numpy as np
 
 from statwalk.maths import curves, quat
 from statwalk.maths.arrays import Floats
-from statwalk.maths.kernels import reading
+from statwalk.motion.keys import _kernels
 from statwalk.motion.keys.key_set import KeySet
 from statwalk.motion.keys.segment_kinds import ARC, CUBIC, CUBIC_TURN, HOLD, LINE, SPLINE_TURN
 
@@ -53,7 +53,7 @@ def _straight(key_set: KeySet) -> tuple[int, Floats]:
     if values.dtype != np.float32:
         return (ARC, _arcs(key_set)) if is_turn else (LINE, _lines(key_set))
     rows = np.empty((len(values), 2 * values.shape[1]), np.float32)
-    pack_rows = reading.turns if is_turn else reading.lines
+    pack_rows = _kernels.turns if is_turn else _kernels.lines
     pack_rows(np.require(values, requirements=["C", "A"]), np.asarray(key_set.ends, np.int64), rows)
     return (ARC if is_turn else LINE), rows
 

@@ -10,9 +10,16 @@ from numba import types
 
 from statwalk.maths.columns import columns
 from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
+from statwalk.maths.simd.pose_layout import (
+    ROTATION_CHANNEL,
+    SCALE_CHANNEL,
+    channel_of,
+    joint_channel,
+    weight_channel,
+)
 from statwalk.motion.sampling.blend import rate, weigh
 from statwalk.motion.sampling.root_motion import way
-from statwalk.motion.sampling.sample import LANES, sample
+from statwalk.motion.sampling.sample import sample
 from statwalk.motion.tables.motion_tables import MotionTables
 
 DOUBLE = types.float64
@@ -32,19 +39,20 @@ def poses(
     """
     joints = translation.shape[1]
     for number in range(motions.common.shape[0]):
-        pose[motions.common[number] // LANES] = motions.common_values[number]
+        pose[channel_of(motions.common[number])] = motions.common_values[number]
     for actor in range(times.shape[0]):
         sample(motions, state, times[actor], start, parameters, actor, weights, rows, 0, motions.layout[1])
         for number in range(motions.layout[1]):
-            pose[motions.layout[2 + number] // LANES] = rows[number]
+            pose[channel_of(motions.layout[2 + number])] = rows[number]
         for joint in range(joints):
-            at = 10 * joint
+            at = joint_channel(joint)
             for k in range(3):
-                translation[actor, joint, k], scale[actor, joint, k] = pose[at + k], pose[at + 7 + k]
+                translation[actor, joint, k] = pose[at + k]
+                scale[actor, joint, k] = pose[at + SCALE_CHANNEL + k]
             for k in range(4):
-                rotation[actor, joint, k] = pose[at + 3 + k]
+                rotation[actor, joint, k] = pose[at + ROTATION_CHANNEL + k]
         for k in range(morph.shape[1]):
-            morph[actor, k] = pose[10 * joints + k]
+            morph[actor, k] = pose[weight_channel(joints, k)]
 
 
 @kernel(TABLES, LONG, read(DOUBLE, 1), read(DOUBLE, 1), read(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 1))

@@ -14,7 +14,9 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_functions import fused, turned
-from statwalk.maths.simd.lanes import broadcast, load, store
+from statwalk.maths.simd.lanes import LANES, broadcast, load, store
+from statwalk.maths.simd.pose_lanes import load4, store4
+from statwalk.maths.simd.pose_layout import index_at
 from statwalk.maths.simd.transpose import store_columns
 from statwalk.motion.keys.segment_kinds import ARC, CUBIC, CUBIC_TURN, HOLD, LINE, LOOSE, OWN_CLOCKS, VECTORS
 from statwalk.motion.sampling.blend import edges_before, member_phase, weigh
@@ -24,13 +26,10 @@ from statwalk.motion.sampling.segment_lanes import (
     cubic_turn,
     fraction,
     line,
-    put,
     put_some,
     spline_turn,
     unit,
 )
-
-LANES = 16
 
 
 @inlined
@@ -51,7 +50,7 @@ def _evaluate(motions: Any, group: int, values: Any, row: int, part: Any, out: A
         else:
             rotation = spline_turn(values, row, part)
         if mask < 0:
-            put(out, to, rotation)
+            store4(out, to, rotation)
         else:
             put_some(out, to, rotation, load(motions.values, mask))
 
@@ -123,10 +122,10 @@ def _add_weighted(motions: Any, weight: float, row: int, out: Any, at: int) -> N
     part, turns, width = broadcast(np.float32(weight)), motions.layout[0], motions.layout[1]
     for number in range(0, turns, 4 * LANES):
         a, b = at + number, row + number
-        x, y, z, w = load(out, a), load(out, a + 16), load(out, a + 32), load(out, a + 48)
-        u, v, t, s = load(out, b), load(out, b + 16), load(out, b + 32), load(out, b + 48)
+        x, y, z, w = load4(out, a)
+        u, v, t, s = load4(out, b)
         side = turned(part, fused(w, s, fused(z, t, fused(y, v, x * u))))
-        put(out, a, (fused(u, side, x), fused(v, side, y), fused(t, side, z), fused(s, side, w)))
+        store4(out, a, (fused(u, side, x), fused(v, side, y), fused(t, side, z), fused(s, side, w)))
     for number in range(turns, width, LANES):
         store(out, at + number, fused(load(out, row + number), part, load(out, at + number)))
 
@@ -141,8 +140,8 @@ def _clear(motions: Any, out: Any, at: int) -> None:
 def _straighten(motions: Any, out: Any, at: int) -> None:
     """Normalises the rotations of a packed row."""
     for number in range(at, at + motions.layout[0], 4 * LANES):
-        x, y, z, w = load(out, number), load(out, number + 16), load(out, number + 32), load(out, number + 48)
-        put(out, number, unit(x, y, z, w))
+        x, y, z, w = load4(out, number)
+        store4(out, number, unit(x, y, z, w))
 
 
 @inlined
@@ -158,8 +157,8 @@ def sample(
     at: int,
     spare: int,
 ) -> None:
-    """Writes the local pose of one actor in a state as the packed row at `at` of `out`; a row at `spare` and
-    the 272 numbers after it are overwritten.
+    """Writes the local pose of one actor in a state as the packed row at `at` of `out`; a row at `spare` is
+    overwritten, and after it the numbers that `_gather` puts side by side.
 
     `start`: the pose at the start of the motion, whatever the time. A state without motion (or -1) gives the
     rest pose. `parameters` (N, P) float64 of all actors, `weights` float64 memory for as many numbers as a
@@ -195,7 +194,7 @@ def _put_block(motions: Any, rows: Any, out: Any, block: int) -> None:
     """Writes sixteen packed rows, one after the other, as block `block` of a PoseBuffer's values
     (B, C, 16).
     """
-    width, base = motions.layout[1], block * out.shape[1] * LANES
+    width, base = motions.layout[1], index_at(out, block, 0)
     for number in range(0, width, LANES):
         store_columns(out, base, motions.layout, 2 + number, rows, number, width)
     for number in range(motions.common.shape[0]):
@@ -221,12 +220,3 @@ def sample_block(
             state, time = states[actor, layer], times[actor, layer]
         sample(motions, state, time, start, parameters, actor, weights, rows, lane * width, LANES * width)
     _put_block(motions, rows, out, block)
-
-
-@inlined
-def _put_lane(motions: Any, rows: Any, at: int, out: Any, block: int, lane: int) -> None:
-    """Writes the packed row at `at` into one lane of a block (B, C, 16), all channels."""
-    for number in range(motions.layout[1]):
-        out[block, motions.layout[2 + number] // LANES, lane] = rows[at + number]
-    for number in range(motions.common.shape[0]):
-        out[block, motions.common[number] // LANES, lane] = motions.common_values[number]

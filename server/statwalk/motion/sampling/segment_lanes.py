@@ -14,7 +14,8 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.quat import SINE
 from statwalk.maths.simd.lane_functions import fused, root
-from statwalk.maths.simd.lanes import broadcast, load, store
+from statwalk.maths.simd.lanes import LANES, broadcast, load
+from statwalk.maths.simd.pose_lanes import load3, load4, store4
 from statwalk.maths.simd.transpose import chosen
 
 S0, S1, S2, S3, S4 = (np.float32(value) for value in SINE["f"])
@@ -26,7 +27,7 @@ def fraction(values: Any, row: int, since: Any) -> Any:
     """Returns the fraction of each lane's own segment, `since` seconds after the edge; the row begins with
     the fraction at the edge, and its rate.
     """
-    return fused(since, load(values, row + 16), load(values, row))
+    return fused(since, load(values, row + LANES), load(values, row))
 
 
 @inlined
@@ -39,7 +40,7 @@ def _sine_over_angle(square: Any) -> Any:
 @inlined
 def line(values: Any, row: int, part: Any) -> Any:
     """Returns start + part · difference."""
-    return fused(part, load(values, row + 16), load(values, row))
+    return fused(part, load(values, row + LANES), load(values, row))
 
 
 @inlined
@@ -55,11 +56,12 @@ def arc(values: Any, row: int, part: Any) -> Any:
     square, left = load(values, row), broadcast(ONE) - part
     first = left * _sine_over_angle(left * left * square)
     second = part * _sine_over_angle(part * part * square)
+    start, end = load4(values, row + LANES), load4(values, row + 5 * LANES)
     return (
-        fused(load(values, row + 80), second, load(values, row + 16) * first),
-        fused(load(values, row + 96), second, load(values, row + 32) * first),
-        fused(load(values, row + 112), second, load(values, row + 48) * first),
-        fused(load(values, row + 128), second, load(values, row + 64) * first),
+        fused(end[0], second, start[0] * first),
+        fused(end[1], second, start[1] * first),
+        fused(end[2], second, start[2] * first),
+        fused(end[3], second, start[3] * first),
     )
 
 
@@ -75,10 +77,10 @@ def unit(x: Any, y: Any, z: Any, w: Any) -> Any:
 def cubic_turn(values: Any, row: int, part: Any) -> Any:
     """Returns the cubic of the four components, at unit length."""
     return unit(
-        cubic(values, row, part, 64),
-        cubic(values, row + 16, part, 64),
-        cubic(values, row + 32, part, 64),
-        cubic(values, row + 48, part, 64),
+        cubic(values, row, part, 4 * LANES),
+        cubic(values, row + LANES, part, 4 * LANES),
+        cubic(values, row + 2 * LANES, part, 4 * LANES),
+        cubic(values, row + 3 * LANES, part, 4 * LANES),
     )
 
 
@@ -100,7 +102,8 @@ def turn(values: Any, row: int, weight: Any) -> Any:
     """Returns the rotation by `weight` times a rotation vector: sine and cosine of half its length are
     polynomials of the square.
     """
-    x, y, z = load(values, row) * weight, load(values, row + 16) * weight, load(values, row + 32) * weight
+    x, y, z = load3(values, row)
+    x, y, z = x * weight, y * weight, z * weight
     square = fused(z, z, fused(y, y, x * x)) * broadcast(QUARTER)
     half, small = broadcast(HALF) * _sine_over_angle(square), _sine_over_angle(square * broadcast(QUARTER))
     return x * half, y * half, z * half, broadcast(ONE) - broadcast(HALF) * square * small * small
@@ -114,27 +117,15 @@ def spline_turn(values: Any, row: int, part: Any) -> Any:
     first = broadcast(ONE) - left * left * left * sixth
     # the second and the last weight of the basis: 3 (f + f² − f³) + 1, f³
     second = third + fused(broadcast(THREE), fused(part * part, left, part), broadcast(ONE)) * sixth
-    start = load(values, row), load(values, row + 16), load(values, row + 32), load(values, row + 48)
-    turned = product(product(start, turn(values, row + 64, first)), turn(values, row + 112, second))
-    x, y, z, w = product(turned, turn(values, row + 160, third))
+    turned = product(load4(values, row), turn(values, row + 4 * LANES, first))
+    turned = product(turned, turn(values, row + 7 * LANES, second))
+    x, y, z, w = product(turned, turn(values, row + 10 * LANES, third))
     return unit(x, y, z, w)
 
 
 @inlined
-def put(out: Any, at: int, turned: Any) -> None:
-    """Writes sixteen rotations into a packed row."""
-    x, y, z, w = turned
-    store(out, at, x)
-    store(out, at + 16, y)
-    store(out, at + 32, z)
-    store(out, at + 48, w)
-
-
-@inlined
 def put_some(out: Any, at: int, turned: Any, mask: Any) -> None:
-    """Writes the rotations of the lanes whose mask is not 0."""
+    """Writes sixteen rotations into a packed row, in the lanes whose mask is not 0."""
     x, y, z, w = turned
-    store(out, at, chosen(mask, x, load(out, at)))
-    store(out, at + 16, chosen(mask, y, load(out, at + 16)))
-    store(out, at + 32, chosen(mask, z, load(out, at + 32)))
-    store(out, at + 48, chosen(mask, w, load(out, at + 48)))
+    a, b, c, d = load4(out, at)
+    store4(out, at, (chosen(mask, x, a), chosen(mask, y, b), chosen(mask, z, c), chosen(mask, w, d)))

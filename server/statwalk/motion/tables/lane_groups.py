@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Bools, Floats, Ints
-from statwalk.maths.pose_buffer import LANES
+from statwalk.maths.simd.lanes import LANES
 from statwalk.motion.keys.packed_keys import Track
 from statwalk.motion.keys.segment_kinds import HOLD, IN_STEP, IS_TURN, LOOSE, OWN_CLOCKS, VECTORS
 from statwalk.motion.tables.edge_search import EdgeSearch
@@ -72,7 +72,9 @@ def packed_clips(clips: Sequence[PackedClip], layout: LaneLayout, searches: Edge
     for row, clip in enumerate(clips):
         start = len(packed.groups)
         first = _add_clip(packed, clip.tracks, layout.owners[row], layout.base[row + 1], layout, searches)
-        written = sum(64 if IS_TURN[kind] else 16 for kind, *_, mask, _ in packed.groups[start:] if mask < 0)
+        written = sum(
+            LANES * (4 if IS_TURN[kind] else 1) for kind, *_, mask, _ in packed.groups[start:] if mask < 0
+        )
         packed.clips.append((first, len(searches.rows), written == packed.base.shape[1]))
     return packed
 

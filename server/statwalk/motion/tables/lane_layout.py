@@ -11,9 +11,11 @@ from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Ints
 from statwalk.maths.pose import Pose
-from statwalk.maths.pose_buffer import JOINT_CHANNELS, LANES, columns
+from statwalk.maths.pose_buffer import columns
+from statwalk.maths.simd.lanes import LANES
+from statwalk.maths.simd.pose_layout import first_channels, indices_in_block, padded
 from statwalk.motion.keys.packed_keys import Track
-from statwalk.motion.tables.lane_rows import ROTATION, Owner
+from statwalk.motion.tables.lane_rows import Owner
 
 
 class PackedClip(Protocol):
@@ -51,19 +53,18 @@ class LaneLayout:
         owners = tuple(Owner.of(clip.tracks, channels, joints) for clip in clips)
         played = np.stack([np.full(channels, -1), *(owner.signature for owner in owners)])
         differs = (played >= 0).any(0) | (base != base[0]).any(0)
+        first = first_channels("rotation", np.arange(joints), joints)
+        rotations = first[:, None] + np.arange(4)
         is_rotation = np.zeros(channels, bool)
-        is_rotation[: JOINT_CHANNELS * joints] = np.isin(
-            np.arange(JOINT_CHANNELS * joints) % JOINT_CHANNELS, range(3, 7)
-        )
-        first = JOINT_CHANNELS * np.arange(joints) + ROTATION
-        turns = differs[first[:, None] + np.arange(4)].any(1)
+        is_rotation[rotations] = True
+        turns = differs[rotations].any(1)
         common = ~differs
-        common[(first[turns][:, None] + np.arange(4)).ravel()] = False
+        common[rotations[turns]] = False
         turning, moving = (
             _filled(_alike(rows, played)) for rows in (first[turns], np.flatnonzero(differs & ~is_rotation))
         )
         places = np.flatnonzero(common)
-        return cls(turning, moving, (places * LANES).astype(np.int32), base[0, places], base, owners)
+        return cls(turning, moving, indices_in_block(places), base[0, places], base, owners)
 
     @property
     def order(self) -> Ints:
@@ -73,11 +74,12 @@ class LaneLayout:
 
     @property
     def places(self) -> NDArray[np.int32]:
-        """Returns (2 + W,) the number of rotation numbers, the number of all numbers, and the channel times
-        16 of each.
+        """Returns (2 + W,) the number of rotation numbers, the number of all numbers, and the index in a
+        block of each.
         """
         turns = 4 * len(self.turning)
-        return np.concatenate([[turns, turns + len(self.moving)], self.order * LANES]).astype(np.int32)
+        counts = np.array([turns, turns + len(self.moving)], np.int32)
+        return np.concatenate([counts, indices_in_block(self.order)])
 
 
 def _alike(channels: Ints, played: Ints) -> Ints:
@@ -88,4 +90,6 @@ def _alike(channels: Ints, played: Ints) -> Ints:
 
 
 def _filled(channels: Ints) -> Ints:
-    return np.concatenate([channels, channels[-1:].repeat(-len(channels) % LANES)]).astype(np.int64)
+    return np.concatenate([channels, channels[-1:].repeat(padded(len(channels)) - len(channels))]).astype(
+        np.int64
+    )

@@ -14,13 +14,11 @@ import numpy as np
 
 from statwalk.maths import quat
 from statwalk.maths.arrays import Bools, Floats, Ints
-from statwalk.maths.pose_buffer import JOINT_CHANNELS
+from statwalk.maths.simd.pose_layout import first_channels
+from statwalk.motion.keys.channel import WIDTHS
 from statwalk.motion.keys.packed_keys import Track
 from statwalk.motion.keys.segment_kinds import ARC, HOLD, VECTORS
 
-ROTATION = 3
-"""the first channel of a joint's rotation"""
-_FIRST = {"translation": 0, "rotation": ROTATION, "scale": 7}
 _MOST_EDGES = 1 << 32
 
 
@@ -52,13 +50,8 @@ class Owner(NamedTuple):
             none, zero, zero.copy(), zero.copy(), none.copy(), tuple(_changes(track) for track in tracks)
         )
         for number, track in enumerate(tracks):
-            is_weight = track.path == "weights"
-            width = 1 if is_weight else 4 if track.path == "rotation" else 3
-            first = (
-                JOINT_CHANNELS * joints + track.target
-                if is_weight
-                else JOINT_CHANNELS * track.target + _FIRST[track.path]
-            )
+            width = WIDTHS.get(track.path, 1)
+            first = first_channels(track.path, track.target, joints)
             ours = first[:, None] + np.arange(width)
             owner.track[ours], owner.column[ours], owner.component[ours] = (
                 number,

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.columns import columns
+from statwalk.maths.simd.lanes import LANES
 
 
 class MotionTables(NamedTuple):
@@ -68,7 +69,7 @@ class MotionTables(NamedTuple):
     base: Annotated[NDArray[np.float32], "clip, W"]
     """the packed row of a clip's constant channels"""
     layout: Annotated[NDArray[np.int32], "2 + W"]
-    """R and W, then the index (channel x 16) in a block for each number of a packed row"""
+    """R and W, then the index in a block (`pose_layout`) for each number of a packed row"""
     common: Annotated[NDArray[np.int32], "channel"]
     """indices in a block of the channels that all motions share with the rest pose"""
     common_values: Annotated[NDArray[np.float32], "channel"]
@@ -82,7 +83,7 @@ class MotionTables(NamedTuple):
     @property
     def memory(self) -> int:
         """Returns the float32 numbers of memory needed to sample a block."""
-        return 17 * self.width + 17 * 16
+        return (LANES + 1) * (self.width + LANES)
 
     @property
     def most_members(self) -> int:

@@ -10,6 +10,7 @@ from itertools import groupby
 from statwalk.character.role import Role
 from statwalk.errors import ConflictError, LimitError, UnknownNameError
 from statwalk.machine.travel import Plan
+from statwalk.services.hosting.actor_facts import columns_of, facts_in
 from statwalk.services.hosting.commands import (
     AddActor,
     Command,
@@ -18,7 +19,6 @@ from statwalk.services.hosting.commands import (
     SetParameter,
     TravelTo,
 )
-from statwalk.services.hosting.stage_queries import actor_facts
 from statwalk.services.hosting.stage_replies import ActorFacts
 from statwalk.stage.stage import Actor, Stage
 
@@ -88,7 +88,8 @@ def _add(
     if machine in stage.roles:
         role = stage.role(machine)  # this stage may play another version than the catalogue's
     places = [(command.position, command.heading) for command in new]
-    yield from map(actor_facts, stage.add_many(role, places, [command.name for command in new]))
+    added = stage.add_many(role, places, [command.name for command in new])
+    yield from facts_in(columns_of(stage, [actor.id for actor in added]))
 
 
 def _actors(stage: Stage, actor: int | None) -> Sequence[Actor]:

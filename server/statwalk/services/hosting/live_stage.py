@@ -11,17 +11,20 @@ from statwalk.character.role import Role
 from statwalk.errors import StageError
 from statwalk.services.hosting.apply_commands import apply_commands
 from statwalk.services.hosting.commands import AddActor, ClockKind, Command, RemoveActor
-from statwalk.services.hosting.stage_queries import actor_facts
-from statwalk.services.hosting.stage_replies import Posted, StageFacts, StageStatus
+from statwalk.services.hosting.stage_replies import Posted, StageStatus
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.limits import Limits
 from statwalk.services.publish.encoder import Encoder
 from statwalk.services.publish.layout import CastLayout, cast_layout
-from statwalk.services.publish.outbox import EncodedFrame, FrameKind
+from statwalk.services.publish.outbox import MOST_FACTS, EncodedFrame, FrameKind
+from statwalk.services.publish.waiting_facts import WaitingFacts
 from statwalk.stage.clock import Clock
 from statwalk.stage.stage import Stage
 from statwalk.stage.state.frame import Action, CastFrame, Verdict
 
+FACTS_SECONDS = 0.005
+"""between two looks at the log while facts wait for durability"""
+MANUAL_WAIT_SECONDS = 0.25
 EncodeFact = Callable[[Action | Verdict | StageStatus], bytes]
 """encodes an action, a verdict or a status as a text message for viewers"""
 
@@ -40,9 +43,23 @@ class LiveStage:
     def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, services: StageServices) -> None:
         self.id, self.stage, self.clock_kind, self.services = stage_id, stage, clock_kind, services
         self.clock = Clock(stage.rate)
-        self.encoder = Encoder(services.encode_fact)
+        self.encoder = Encoder()
+        self.fanout, self.facts_waiting = self.encoder.fanout, WaitingFacts()
 
     # --- time
+
+    def advance_to(self, now: float) -> float:
+        """Takes the steps that are due at `now` (perf_counter seconds), and publishes the facts that waited
+        for durability; returns the seconds until the next call.
+        """
+        if self.facts_waiting:
+            self.fanout.publish({}, self._durable_facts())
+        wait = MANUAL_WAIT_SECONDS
+        if self.clock_kind == "real":
+            for _ in range(self.clock.due(now)):
+                self.tick()
+            wait = self.clock.wait(now)
+        return min(wait, FACTS_SECONDS) if self.facts_waiting else wait
 
     def tick(self) -> None:
         """Steps the stage by one tick, and publishes the frame."""
@@ -65,18 +82,18 @@ class LiveStage:
         """Computes the state at a tick; yields after each tick it computes. The playhead moves at the end."""
         yield from self.stage.seeking(tick, most=1)
         self.show(facts=False)
-        self._announce()
+        self.announce()
 
     def pause(self, paused: bool) -> None:
         """Stops or starts the clock."""
         self.clock.due(time.perf_counter())  # the time until now passed in the old setting
         self.clock.paused = paused
-        self._announce()
+        self.announce()
 
     def set_speed(self, speed: float) -> None:
         """Makes the clock run faster or slower."""
         self.clock.speed = speed
-        self._announce()
+        self.announce()
 
     # --- inputs
 
@@ -108,36 +125,51 @@ class LiveStage:
     # --- frames and facts
 
     def show(self, *, facts: bool) -> None:
-        """Publishes the frame at the playhead, and (`facts`) the actions and verdicts of its tick."""
-        if self.encoder.fanout.outboxes:  # without viewers no frame is made
-            self.encoder.show(
-                self.stage.frame, self.stage.head, partial(self.layout, self.stage), facts=facts
-            )
+        """Publishes the frame at the playhead at once, and (`facts`) the actions and verdicts of its tick as
+        soon as the commands so far are durable: a crash may take back a frame, but no fact.
+        """
+        if not self.fanout.outboxes:
+            return  # without viewers no frame is made
+        frame = self.stage.frame
+        if facts:
+            encode = self.services.encode_fact
+            texts = [*map(encode, frame.actions), *map(encode, frame.verdicts)]
+            self.facts_waiting.put(self.stage.newest, texts)
+        self.encoder.show(frame, self.stage.head, self._layout(self.stage), self._durable_facts())
 
-    def _announce(self) -> None:
-        self.encoder.fanout.tell(self.services.encode_fact(self.status()))
+    def _durable_facts(self) -> list[bytes]:
+        """Removes and returns the facts that need not wait; disconnects the viewers if too many wait."""
+        durable = self.facts_waiting.take(self.stage.durable)
+        if len(self.facts_waiting) > MOST_FACTS:
+            self.facts_waiting.drop()
+            self.fanout.end("slow", "the log takes too long to make commands durable")
+        return durable
 
-    def encode(self, stage: Stage, kind: FrameKind) -> EncodedFrame:
-        """Returns the encoded frame at the playhead of `stage`: the live stage, or a copy of it."""
-        return self.encoder.encode(stage.frame, kind, self.stage.head, partial(self.layout, stage))
+    def announce(self) -> None:
+        """Sends the status to the viewers."""
+        if self.fanout.outboxes:
+            self.fanout.tell(self.services.encode_fact(self.status()))
 
-    def layout(self, stage: Stage, cast: CastFrame) -> CastLayout:
-        """Returns the layout of a cast in a frame of `stage`: the live stage, or a copy of it."""
-        numbers = {role: number for number, role in enumerate(stage.roles.values(), 1)}  # rise with each edit
-        character = self.services.catalogue.character_of(cast.role)
-        return cast_layout(cast, character, numbers[cast.role], lambda actor: stage.actor(actor).name)
+    def taken_frame(self, stage: Stage, kind: FrameKind) -> Callable[[], EncodedFrame]:
+        """Takes the frame at the playhead of `stage`, the live stage or a copy of it; returns the function
+        that encodes it, which may be called while the stage goes on.
+        """
+        return partial(self.encoder.encode, stage.frame, kind, self.stage.head, self._layout(stage))
+
+    def _layout(self, stage: Stage) -> Callable[[CastFrame], CastLayout]:
+        """Returns the function that makes the layouts of the frame that `stage` shows now."""
+        roles, name_of = tuple(stage.roles.values()), stage.state.names.__getitem__
+
+        def layout(cast: CastFrame) -> CastLayout:
+            character = self.services.catalogue.character_of(cast.role)
+            version = 1 + roles.index(cast.role)  # rises with each edit
+            return cast_layout(cast, character, version, name_of)
+
+        return layout
 
     def status(self) -> StageStatus:
         """Returns the status of the stage; safe to call while another thread holds the lock."""
         stage, clock = self.stage, self.clock
         return StageStatus(
-            stage.tick, stage.head, stage.first, clock.paused, clock.speed, len(self.encoder.fanout.outboxes)
-        )
-
-    def facts(self) -> StageFacts:
-        """Returns the facts of the stage and its actors."""
-        stage = self.stage
-        actors = tuple(actor_facts(actor) for actor in stage.actors)
-        return StageFacts(
-            self.id, self.clock_kind, stage.rate, stage.seed, stage.seconds, stage.hash, self.status(), actors
+            stage.tick, stage.head, stage.first, clock.paused, clock.speed, len(self.fanout.outboxes)
         )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import secrets
 import threading
-import time
 from collections.abc import Callable
 
 from statwalk.errors import LimitError, UnknownNameError
@@ -106,15 +105,16 @@ class Registry:
         self.find(stage_id)
         self._remove(stage_id)
 
-    def drop_idle(self) -> None:
+    def drop_idle(self, now: float) -> None:
         """Closes the stages without viewers that had no request for `idle_seconds`; `main` stays.
+
+        `now`: seconds of the monotonic clock.
 
         A stage with a manual clock is kept `MANUAL_PATIENCE` times longer, an unclaimed fork only for
         `UNCLAIMED_PATIENCE` of the time.
         """
-        now = time.monotonic()
         for host in self.all():
-            if now - host.touched > self._patience(host) and host.id != MAIN and not host.fanout.outboxes:
+            if host.idle_for(now) > self._patience(host) and host.id != MAIN:
                 self._remove(host.id)
 
     def _patience(self, host: StageHost) -> float:

@@ -13,21 +13,18 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Protocol
 
-from statwalk.errors import BusyError, CancelledError, LimitError
-from statwalk.services.cancel import NEVER, SLICE_SECONDS, CancelToken
+from statwalk.character.role import Role
+from statwalk.errors import CancelledError, LimitError
+from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.commands import AddActor, ClockKind
 from statwalk.services.hosting.live_stage import LiveStage, StageServices
 from statwalk.services.hosting.past_stages import PastStages
-from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, ON_A_COPY
-from statwalk.services.hosting.stage_replies import Posted, StageFacts, StageStatus
+from statwalk.services.hosting.stage_lock import StageLock
+from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, LOOK_SECONDS, ON_A_COPY, finished
+from statwalk.services.hosting.stage_replies import Posted, StageStatus
 from statwalk.services.publish.outbox import EncodedFrame, Outbox
 from statwalk.stage.stage import Stage
-
-BUSY_SECONDS = 20.0
-LOOK_SECONDS = 0.1
-"""between two looks at the token while a log makes commands durable"""
-MANUAL_WAIT_SECONDS = 0.25
 
 
 class Home(StageServices, Protocol):
@@ -51,12 +48,10 @@ class StageHost:
 
     def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, home: Home) -> None:
         self.id, self.clock_kind, self.rate, self.home = stage_id, clock_kind, stage.rate, home
-        self.touched = time.monotonic()
         self._live = LiveStage(stage_id, stage, clock_kind, home)
-        self._lock = threading.Lock()
+        self._lock = StageLock()
         self._closed = threading.Event()
         self._past = PastStages(self._copy)
-        self.fanout = self._live.encoder.fanout
 
     def handle(self, message: ask.Message[ask.Reply], token: CancelToken = NEVER) -> ask.Reply:
         """Does what a message asks, and returns the reply.
@@ -73,71 +68,80 @@ class StageHost:
         answer: Any
         if query := AT_PLAYHEAD.get(kind):
             with self._locked() as live:
-                answer = query(live.stage, message)
-        elif query := ON_A_COPY.get(kind):
+                rest = query(live, message)
+                next(rest)
+            answer = finished(rest, token.check)
+        elif on_a_copy := ON_A_COPY.get(kind):
             copy = self._copy()
             copy.before_tick = token.check
-            answer = query(copy, message)
+            answer = on_a_copy(copy, message)
         else:
             answer = _HANDLERS[kind](self, message, token)
         reply: ask.Reply = answer
         return reply
 
     def advance_to(self, now: float) -> float:
-        """Takes the steps that are due at `now` (perf_counter seconds); returns the seconds until the next
-        one.
+        """Takes the steps that are due at `now` (perf_counter seconds), and publishes the facts that waited
+        for durability; returns the seconds until the next call.
 
-        The ticker calls this. Takes no step while another thread holds the stage.
+        The ticker calls this. Does nothing while another thread holds the stage.
         """
-        if self.clock_kind == "manual" or not self._lock.acquire(blocking=False):
-            return MANUAL_WAIT_SECONDS if self.clock_kind == "manual" else 1 / self.rate
+        if not self._lock.lock.acquire(blocking=False):
+            return 1 / self.rate
         try:
-            for _ in range(self._live.clock.due(now)):
-                self._live.tick()
-            return self._live.clock.wait(now)
+            return self._live.advance_to(now)
         finally:
-            self._lock.release()
+            self._lock.lock.release()
+
+    def join(self, outbox: Outbox) -> None:
+        """Adds a viewer, whose outbox gets the frames and facts from now on. Call it in the event loop.
+
+        :raises BusyError: when the stage has the most viewers that it may have.
+        """
+        self._live.fanout.join(outbox)
 
     def leave(self, outbox: Outbox) -> None:
         """Removes a viewer; the stage counts as idle from now on if it was the last one."""
-        self.fanout.leave(outbox)
-        if not self.fanout.outboxes:
+        self._live.fanout.leave(outbox)
+        if not self._live.fanout.outboxes:
             self._past.forget()
-        self.touched = time.monotonic()
+        self._lock.touched = time.monotonic()
+
+    def look_after_viewers(self, now: float) -> None:
+        """Disconnects viewers that leave frames unacknowledged, and sends the others the status; `now` on the
+        monotonic clock. Call it in the event loop.
+        """
+        self._live.fanout.cut_overdue(now)
+        self._live.announce()
+
+    def idle_for(self, now: float) -> float:
+        """Returns the seconds without a request or a viewer until `now`, on the monotonic clock."""
+        return 0.0 if self._live.fanout.outboxes else now - self._lock.touched
 
     @contextmanager
     def _locked(self) -> Iterator[LiveStage]:
-        """Yields the live stage while this thread holds the lock.
-
-        :raises BusyError: when another thread holds the stage for 20 s.
-        """
-        if not self._lock.acquire(timeout=BUSY_SECONDS):
-            raise BusyError("the stage is busy with a long step; try again")
-        try:
-            self.touched = time.monotonic()
+        """Yields the live stage while this thread holds the lock."""
+        with self._lock.held():
             yield self._live
-        finally:
-            self._lock.release()
 
     def _copy(self) -> Stage:
         with self._locked() as live:
             return live.stage.copy()
 
     def _in_slices(self, work: Iterator[int], token: CancelToken) -> StageStatus:
-        """Runs long work, holding the lock for 5 ms at a time; what is done stays if the work is cancelled.
+        """Runs long work; what is done stays if the work is cancelled.
 
         :raises CancelledError: when the token is cancelled, or the stage is closed, before the work is done.
         """
-        unfinished = True
-        while unfinished:
+
+        def check() -> None:
             token.check()
             if self._closed.is_set():
                 raise CancelledError("the work is cancelled: the stage is closed")
-            with self._locked():
-                slice_end = time.perf_counter() + SLICE_SECONDS
-                while unfinished and time.perf_counter() < slice_end:
-                    unfinished = next(work, None) is not None
-            time.sleep(0)  # lets a thread that waits for the lock run
+
+        self._lock.in_slices(work, check)
+        if self._live.facts_waiting:
+            self.home.wake()
         return self._live.status()
 
     # --- one method for each message
@@ -152,7 +156,7 @@ class StageHost:
 
     def _applied(self, message: ask.Post, token: CancelToken) -> tuple[Stage, Posted]:
         machines = {command.machine for command in message.commands if isinstance(command, AddActor)}
-        roles = {machine: self.home.catalogue.role(machine) for machine in machines}
+        roles = {machine: _packed(self.home.catalogue.role(machine)) for machine in machines}
         with self._locked() as live:
             stage = live.stage
             tick = stage.tick if message.at is None else min(message.at, stage.head)
@@ -170,9 +174,8 @@ class StageHost:
 
     def _fork(self, message: ask.Fork, token: CancelToken) -> str:
         past = self._copy()
-        return self.home.hold(
-            self._branch(past, past.tick if message.tick is None else message.tick, token)
-        ).id
+        tick = past.tick if message.tick is None else message.tick
+        return self.home.hold(self._branch(past, tick, token)).id
 
     def _branch(self, past: Stage, tick: int, token: CancelToken) -> StageHost:
         """Returns the host of a fork of `past` at a tick; `past` is a copy that this method may change."""
@@ -184,7 +187,7 @@ class StageHost:
         return StageHost(secrets.token_hex(4), branch, self.clock_kind, self.home)
 
     def _edit(self, message: ask.Edit, _: CancelToken) -> bool:
-        role = self.home.catalogue.version(message.machine, message.text)
+        role = _packed(self.home.catalogue.version(message.machine, message.text))
         with self._locked() as live:
             return live.edit(role, message.text)
 
@@ -212,20 +215,24 @@ class StageHost:
     def _frame(self, message: ask.Frame, token: CancelToken) -> EncodedFrame:
         if message.tick is None:
             with self._locked() as live:
-                return live.encode(live.stage, message.kind)
-        with self._past.at(message.tick, token) as past:
-            return self._live.encode(past, message.kind)
+                encode = live.taken_frame(live.stage, message.kind)
+        else:
+            with self._past.at(message.tick, token) as past:
+                encode = self._live.taken_frame(past, message.kind)
+        return encode()
 
     def _status(self, _: ask.Status, __: CancelToken) -> StageStatus:
         return self._live.status()
 
-    def _describe(self, _: ask.Describe, __: CancelToken) -> StageFacts:
-        with self._locked() as live:
-            return live.facts()
-
     def _close(self, _: ask.Close, __: CancelToken) -> None:
         self._closed.set()
-        self.fanout.end("deleted", "the stage was deleted")
+        self._live.fanout.end("deleted", "the stage was deleted")
+
+
+def _packed(role: Role) -> Role:
+    """Returns the role once the arrays that ticks read are made, without the lock of a stage."""
+    role.packed  # noqa: B018 - kept in the role
+    return role
 
 
 _HANDLERS: dict[type[ask.Message[Any]], Callable[[StageHost, Any, CancelToken], Any]] = {
@@ -239,6 +246,5 @@ _HANDLERS: dict[type[ask.Message[Any]], Callable[[StageHost, Any, CancelToken], 
     ask.SetSpeed: StageHost._set_speed,
     ask.Close: StageHost._close,
     ask.Status: StageHost._status,
-    ask.Describe: StageHost._describe,
     ask.Frame: StageHost._frame,
 }

@@ -1,18 +1,21 @@
-"""Answers the messages that read a stage: short queries at the playhead, long queries on a copy that may seek
-to the past.
-"""
+"""Answers the messages that read a stage: at the playhead, or on a copy that may seek to the past."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Any
+from collections.abc import Callable, Generator, Iterable, Mapping
+from functools import partial
+from itertools import islice
+from typing import Any, TypeVar
 
 from statwalk.services.hosting import stage_messages as ask
+from statwalk.services.hosting.actor_facts import ActorColumns, columns_of, facts_in
+from statwalk.services.hosting.live_stage import LiveStage
 from statwalk.services.hosting.recorder import recorded
 from statwalk.services.hosting.stage_replies import (
     ActorFacts,
     ActorPose,
     EffectsSince,
+    StageFacts,
     StageSnapshot,
     StateHistory,
 )
@@ -21,59 +24,111 @@ from statwalk.services.publish.gltf_frames import whole
 from statwalk.stage.explain.why import Why, why
 from statwalk.stage.explain.whynot import WhyNot, whynot
 from statwalk.stage.history.state_codec import to_bytes
-from statwalk.stage.stage import Actor, Stage
+from statwalk.stage.stage import Stage
 from statwalk.stage.state.commands import Add
 
+Reply = TypeVar("Reply")
+Item = TypeVar("Item")
+Pieces = Generator[None, None, Reply]
+"""work that yields every few milliseconds, and returns a reply"""
+PIECE = 256
+"""items that take one or two milliseconds together"""
+LOOK_SECONDS = 0.1
+"""between two looks at the token while a log makes commands durable"""
 
-def actor_facts(actor: Actor) -> ActorFacts:
-    """Returns the facts of an actor."""
-    (x, y, z), heading = actor.root
-    return ActorFacts(
-        id=actor.id,
-        name=actor.name,
-        machine=actor.role.name,
-        state=actor.state,
-        states=tuple(actor.states),
-        time=float(actor.time),
-        position=(float(x), float(y), float(z)),
-        heading=float(heading),
-        hash=actor.hash,
+
+def finished(work: Pieces[Reply], check: Callable[[], None]) -> Reply:
+    """Runs the rest of a query, and returns its reply; `check` is called between pieces, and raises to cancel
+    the query.
+    """
+    while True:
+        check()
+        try:
+            next(work)
+        except StopIteration as end:
+            reply: Reply = end.value
+            return reply
+
+
+def _listed(items: Iterable[Item]) -> Pieces[tuple[Item, ...]]:
+    """Makes items, a piece of them at a time."""
+    made: list[Item] = []
+    left = iter(items)
+    while piece := tuple(islice(left, PIECE)):
+        made.extend(piece)
+        yield
+    return tuple(made)
+
+
+def _describe(live: LiveStage, _: ask.Describe) -> Pieces[StageFacts]:
+    stage, columns = live.stage, columns_of(live.stage)
+    facts = partial(
+        StageFacts,
+        live.id,
+        live.clock_kind,
+        stage.rate,
+        stage.seed,
+        stage.seconds,
+        stage.hash,
+        live.status(),
     )
+    yield
+    return facts((yield from _by_id(columns)))
 
 
-def _actors(stage: Stage, message: ask.DescribeActors) -> tuple[ActorFacts, ...]:
-    actors = stage.actors if message.actor is None else [stage.actor(message.actor)]
-    return tuple(actor_facts(actor) for actor in actors)
+def _actors(live: LiveStage, message: ask.DescribeActors) -> Pieces[tuple[ActorFacts, ...]]:
+    columns = columns_of(live.stage, None if message.actor is None else [message.actor])
+    yield
+    return (yield from _by_id(columns))
 
 
-def _pose(stage: Stage, message: ask.PoseOf) -> ActorPose:
-    actor = stage.actor(message.actor)
+def _by_id(columns: list[ActorColumns]) -> Pieces[tuple[ActorFacts, ...]]:
+    actors = yield from _listed(facts_in(columns))
+    return tuple(sorted(actors, key=lambda actor: actor.id))
+
+
+def _pose(live: LiveStage, message: ask.PoseOf) -> Pieces[ActorPose]:
+    stage, actor = live.stage, live.stage.actor(message.actor)
     position, heading = actor.root
     joints = tuple(actor.role.character.skeleton.names)
-    return ActorPose(stage.tick, actor.state, joints, actor.pose, actor.world, position, float(heading))
+    pose = ActorPose(stage.tick, actor.state, joints, actor.pose, actor.world, position, float(heading))
+    yield
+    return pose
 
 
-def _effects(stage: Stage, message: ask.Effects) -> EffectsSince:
-    actions = tuple(action for action in stage.actions if action.tick > message.since)
-    return EffectsSince(
-        stage.head, actions, tuple(verdict for verdict in stage.verdicts if verdict.tick > message.since)
-    )
+def _effects(live: LiveStage, message: ask.Effects) -> Pieces[EffectsSince]:
+    """Waits until the commands before the effects are durable, as viewers do."""
+    stage, head, number = live.stage, live.stage.head, live.stage.newest
+    actions, verdicts = stage.actions.copy(), stage.verdicts.after(message.since)
+    yield
+    recent = tuple(action for action in actions if action.tick > message.since)
+    effects = EffectsSince(head, recent, (yield from _listed(verdicts)))
+    while not stage.durable(number, LOOK_SECONDS):
+        yield
+    return effects
+
+
+def _log(live: LiveStage, _: ask.Log) -> Pieces[tuple[str, ...]]:
+    lines = live.stage.dumping()
+    yield
+    return (yield from _listed(lines))
+
+
+def _snapshot(live: LiveStage, _: ask.Snapshot) -> Pieces[StageSnapshot]:
+    stage = live.stage
+    snapshot = StageSnapshot(stage.tick, stage.hash, to_bytes(stage.state))
+    yield
+    return snapshot
+
+
+def _machines(live: LiveStage, _: ask.Machines) -> Pieces[tuple[str, ...]]:
+    names = tuple(dict.fromkeys(role.name for role in live.stage.roles.values()))
+    yield
+    return names
 
 
 def _history(stage: Stage, _: ask.History) -> StateHistory:
     return StateHistory(stage.head, tuple(state_changes(stage)[-MOST_CHANGES:]))
-
-
-def _log(stage: Stage, _: ask.Log) -> tuple[str, ...]:
-    return tuple(stage.dump())
-
-
-def _snapshot(stage: Stage, _: ask.Snapshot) -> StageSnapshot:
-    return StageSnapshot(stage.tick, stage.hash, to_bytes(stage.state))
-
-
-def _machines(stage: Stage, _: ask.Machines) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(role.name for role in stage.roles.values()))
 
 
 def _frame_file(stage: Stage, message: ask.FrameFile) -> bytes:
@@ -105,18 +160,20 @@ def _check_actor(stage: Stage, actor: int) -> None:
         stage.actor(actor)
 
 
-Query = Callable[[Stage, Any], Any]
-AT_PLAYHEAD: Mapping[type[ask.Message[Any]], Query] = {
+AT_PLAYHEAD: Mapping[type[ask.Message[Any]], Callable[[LiveStage, Any], Pieces[Any]]] = {
+    ask.Describe: _describe,
     ask.DescribeActors: _actors,
     ask.PoseOf: _pose,
     ask.Effects: _effects,
-    ask.History: _history,
     ask.Log: _log,
     ask.Snapshot: _snapshot,
     ask.Machines: _machines,
 }
-"""run while the host holds the lock: each query takes a few milliseconds"""
-ON_A_COPY: Mapping[type[ask.Message[Any]], Query] = {
+"""while the host holds the lock, a query takes from the live stage what no tick changes, up to its first
+`yield`; then it makes the reply, in pieces of a few milliseconds
+"""
+ON_A_COPY: Mapping[type[ask.Message[Any]], Callable[[Stage, Any], Any]] = {
+    ask.History: _history,
     ask.FrameFile: _frame_file,
     ask.Recording: _recording,
     ask.Why: _why,

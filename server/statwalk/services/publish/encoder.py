@@ -1,10 +1,10 @@
-"""Encodes the frames and facts of a stage once for all its viewers."""
+"""Encodes the frames of a stage once for all its viewers."""
 
 from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from statwalk.character.role import Role
 from statwalk.errors import StageError
@@ -13,7 +13,7 @@ from statwalk.services.publish.fanout import Fanout
 from statwalk.services.publish.gltf_frames import GlbFrames
 from statwalk.services.publish.layout import CastLayout, FrameLayout
 from statwalk.services.publish.outbox import EncodedFrame, FrameKind
-from statwalk.stage.state.frame import Action, CastFrame, Frame, Verdict
+from statwalk.stage.state.frame import CastFrame, Frame
 
 MOST_LAYOUTS = 16
 Describe = Callable[[CastFrame], CastLayout]
@@ -23,22 +23,17 @@ encoder remembers
 
 
 class Encoder:
-    """Encodes the frames of one stage, and publishes them. Thread-safe.
+    """Encodes the frames of one stage, and publishes them. Thread-safe."""
 
-    `encode_fact` encodes an action or a verdict as a text message.
-    """
-
-    def __init__(self, encode_fact: Callable[[Action | Verdict], bytes]) -> None:
-        self.encode_fact = encode_fact
+    def __init__(self) -> None:
         self.fanout = Fanout()
         self.glb = GlbFrames()
         self.layouts: OrderedDict[tuple[tuple[Role, bytes], ...], FrameLayout] = OrderedDict()
         self.epoch = 0
         self.lock = threading.Lock()
 
-    def show(self, frame: Frame, head: int, describe: Describe, *, facts: bool) -> None:
-        """Publishes a frame in the kinds that viewers watch, and (`facts`) the actions and
-        verdicts of its tick.
+    def show(self, frame: Frame, head: int, describe: Describe, facts: Sequence[bytes]) -> None:
+        """Publishes a frame in the kinds that viewers watch, and encoded facts.
 
         `head`: the newest tick of the stage.
         """
@@ -47,10 +42,7 @@ class Encoder:
             for kind in self.fanout.kinds()
             if (encoded := self._try_encode(frame, kind, head, describe))
         }
-        fact_texts = (
-            [*map(self.encode_fact, frame.actions), *map(self.encode_fact, frame.verdicts)] if facts else []
-        )
-        self.fanout.publish(frames, fact_texts)
+        self.fanout.publish(frames, facts)
 
     def encode(self, frame: Frame, kind: FrameKind, head: int, describe: Describe) -> EncodedFrame:
         """Returns a frame as a binary message.

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
 from itertools import islice
 from typing import NamedTuple, overload
 
@@ -46,17 +45,20 @@ class TickVerdicts(Sequence[Verdict]):
     ) -> None:
         """`inbox`: the pending events at the beginning of the tick."""
         self.tick = tick
+        self._words: tuple[Verdict, ...] | None = None
         self._notices, self._inbox = tuple(notices), inbox
         self._casts = tuple(cast for cast in casts if len(cast.verdicts.rows))
         self._length = len(self._notices) + sum([len(cast.verdicts.rows) for cast in self._casts])
 
-    @cached_property
+    @property
     def _made(self) -> tuple[Verdict, ...]:
-        touched = {event[:3]: touch_sentence(event) for event in self._inbox if event.point}
-        return (
-            *(_notice_in_words(self.tick, delivered) for delivered in self._notices),
-            *(verdict for cast in self._casts for verdict in _in_words(self.tick, cast, touched)),
-        )
+        if self._words is None:  # not cached_property: its lock would have ticks wait for another reader
+            touched = {event[:3]: touch_sentence(event) for event in self._inbox if event.point}
+            self._words = (
+                *(_notice_in_words(self.tick, delivered) for delivered in self._notices),
+                *(verdict for cast in self._casts for verdict in _in_words(self.tick, cast, touched)),
+            )
+        return self._words
 
     def __len__(self) -> int:
         return self._length
@@ -153,12 +155,19 @@ class RememberedVerdicts(Sequence[Verdict]):
                 earlier.extend(verdicts)
         return earlier
 
+    def after(self, tick: int) -> Iterator[Verdict]:
+        """Yields the verdicts after a tick; words are made when they are read, and more ticks may be appended
+        in between.
+        """
+        left_out = self._length - len(self) if self._ticks and _tick_of(self._ticks[0]) > tick else 0
+        later = tuple(verdicts for verdicts in self._ticks if _tick_of(verdicts) > tick)
+        return islice((verdict for verdicts in later for verdict in verdicts), left_out, None)
+
     def __len__(self) -> int:
         return min(self._length, self.most)
 
     def __iter__(self) -> Iterator[Verdict]:
-        every = (verdict for verdicts in tuple(self._ticks) for verdict in verdicts)
-        return islice(every, self._length - len(self), None)
+        return self.after(-1)
 
     @overload
     def __getitem__(self, place: int) -> Verdict: ...

@@ -114,18 +114,18 @@ def _reason(program: Program, text: ProgramText, line: Line) -> str:
     if code in BUFFERED:
         return _buffered(program, line)
     if code == reasons.AT_ITS_MOMENT:
-        return f"{text.moments[place]} has come"
+        return f"{text.timings[place]} has come"
     if code == reasons.FOR_ITS_MOMENT:
-        return f"the cell says: {_moment(text, place)}"
+        return f"the cell says: {_timing(text, place)}"
     if code == reasons.NO_STATE:
         return f"{text.written[line.alternative]} is no state"
-    what = text.moments.get(place, "end")
+    what = text.timings.get(place, "end")
     return f"{text.states[line.from_state]} was left before its {what}"
 
 
-def _moment(text: ProgramText, place: tuple[int, int]) -> str:
-    moment = text.moments.get(place, "end")
-    return moment if moment.startswith("window") else f"at {moment}"
+def _timing(text: ProgramText, place: tuple[int, int]) -> str:
+    timing = text.timings.get(place, "end")
+    return timing if timing.startswith("window") else f"at {timing}"
 
 
 def _buffered(program: Program, line: Line) -> str:

@@ -114,9 +114,9 @@ def candidates(question: Question, budget: Budget) -> Iterator[Candidate]:
 
 def _values(question: Question) -> Iterator[Candidate]:
     """Parameters at which a condition of the cell is true, each changed alone."""
-    for outcome in question.machine.outcomes.get(question.place, ()):
-        if outcome.condition is not None:
-            yield from _by_parameters(question, outcome.condition, dict(question.verdict.values))
+    for alternative in question.machine.alternatives.get(question.place, ()):
+        if alternative.condition is not None:
+            yield from _by_parameters(question, alternative.condition, dict(question.verdict.values))
 
 
 def sensed(question: Question) -> Iterator[Candidate]:
@@ -137,9 +137,9 @@ def sense_of(question: Question) -> str:
             values = ", ".join(f"{name} {measured[name]:g}" for name in sense.when.variables)
             is_on = question.cast.machine.sensing[question.row, row]
             return (
-                f"{sense.said} has been sensed already, and was not released"
+                f"{sense.when.text} has been sensed already, and was not released"
                 if is_on
-                else f"{sense.said} is not true: {values}"
+                else f"{sense.when.text} is not true: {values}"
             )
     return ""
 

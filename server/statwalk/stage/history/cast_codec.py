@@ -21,7 +21,7 @@ from statwalk.stage.state.cast import COLUMNS, CastState
 from statwalk.stage.state.pose_offsets import PoseOffsets
 
 Arrays = dict[str, NDArray[Any]]
-CLOCKS = ("elapsed", "duration", "quintic", "way")
+CLOCKS = ("elapsed", "duration", "quintic", "old_root_delta")
 """the arrays of PoseOffsets that have a row for each actor"""
 OFFSETS = ("offsets.start", "offsets.rate")
 PENDING = tuple(f"machine.{name}" for name in QUEUE)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import fields
+from itertools import chain
 from math import isfinite
 from typing import Any, NamedTuple
 
@@ -35,10 +36,10 @@ class Loaded(NamedTuple):
     lines: list[int]
 
 
-def dump(log: Iterable[LogEntry], header: Mapping[str, Any]) -> list[str]:
-    """Returns a log as JSON lines, the header first."""
+def dump(log: Iterable[LogEntry], header: Mapping[str, Any]) -> Iterator[str]:
+    """Yields a log as JSON lines, the header first."""
     first = {"statwalk": "log", "semantics": SEMANTICS, **header}
-    return [orjson.dumps(line).decode() for line in (first, *map(_line, log))]
+    return (orjson.dumps(line).decode() for line in chain([first], map(_line, log)))
 
 
 def _line(entry: LogEntry) -> dict[str, Any]:

@@ -38,9 +38,7 @@ class Timeline:
             raise StageError(f"a stage needs a rate above 0 Hz, not {rate}")
         self.seed, self.rate = seed, rate
         self.roles: dict[str, Role] = {}
-        """all versions of all roles by the keys that the log uses: a role's own name, and `name@2` … for
-        versions that edits brought
-        """
+        """all versions of all roles by their keys in the log: the role's name, then `name@2` … for edits"""
         self.actions: deque[Action] = deque(maxlen=LONGEST_HISTORY)
         self.verdicts = RememberedVerdicts(LONGEST_HISTORY)
         self.head = 0
@@ -104,7 +102,12 @@ class Timeline:
 
     def dump(self) -> list[str]:
         """Returns the log as JSON lines, for `replay`."""
-        return dump(self._log, {"seed": self.seed, "rate": self.rate, "head": self.head})
+        return list(self.dumping())
+
+    def dumping(self) -> Iterator[str]:
+        """Yields the log as it is now as JSON lines, for `replay`; the stage may go on in between."""
+        log = self._log.until(self.head, takes_waiting=True)
+        return dump(log, {"seed": self.seed, "rate": self.rate, "head": self.head})
 
     # the playhead
 
@@ -203,9 +206,7 @@ class Timeline:
         return self._log.newest
 
     def durable(self, number: int, seconds: float = 0.0) -> bool:
-        """Returns whether the command of this number would survive a crash; waits for durability for at most
-        `seconds`.
-        """
+        """Returns whether a crash would leave the command of this number; waits for at most `seconds`."""
         return self._log.durable(number, seconds)
 
     def _branch(self, head: int, shown: StageState, *, takes_waiting: bool) -> Self:

@@ -11,8 +11,9 @@ import numpy as np
 from statwalk.character.role import Role
 from statwalk.errors import StageError
 from statwalk.maths.arrays import Ints
-from statwalk.maths.pose_buffer import LANES, PoseBuffer
+from statwalk.maths.pose_buffer import PoseBuffer
 from statwalk.maths.simd.aligned import zeros
+from statwalk.maths.simd.lanes import LANES
 from statwalk.stage.migrate.map_states import MigratedState, remap
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pending_events import EVENT_IS_GONE, STATE_IS_GONE, Notice

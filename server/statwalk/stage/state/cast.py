@@ -19,8 +19,8 @@ from statwalk.character.role import Role
 from statwalk.machine.runtime.state import MachineState, fresh
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.pose_buffer import PoseBuffer
+from statwalk.maths.random import Words
 from statwalk.rig.model_buffer import ModelBuffer
-from statwalk.stage.state.hashing import Words
 from statwalk.stage.state.pose_offsets import PoseOffsets, offset_size
 
 

@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Bools, Floats, Ints
 from statwalk.maths.compiling import FLOAT, INT, LONG, write
-from statwalk.maths.pose_buffer import LANES, blocks
-from statwalk.maths.simd.aligned import zeros
+from statwalk.maths.simd.pose_layout import blocks, places, zero_blocks
 
 
 class Transitions(NamedTuple):
@@ -50,7 +49,7 @@ class PoseOffsets(NamedTuple):
     """(N, L) seconds"""
     quintic: NDArray[np.bool_]
     """(N, L) whether the curve is a quintic, else a cubic"""
-    way: NDArray[np.float64]
+    old_root_delta: NDArray[np.float64]
     """(N, 3) x, z, yaw: root motion of the old motion of the base layer in a tick"""
 
     @classmethod
@@ -61,8 +60,8 @@ class PoseOffsets(NamedTuple):
         free = np.arange(slots, dtype=np.int32)
         return cls(
             slot,
-            _offsets(slots, size),
-            _offsets(slots, size),
+            zero_blocks(slots, size),
+            zero_blocks(slots, size),
             free,
             np.array([slots]),
             *clocks,
@@ -93,14 +92,14 @@ class PoseOffsets(NamedTuple):
         layers, free = self.slot.shape[1], int(self.free_count[0])
         if len(beginning) * layers <= free:
             return self
-        needed = len(np.unique(beginning // LANES)) * layers
+        needed = len(np.unique(places(beginning)[0])) * layers
         return self if needed <= free else self.grown(len(self.start) + needed - free)
 
     def grown(self, slots: int = 0) -> PoseOffsets:
         """Returns a copy with twice the slots, and at least `slots`."""
         old, size = len(self.start), self.start.shape[1]
         room = max(2 * old, slots, self.slot.shape[1])
-        start, rate, free = _offsets(room, size), _offsets(room, size), np.empty(room, np.int32)
+        start, rate, free = zero_blocks(room, size), zero_blocks(room, size), np.empty(room, np.int32)
         start[:old], rate[:old] = self.start, self.rate
         count = int(self.free_count[0])
         free[:count], free[count : count + room - old] = self.free[:count], np.arange(old, room)
@@ -108,7 +107,7 @@ class PoseOffsets(NamedTuple):
 
     def copy(self) -> PoseOffsets:
         """Returns a copy that shares no memory."""
-        start, rate = (_offsets(len(array), array.shape[1]) for array in (self.start, self.rate))
+        start, rate = (zero_blocks(len(array), array.shape[1]) for array in (self.start, self.rate))
         start[:], rate[:] = self.start, self.rate
         return PoseOffsets._make(array.copy() for array in self)._replace(start=start, rate=rate)
 
@@ -117,21 +116,23 @@ class PoseOffsets(NamedTuple):
         for storing and sending.
         """
         rows, layers = self.is_under_way.nonzero()
-        slots, lanes = self.slot[rows // LANES, layers], rows % LANES
+        block, lanes = places(rows)
+        slots = self.slot[block, layers]
         return self.start[slots, :, lanes], self.rate[slots, :, lanes]
 
     @classmethod
     def of_rows(
         cls, clocks: Sequence[NDArray[np.float64] | NDArray[np.bool_]], start: Floats, rate: Floats
     ) -> PoseOffsets:
-        """Returns the offsets from `rows()` and the clocks `elapsed duration quintic way`."""
-        elapsed, duration, quintic, way = clocks
+        """Returns the offsets from `rows()` and the clocks `elapsed duration quintic old_root_delta`."""
+        elapsed, duration, quintic, old_root_delta = clocks
         rows, layers = (elapsed < duration).nonzero()
-        places, slot_of = np.unique(rows // LANES * elapsed.shape[1] + layers, return_inverse=True)
-        made = cls.none(len(elapsed), elapsed.shape[1], start.shape[1], len(places))
-        made.slot.reshape(-1)[places], made.free_count[0] = np.arange(len(places)), 0
-        made.start[slot_of, :, rows % LANES], made.rate[slot_of, :, rows % LANES] = start, rate
-        for array, values in zip(made[5:], (elapsed, duration, quintic, way), strict=True):
+        block, lane = places(rows)
+        used, slot_of = np.unique(block * elapsed.shape[1] + layers, return_inverse=True)
+        made = cls.none(len(elapsed), elapsed.shape[1], start.shape[1], len(used))
+        made.slot.reshape(-1)[used], made.free_count[0] = np.arange(len(used)), 0
+        made.start[slot_of, :, lane], made.rate[slot_of, :, lane] = start, rate
+        for array, values in zip(made[5:], (elapsed, duration, quintic, old_root_delta), strict=True):
             array[:] = values
         return made
 
@@ -154,20 +155,16 @@ class PoseOffsets(NamedTuple):
         blank = [
             np.concatenate([array, np.zeros_like(array[:, :1])], 1)[:, list(order)] for array in self[5:8]
         ]
-        numbers = np.full((len(self.way), self.slot.shape[1] + 1), -1)
+        numbers = np.full((len(self.old_root_delta), self.slot.shape[1] + 1), -1)
         numbers[:, :-1][self.is_under_way] = np.arange(np.count_nonzero(self.is_under_way))
         kept = numbers[:, list(order)]
         start, rate = (array[kept[kept >= 0]] for array in self.rows())
-        return PoseOffsets.of_rows([*blank, self.way], start, rate)
+        return PoseOffsets.of_rows([*blank, self.old_root_delta], start, rate)
 
 
 def offset_size(joints: int, weights: int) -> int:
     """Returns how many numbers an offset has."""
     return 9 * joints + weights
-
-
-def _offsets(slots: int, size: int) -> NDArray[np.float32]:
-    return zeros(slots * size * LANES).reshape(slots, size, LANES)
 
 
 _CLOCKS = [write(types.float64, 2), write(types.float64, 2), write(types.boolean, 2), write(types.float64, 2)]

@@ -53,12 +53,11 @@ class StageState:
     @property
     def hash(self) -> str:
         """16 hexadecimal digits over the tick and the hashes of all actors, by id."""
-        pairs = sorted(
-            (int(actor), int(value))
-            for cast in self.casts.values()
-            for actor, value in zip(cast.ids, cast.hash, strict=True)
-        )
-        return text(combine([self.tick, *(value for pair in pairs for value in pair)]))
+        casts = self.casts.values()
+        ids = np.concatenate([np.zeros(0, np.int64), *(cast.ids for cast in casts)])
+        hashes = np.concatenate([np.zeros(0, np.uint64), *(cast.hash for cast in casts)])
+        pairs = np.column_stack([ids.astype(np.uint64), hashes])[np.argsort(ids)]
+        return text(combine([self.tick, *pairs.ravel().tolist()]))
 
     def copy(self) -> StageState:
         """Returns a copy whose casts share no memory."""

@@ -8,22 +8,20 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from statwalk.machine.runtime.effects import CHANGE_CURVE, CHANGE_FROM, OF_CHANGES
-from statwalk.machine.runtime.state import BEGINNING
+from statwalk.machine.runtime.state import BEGINNING, MOST_WAITING
 from statwalk.machine.runtime.timing import seams_carried
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.scalar import modulo
 from statwalk.maths.simd.hashing import hash_row, hash_span
 from statwalk.maths.simd.lanes import load, store
+from statwalk.maths.simd.pose_layout import end_row, first_row, index_at
 from statwalk.motion.layer_lanes import additive_block, override_block
 from statwalk.motion.sampling.blend import rate
 from statwalk.motion.sampling.root_motion import compose, way
 from statwalk.motion.sampling.sample import sample_block
 
-LANES = 16
 NONE = -1.0
 """seconds of a transition: none begins"""
 QUINTIC = 1
@@ -38,59 +36,21 @@ def _speed_of(p: Any, s: Any, row: int, state: int) -> Any:
 
 
 @inlined
-def _pace_of(p: Any, m: Any, s: Any, mem: Any, row: int, state: int, time: float, dt: float) -> Any:
-    """The factor that a blend of clips adds to the speed of an actor's motion."""
+def pace_of(p: Any, m: Any, s: Any, mem: Any, row: int, state: int, time: float, dt: float) -> Any:
+    """Returns the factor that a blend of clips adds to the speed of an actor's motion."""
     return rate(m, state, time, dt * _speed_of(p, s, row, state), s.smoothed, row, mem.weights)
 
 
 @inlined
 def motion_seconds(p: Any, m: Any, s: Any, mem: Any, row: int, state: int, time: float, dt: float) -> Any:
     """Returns by how many seconds an actor's motion, now at `time`, advances in `dt` seconds."""
-    return dt * (_speed_of(p, s, row, state) * _pace_of(p, m, s, mem, row, state, time, dt))
+    return dt * (_speed_of(p, s, row, state) * pace_of(p, m, s, mem, row, state, time, dt))
 
 
 @inlined
 def time_in(p: Any, state: int, time: float) -> Any:
     """Returns the seconds into a state's motion: wrapped if it loops."""
     return modulo(time, p.duration[state]) if p.loop[state] != 0 and p.duration[state] > 0.0 else time
-
-
-@inlined
-def measure(
-    p: Any,
-    m: Any,
-    t: Any,
-    s: Any,
-    mem: Any,
-    shown: Any,
-    position: Any,
-    root_delta: Any,
-    around: Any,
-    row: int,
-    dt: float,
-) -> None:
-    """Measures an actor's motion after the tick before: the speed factors of its motions, its speed, turning
-    and height.
-    """
-    for layer in range(s.state.shape[1]):
-        around.rate[row, layer] = _pace_of(p, m, s, mem, row, s.state[row, layer], s.time[row, layer], dt)
-    x, z = root_delta[row, 0], root_delta[row, 1]
-    around.measured[0, row] = np.sqrt(x * x + z * z) / dt
-    around.measured[1, row] = root_delta[row, 2] / dt
-    around.measured[2, row] = position[row, 1] + _root_height(t, shown, row)
-
-
-@inlined
-def _root_height(t: Any, shown: Any, row: int) -> Any:
-    """Metres from an actor's place up to its root joint; 0 if the machine names no root joint."""
-    joint = t.root[0]
-    if joint < 0:
-        return 0.0
-    block, lane, frame = row // LANES, row % LANES, t.root_frame
-    height = frame[1, 3]
-    for axis in range(3):
-        height += frame[1, axis] * np.float64(shown[block, 10 * joint + axis, lane])
-    return height
 
 
 @inlined
@@ -115,8 +75,8 @@ def sample_layers(
     """Puts the local poses of a block's motions of `states` (N, L) at `times` (N, L), upper layers over lower
     layers, into block 0 of `out`.
     """
-    first = LANES * block
-    count = min(LANES, s.state.shape[0] - first)
+    first = first_row(block)
+    count = end_row(block, s.state.shape[0]) - first
     sample_block(m, states, times, 0, False, s.smoothed, first, count, mem.weights, mem.rows, out, 0)
     for layer in range(1, states.shape[1]):
         lies_over = False
@@ -152,7 +112,7 @@ def sample_layers(
 @called
 def look_ahead(p: Any, m: Any, s: Any, mem: Any, block: int, dt: float) -> None:
     """Writes the time of each motion of a block in `dt` seconds, if no event happens."""
-    for row in range(LANES * block, min(LANES * (block + 1), s.state.shape[0])):
+    for row in range(first_row(block), end_row(block, s.state.shape[0])):
         for layer in range(s.state.shape[1]):
             state, time = s.state[row, layer], s.time[row, layer]
             mem.ahead[row, layer] = time_in(
@@ -199,7 +159,7 @@ def hash_actor(word: Any, s: Any, o: Any, position: Any, heading: Any, root_delt
     word = hash_row(hash_row(word, s.state, row), s.age, row)
     word = hash_row(hash_row(hash_row(word, s.time, row), s.passed, row), s.ended, row)
     for layer in range(layers):
-        first, count = (row * layers + layer) * LANES, s.waiting[row, layer]
+        first, count = (row * layers + layer) * MOST_WAITING, s.waiting[row, layer]
         word = hash_span(hash_span(word, s.waiting_event, first, count), s.waiting_for, first, count)
         word = hash_span(hash_span(word, s.waiting_until, first, count), s.waiting_held, first, count)
         word = hash_span(word, s.waiting_other, first, count)
@@ -208,13 +168,14 @@ def hash_actor(word: Any, s: Any, o: Any, position: Any, heading: Any, root_delt
     word = hash_row(hash_row(hash_row(word, s.sensing, row), s.last, row), s.goal, row)
     word = hash_row(hash_row(hash_row(word, position, row), heading, row), root_delta, row)
     return hash_row(
-        hash_row(hash_row(hash_row(word, o.elapsed, row), o.duration, row), o.quintic, row), o.way, row
+        hash_row(hash_row(hash_row(word, o.elapsed, row), o.duration, row), o.quintic, row),
+        o.old_root_delta,
+        row,
     )
 
 
 @inlined
 def keep_block(coming: Any, out: Any, block: int) -> None:
     """Copies the poses of block 0 of `coming` into a block of a buffer."""
-    base = block * out.shape[1] * LANES
-    for number in range(0, out.shape[1] * LANES, LANES):
-        store(out, base + number, load(coming, number))
+    for channel in range(out.shape[1]):
+        store(out, index_at(out, block, channel), load(coming, index_at(coming, 0, channel)))

@@ -10,16 +10,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from statwalk.machine.definition.flock_definition import FlockDefinition, GoalDefinition
 from statwalk.maths.arrays import Floats
 from statwalk.maths.elementary import atan2, cos, sincos
+from statwalk.maths.random import actor_keys, signed_chances
 from statwalk.motion.root import relative
 from statwalk.rig.model_buffer import ModelBuffer
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.flights import Flight, Flights
-from statwalk.stage.state.hashing import chance_keys, mix
+from statwalk.stage.state.hashing import mix
 from statwalk.world.flock import Members, Rules, flown
 from statwalk.world.obstacles import Obstacles
 
@@ -54,7 +54,7 @@ def _flown(
     dt, tick, seed = clock
     members = _members(flight, before, definition)
     goal = None if definition.goal is None else _goal(definition.goal, tick * dt)
-    chance = _chance(seed, tick, after.ids)
+    chance = signed_chances(actor_keys(seed, after.ids), tick, 3)
     moved = flown(members, _rules_of(definition), goal, _obstacles(definition, after, casts), chance, dt)
     heading = _turned(before.heading, moved, definition, dt)
     root_delta = relative(_place(before.position, before.heading), _place(moved.position, heading))
@@ -102,13 +102,6 @@ def _goal(goal: GoalDefinition, seconds: float) -> Floats:
     """The place of the goal (3,) at a moment."""
     sine, cosine = sincos(TURN * (seconds / goal.seconds % 1))
     return np.array(goal.center) + goal.radius * np.array([float(cosine), 0.0, -float(sine)])
-
-
-def _chance(seed: int, tick: int, ids: NDArray[np.int64]) -> Floats:
-    """Random numbers −1…1 (N, 3), a function of seed, actor and tick."""
-    keys = mix(chance_keys(seed, ids), [np.full(len(ids), tick)])
-    words = np.stack([mix(keys, [np.full(len(ids), axis)]) for axis in range(3)], -1)
-    return (words >> np.uint64(11)).astype(np.float64) / 2.0**52 - 1
 
 
 def _obstacles(definition: FlockDefinition, flock: Cast, casts: Sequence[Cast]) -> Obstacles:

@@ -12,18 +12,16 @@ from statwalk.maths.simd.hashing import HALF_WORD, lane_hash, stir, stir_where
 from statwalk.maths.simd.lane_bits import with_word
 from statwalk.maths.simd.lane_functions import any_above
 from statwalk.maths.simd.lanes import broadcast, load
-from statwalk.stage.steps.offset_clocks import LANES
+from statwalk.maths.simd.pose_layout import end_row, first_row, index_at
 from statwalk.stage.steps.offset_lanes import NOW, ZERO, channel_at, clock_at, read_clocks
-
-WIDTH = 16
 
 
 @inlined
 def _halves_of(hashes: Any, block: int) -> Any:
     """The hashes of a block in lanes: lower and upper halves."""
     low = high = broadcast(ZERO)
-    first = LANES * block
-    for row in range(first, min(first + LANES, hashes.shape[0])):
+    first = first_row(block)
+    for row in range(first, end_row(block, hashes.shape[0])):
         low = with_word(low, row - first, hashes[row])
         high = with_word(high, row - first, hashes[row] >> HALF_WORD)
     return low, high
@@ -33,12 +31,11 @@ def _halves_of(hashes: Any, block: int) -> Any:
 def _hash_poses(halves: Any, pose: Any, used: int, block: int) -> Any:
     """The halves after hashing the first `used` channels of a block."""
     even, odd = halves, (halves[1], halves[0])  # two chains: a step waits for the one before it
-    at = block * pose.shape[1] * WIDTH
-    for pair in range(used // 2):
-        even = stir(even, load(pose, at + 2 * pair * WIDTH))
-        odd = stir(odd, load(pose, at + (2 * pair + 1) * WIDTH))
+    for channel in range(0, used - 1, 2):
+        even = stir(even, load(pose, index_at(pose, block, channel)))
+        odd = stir(odd, load(pose, index_at(pose, block, channel + 1)))
     if used % 2:
-        even = stir(even, load(pose, at + (used - 1) * WIDTH))
+        even = stir(even, load(pose, index_at(pose, block, used - 1)))
     return stir(stir(even, odd[0]), odd[1])
 
 
@@ -62,6 +59,6 @@ def _hash_offsets(halves: Any, offsets: Any, block: int, scratch: Any) -> Any:
 def hash_block(hashes: Any, pose: Any, used: int, offsets: Any, block: int, scratch: Any) -> None:
     """Updates the hashes (N,) of a block's actors with their poses (`used` channels) and their offsets."""
     halves = _hash_offsets(_hash_poses(_halves_of(hashes, block), pose, used, block), offsets, block, scratch)
-    first = LANES * block
-    for row in range(first, min(first + LANES, hashes.shape[0])):
+    first = first_row(block)
+    for row in range(first, end_row(block, hashes.shape[0])):
         hashes[row] = lane_hash(halves, row - first)

@@ -1,26 +1,68 @@
 """Measurements of how actors move, after the tick before: values of conditions, and speed factors of blends.
-For explanations; a tick measures in `step_machines`.
+`step_machines` measures in a tick; `surroundings` is for explanations.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from numba import types
 
 from statwalk.character.pose_tables import POSES
 from statwalk.machine.compile.program import PROGRAM
+from statwalk.machine.conditions.variables import HEIGHT, SPEED, TURNING
 from statwalk.machine.runtime.state import STATE
 from statwalk.machine.runtime.surroundings import SURROUNDINGS, Measurements
-from statwalk.maths.compiling import FLOAT, kernel, read
+from statwalk.maths.compiling import FLOAT, inlined, kernel, read
 from statwalk.maths.packed import ADDRESSES, PackedColumns, opened
+from statwalk.maths.simd.pose_layout import joint_channel, place_of
 from statwalk.motion.tables.motion_tables import MOTIONS
 from statwalk.stage.state.cast import Cast
-from statwalk.stage.steps._kernels import measure
+from statwalk.stage.steps._kernels import pace_of
 from statwalk.stage.steps.memory import MEMORY, Memory
 
 _program, _motions, _poses, _state = opened(PROGRAM), opened(MOTIONS), opened(POSES), opened(STATE)
 _memory, _surroundings = opened(MEMORY), opened(SURROUNDINGS)
+
+
+@inlined
+def measure(
+    p: Any,
+    m: Any,
+    t: Any,
+    s: Any,
+    mem: Any,
+    shown: Any,
+    position: Any,
+    root_delta: Any,
+    around: Any,
+    row: int,
+    dt: float,
+) -> None:
+    """Measures an actor's motion after the tick before: the speed factors of its motions, its speed, turning
+    and height.
+    """
+    for layer in range(s.state.shape[1]):
+        around.rate[row, layer] = pace_of(p, m, s, mem, row, s.state[row, layer], s.time[row, layer], dt)
+    x, z = root_delta[row, 0], root_delta[row, 1]
+    around.measured[SPEED, row] = np.sqrt(x * x + z * z) / dt
+    around.measured[TURNING, row] = root_delta[row, 2] / dt
+    around.measured[HEIGHT, row] = position[row, 1] + _root_height(t, shown, row)
+
+
+@inlined
+def _root_height(t: Any, shown: Any, row: int) -> Any:
+    """Metres from an actor's place up to its root joint; 0 if the machine names no root joint."""
+    joint = t.root[0]
+    if joint < 0:
+        return 0.0
+    block, lane = place_of(row)
+    channel, frame = joint_channel(joint), t.root_frame
+    height = frame[1, 3]
+    for axis in range(3):
+        height += frame[1, axis] * np.float64(shown[block, channel + axis, lane])
+    return height
 
 
 def surroundings(cast: Cast, memory: Memory, dt: float, seed: int) -> PackedColumns[Measurements]:

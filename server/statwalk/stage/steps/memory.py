@@ -18,10 +18,12 @@ from statwalk.machine.runtime.state import STATE, MachineState
 from statwalk.machine.runtime.surroundings import SURROUNDINGS, Measurements
 from statwalk.maths.columns import columns
 from statwalk.maths.packed import PackedColumns, packed
-from statwalk.maths.pose_buffer import LANES, channels
+from statwalk.maths.pose_buffer import channels
+from statwalk.maths.random import actor_keys
 from statwalk.maths.simd.aligned import zeros
+from statwalk.maths.simd.lanes import LANES
+from statwalk.maths.simd.pose_layout import zero_blocks
 from statwalk.rig.model_buffer import ModelBuffer
-from statwalk.stage.state.hashing import chance_keys
 from statwalk.stage.state.pose_offsets import OFFSETS, PoseOffsets
 from statwalk.stage.steps.offset_lanes import scratch_size
 
@@ -84,12 +86,11 @@ class Memory:
 
     def __init__(self, role: Role, actors: int) -> None:
         layers, program = len(role.machine.layers), role.machine.program
-        around = Measurements(np.ones((actors, layers)), np.zeros((3, actors)), np.zeros(actors, np.uint64))
         self.actors = actors
         self.model = ModelBuffer.room(role.colliders.joints, actors)
         self.poses = packed(_pose_memory(role, actors, layers, self.model), MEMORY)
         self.effects = packed(effects_for(program, actors), EFFECTS)
-        self.surroundings = packed(around, SURROUNDINGS)
+        self.surroundings = packed(Measurements.none(actors, layers), SURROUNDINGS)
         self._keyed: tuple[NDArray[np.int64], int] | None = None
         self._machine: PackedColumns[MachineState] | None = None
         self._offsets: PackedColumns[PoseOffsets] | None = None
@@ -97,7 +98,7 @@ class Memory:
     def key(self, ids: NDArray[np.int64], seed: int) -> None:
         """Writes the random keys of the actors, if the actors or the seed have changed."""
         if self._keyed is None or self._keyed[0] is not ids or self._keyed[1] != seed:
-            self.surroundings.values.key[:] = chance_keys(seed, ids)
+            self.surroundings.values.key[:] = actor_keys(seed, ids)
             self._keyed = ids, seed
 
     def machine(self, state: MachineState) -> PackedColumns[MachineState]:
@@ -115,7 +116,7 @@ class Memory:
 
 def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> PoseMemory:
     room, motions = channels(role.character.bind_pose), role.tables
-    poses = {name: zeros(room * LANES).reshape(1, room, LANES) for name in BLOCKS}
+    poses = {name: zero_blocks(1, room) for name in BLOCKS}
     return PoseMemory(
         **poses,
         rows=zeros(motions.memory),

@@ -28,10 +28,10 @@ from numba import types
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
-from statwalk.maths.simd.lane_functions import any_above, either, most, with_lane
-from statwalk.maths.simd.lanes import broadcast, load, store
-from statwalk.maths.simd.pose_lanes import WIDTH
-from statwalk.stage.steps._kernels import look_ahead, motion_seconds, sample_layers, time_in
+from statwalk.maths.simd.lane_functions import any_above, either, most
+from statwalk.maths.simd.lanes import LANES, broadcast, load, store
+from statwalk.maths.simd.pose_layout import end_row, first_row
+from statwalk.stage.steps._kernels import look_ahead, sample_layers
 from statwalk.stage.steps.offset_begin import (
     begin_block,
     begin_offsets,
@@ -40,7 +40,7 @@ from statwalk.stage.steps.offset_begin import (
     read_block,
     start_clocks,
 )
-from statwalk.stage.steps.offset_clocks import LANES
+from statwalk.stage.steps.offset_cuts import BEFORE, COMING, FOLLOWING, SHOWN, cut_lanes, put_at
 from statwalk.stage.steps.offset_lanes import (
     BEGINS,
     BLANK,
@@ -54,8 +54,6 @@ from statwalk.stage.steps.offset_lanes import (
 from statwalk.stage.steps.offset_shares import give_part
 
 ZERO, ONE = np.float32(0), np.float32(1)
-BEFORE, SHOWN, COMING, FOLLOWING = -2, -1, 0, 1
-"""moments of a layer, in ticks from now: the first two of its old motion, the last two of its new motion"""
 ALL = -1
 """instead of a layer: all layers that begin a blend"""
 
@@ -63,7 +61,7 @@ ALL = -1
 @inlined
 def _change_together(transitions: Any, block: int) -> bool:
     """Whether a blend begins in an actor of a block while another of its layers also changes."""
-    for row in range(LANES * block, min(LANES * (block + 1), transitions.seconds.shape[0])):
+    for row in range(first_row(block), end_row(block, transitions.seconds.shape[0])):
         begins = changes = 0
         for layer in range(transitions.seconds.shape[1]):
             begins += 1 if transitions.seconds[row, layer] > 0.0 else 0
@@ -71,21 +69,6 @@ def _change_together(transitions: Any, block: int) -> bool:
         if begins > 0 and changes > 1:
             return True
     return False
-
-
-@inlined
-def _put_at(
-    p: Any, m: Any, s: Any, done: Any, mem: Any, row: int, layer: int, moment: int, dt: float
-) -> None:
-    """Writes state and seconds of an actor's layer at a moment of its old or new motion."""
-    state, time = s.state[row, layer], s.time[row, layer]
-    if moment == FOLLOWING:
-        time = mem.ahead[row, layer]
-    elif moment != COMING:
-        state, time = mem.old_state[row, layer], done.before[row, layer]
-    if moment == BEFORE:
-        time = max(time_in(p, state, time - motion_seconds(p, m, s, mem, row, state, time, dt)), 0.0)
-    mem.mixed_state[row, layer], mem.mixed_time[row, layer] = state, time
 
 
 @called
@@ -99,24 +82,13 @@ def _sample_mixed(
     Layers above a single exchanged layer that begin a blend stay at the tick before; all other layers are at
     this tick.
     """
-    for row in range(LANES * block, min(LANES * (block + 1), s.state.shape[0])):
+    for row in range(first_row(block), end_row(block, s.state.shape[0])):
         for layer in range(s.state.shape[1]):
             at = COMING
             if mem.seconds[row, layer] > 0.0 and layer >= exchanged:
                 at = moment if exchanged == ALL or layer == exchanged else SHOWN
-            _put_at(p, m, s, done, mem, row, layer, at, dt)
+            put_at(p, m, s, done, mem, row, layer, at, dt)
     sample_layers(m, t, s, masks, mem, mem.mixed_state, mem.mixed_time, out, block)
-
-
-@inlined
-def _cuts(transitions: Any, block: int) -> Any:
-    """The lanes of a block in which a layer cuts."""
-    cuts, first = broadcast(ZERO), LANES * block
-    for row in range(first, min(first + LANES, transitions.seconds.shape[0])):
-        for layer in range(transitions.seconds.shape[1]):
-            if transitions.seconds[row, layer] == 0.0:
-                cuts = with_lane(cuts, row - first, ONE)
-    return cuts
 
 
 @inlined
@@ -124,8 +96,8 @@ def _keep(lanes: Any, poses: Any, others: Any, at: int) -> None:
     """Keeps the poses of a one-block buffer in some lanes; the other lanes are copied from block `at` of
     `others`.
     """
-    base = at * others.shape[1] * WIDTH
-    for place in range(0, poses.shape[1] * WIDTH, WIDTH):
+    base = at * others.shape[1] * LANES
+    for place in range(0, poses.shape[1] * LANES, LANES):
         store(poses, place, either(lanes, load(poses, place), load(others, base + place)))
 
 
@@ -137,7 +109,7 @@ def _sample_uncut(
     """Puts U of a block into its buffers, and the poses that follow on U; in lanes without a cut, what was
     shown and what follows.
     """
-    cuts = _cuts(mem, block)
+    cuts = cut_lanes(mem, block)
     _sample_mixed(p, m, t, s, masks, done, mem, ALL, BEFORE, mem.uncut_before, block, dt)
     add_block(o, masks, mem.uncut_before, 0, block, dt, mem.scratch)
     _keep(cuts, mem.uncut_before, previous, block)
@@ -165,7 +137,7 @@ def _find_partial(layers: int, layer: int, scratch: Any) -> Any:
 def _put_factors(lanes: Any, at: int, start: Any, rate: Any, scratch: Any) -> None:
     """Writes factors of start and velocity into the scratch, in some lanes."""
     store(scratch, at, either(lanes, broadcast(start), load(scratch, at)))
-    store(scratch, at + WIDTH, either(lanes, broadcast(rate), load(scratch, at + WIDTH)))
+    store(scratch, at + LANES, either(lanes, broadcast(rate), load(scratch, at + LANES)))
 
 
 @inlined

@@ -12,12 +12,13 @@ from numba import types
 from statwalk.maths.compiling import FLOAT, LONG, inlined, kernel, read, write
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_functions import any_above, with_lane
-from statwalk.maths.simd.lanes import broadcast, load, store
-from statwalk.maths.simd.pose_lanes import ROTATION, SCALE, WIDTH, joint_at, load3, load4, weight_at
+from statwalk.maths.simd.lanes import LANES, broadcast, load, store
+from statwalk.maths.simd.pose_lanes import ROTATION, SCALE, joint_at, load3, load4, weight_at
+from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.jump_lanes import number_jump, rotation_jump, vector_jump
 from statwalk.motion.layer_lanes import MASKS
 from statwalk.stage.state.pose_offsets import OFFSETS, TRANSITIONS
-from statwalk.stage.steps.offset_clocks import LANES, has_room, take_slot
+from statwalk.stage.steps.offset_clocks import has_room, take_slot
 from statwalk.stage.steps.offset_lanes import (
     BEGINS,
     BLANK,
@@ -35,7 +36,7 @@ ZERO, ONE = np.float32(0), np.float32(1)
 @inlined
 def begins_here(transitions: Any, block: int) -> bool:
     """Returns whether a blend begins in an actor of the block."""
-    for row in range(LANES * block, min(LANES * (block + 1), transitions.seconds.shape[0])):
+    for row in range(first_row(block), end_row(block, transitions.seconds.shape[0])):
         for layer in range(transitions.seconds.shape[1]):
             if transitions.seconds[row, layer] > 0.0:
                 return True
@@ -48,8 +49,8 @@ def _read_transitions(offsets: Any, transitions: Any, block: int, layer: int, sc
     layer if one does.
     """
     begins = broadcast(ZERO)
-    first = LANES * block
-    for row in range(first, min(first + LANES, transitions.seconds.shape[0])):
+    first = first_row(block)
+    for row in range(first, end_row(block, transitions.seconds.shape[0])):
         begins = with_lane(begins, row - first, ONE if transitions.seconds[row, layer] > 0.0 else ZERO)
     store(scratch, clock_at(layer, BEGINS), begins)
     store(scratch, clock_at(layer, BLANK), begins)
@@ -73,7 +74,7 @@ def start_clocks(offsets: Any, transitions: Any, block: int, root_delta: Any) ->
     """Starts the clocks of transitions that begin, and stores `root_delta` (N, 3), the root motion of the
     tick before, for actors whose base layer begins one.
     """
-    for row in range(LANES * block, min(LANES * (block + 1), transitions.seconds.shape[0])):
+    for row in range(first_row(block), end_row(block, transitions.seconds.shape[0])):
         for layer in range(transitions.seconds.shape[1]):
             if transitions.seconds[row, layer] > 0.0:
                 offsets.elapsed[row, layer], offsets.duration[row, layer] = (
@@ -83,7 +84,7 @@ def start_clocks(offsets: Any, transitions: Any, block: int, root_delta: Any) ->
                 offsets.quintic[row, layer] = transitions.quintic[row, layer]
         if transitions.seconds[row, 0] > 0.0:
             for axis in range(3):
-                offsets.way[row, axis] = root_delta[row, axis]
+                offsets.old_root_delta[row, axis] = root_delta[row, axis]
 
 
 @inlined
@@ -128,7 +129,7 @@ def jump_of_weight(
     c, d = weight_at(new, ahead, joints, weight), weight_at(following, ahead, joints, weight)
     start, rate = number_jump(load(before, a), load(shown, b), load(new, c), load(following, d), per_second)
     store(scratch, jump_at(layers, 0), start)
-    store(scratch, jump_at(layers, 0) + JOINT * WIDTH, rate)
+    store(scratch, jump_at(layers, 0) + JOINT * LANES, rate)
 
 
 @called

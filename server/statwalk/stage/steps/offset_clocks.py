@@ -8,10 +8,10 @@ from __future__ import annotations
 from typing import Any
 
 from statwalk.maths.compiling import inlined
+from statwalk.maths.simd.pose_layout import end_row, first_row
 
 ROUNDING_S = 1e-6
 """a transition with less than this left is over: 12 times 1/60 s is 0.2 s"""
-LANES = 16
 
 
 @inlined
@@ -51,7 +51,8 @@ def blend_root_delta(offsets: Any, row: int, root_delta: Any) -> None:
         weight = part * part * (3.0 - 2.0 * part)
         for axis in range(3):
             root_delta[row, axis] = (
-                offsets.way[row, axis] + (root_delta[row, axis] - offsets.way[row, axis]) * weight
+                offsets.old_root_delta[row, axis]
+                + (root_delta[row, axis] - offsets.old_root_delta[row, axis]) * weight
             )
 
 
@@ -75,7 +76,7 @@ def release_slots(offsets: Any, block: int) -> None:
     """Releases the slots in which no actor of the block has a transition under way."""
     for layer in range(offsets.slot.shape[1]):
         under_way = False
-        for row in range(LANES * block, min(LANES * (block + 1), offsets.elapsed.shape[0])):
+        for row in range(first_row(block), end_row(block, offsets.elapsed.shape[0])):
             under_way |= offsets.elapsed[row, layer] < offsets.duration[row, layer]
         if offsets.slot[block, layer] >= 0 and not under_way:
             offsets.free[offsets.free_count[0]] = offsets.slot[block, layer]

@@ -11,11 +11,10 @@ from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_functions import any_above, either, fused, most, with_lane
 from statwalk.maths.simd.lane_quat import from_rotation_vector, mul, plus, renormalized
-from statwalk.maths.simd.lanes import broadcast, load, store
+from statwalk.maths.simd.lanes import LANES, broadcast, load, store
 from statwalk.maths.simd.pose_lanes import (
     ROTATION,
     SCALE,
-    WIDTH,
     either3,
     either4,
     joint_at,
@@ -25,7 +24,8 @@ from statwalk.maths.simd.pose_lanes import (
     store4,
     weight_at,
 )
-from statwalk.stage.steps.offset_clocks import LANES, remaining
+from statwalk.maths.simd.pose_layout import end_row, first_row
+from statwalk.stage.steps.offset_clocks import remaining
 
 ZERO = np.float32(0)
 NOW, EARLIER, BEGINS, BLANK, OWNS, CLOCKS = 0, 2, 4, 5, 6, 7
@@ -44,21 +44,21 @@ def scratch_size(layers: int) -> int:
 @inlined
 def clock_at(layer: int, clock: int) -> int:
     """Returns the place of a layer's clock in the scratch."""
-    return (CLOCKS * layer + clock) * WIDTH
+    return (CLOCKS * layer + clock) * LANES
 
 
 @inlined
 def channel_at(offsets: Any, slot: int, channel: int) -> Any:
     """Returns the place of a channel of a slot."""
-    return (slot * offsets.start.shape[1] + channel) * WIDTH
+    return (slot * offsets.start.shape[1] + channel) * LANES
 
 
 @inlined
 def read_clocks(offsets: Any, block: int, layer: int, earlier: float, scratch: Any, clock: int) -> None:
     """Writes the `remaining` factors of sixteen actors into the scratch."""
     start = rate = broadcast(ZERO)
-    first = LANES * block
-    for row in range(first, min(first + LANES, offsets.elapsed.shape[0])):
+    first = first_row(block)
+    for row in range(first, end_row(block, offsets.elapsed.shape[0])):
         of_start, of_rate = remaining(offsets, row, layer, earlier)
         start = with_lane(start, row - first, types.float32(of_start))
         rate = with_lane(rate, row - first, types.float32(of_rate))
@@ -78,8 +78,8 @@ def left_of(offsets: Any, at: int, start: Any, rate: Any, total: Any) -> Any:
 def _left_of_three(offsets: Any, at: int, start: Any, rate: Any, total: Any) -> Any:
     """`left_of` for three channels."""
     x = left_of(offsets, at, start, rate, total[0])
-    y = left_of(offsets, at + WIDTH, start, rate, total[1])
-    return x, y, left_of(offsets, at + 2 * WIDTH, start, rate, total[2])
+    y = left_of(offsets, at + LANES, start, rate, total[1])
+    return x, y, left_of(offsets, at + 2 * LANES, start, rate, total[2])
 
 
 @inlined
@@ -93,8 +93,8 @@ def _add_joint(offsets: Any, masks: Any, pose: Any, at: int, block: int, joint: 
             start, rate = load(scratch, clock_at(layer, NOW)), load(scratch, clock_at(layer, NOW + 1))
             place, on = channel_at(offsets, slot, JOINT * joint), most(on, start)
             move = _left_of_three(offsets, place, start, rate, move)
-            turn = _left_of_three(offsets, place + 3 * WIDTH, start, rate, turn)
-            stretch = _left_of_three(offsets, place + 6 * WIDTH, start, rate, stretch)
+            turn = _left_of_three(offsets, place + 3 * LANES, start, rate, turn)
+            stretch = _left_of_three(offsets, place + 6 * LANES, start, rate, stretch)
     if any_above(on, zero):
         to = joint_at(pose, at, joint)
         moved, rotation, scale = load3(pose, to), load4(pose, to + ROTATION), load3(pose, to + SCALE)

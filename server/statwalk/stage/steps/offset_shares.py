@@ -13,8 +13,8 @@ import numpy as np
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.simd.lane_functions import any_above, either, most
-from statwalk.maths.simd.lanes import broadcast, load, store
-from statwalk.maths.simd.pose_lanes import WIDTH, store3
+from statwalk.maths.simd.lanes import LANES, broadcast, load, store
+from statwalk.maths.simd.pose_lanes import store3
 from statwalk.stage.steps.offset_lanes import (
     BEGINS,
     BLANK,
@@ -36,7 +36,7 @@ def jump_at(layers: int, part: int) -> Any:
     """Returns the place in the scratch of the offset of the part-th current channel; its velocity is `JOINT`
     rows further on.
     """
-    return (CLOCKS * layers + part) * WIDTH
+    return (CLOCKS * layers + part) * LANES
 
 
 @inlined
@@ -44,7 +44,7 @@ def keep_jump(scratch: Any, layers: int, first: int, jump: Any) -> None:
     """Writes offset and velocity of three channels into the scratch."""
     at = jump_at(layers, first)
     store3(scratch, at, jump[0])
-    store3(scratch, at + JOINT * WIDTH, jump[1])
+    store3(scratch, at + JOINT * LANES, jump[1])
 
 
 @inlined
@@ -86,7 +86,7 @@ def _less_others(
             now, velocity = _still_on_top(offsets, place, layer, per_second, scratch)
             at = jump_at(layers, part)
             store(scratch, at, load(scratch, at) - either(owns, zero, now))
-            at += JOINT * WIDTH
+            at += JOINT * LANES
             store(scratch, at, load(scratch, at) - either(owns, zero, velocity))
 
 
@@ -97,7 +97,7 @@ def _give(offsets: Any, at: int, layer: int, part: int, scratch: Any) -> None:
     """
     owns, jump = load(scratch, clock_at(layer, OWNS)), jump_at(offsets.slot.shape[1], part)
     changes, zero = most(owns, load(scratch, clock_at(layer, BLANK))), broadcast(ZERO)
-    start, rate = either(owns, load(scratch, jump), zero), load(scratch, jump + JOINT * WIDTH)
+    start, rate = either(owns, load(scratch, jump), zero), load(scratch, jump + JOINT * LANES)
     store(offsets.start, at, either(changes, start, load(offsets.start, at)))
     store(offsets.rate, at, either(changes, either(owns, rate, zero), load(offsets.rate, at)))
 
@@ -138,6 +138,6 @@ def give_part(
         start = rate = broadcast(ZERO)
         if moves:
             now, velocity = _still_on_top(offsets, at, layer, per_second, scratch)
-            start, rate = load(scratch, jump) + now, load(scratch, jump + JOINT * WIDTH) + velocity
+            start, rate = load(scratch, jump) + now, load(scratch, jump + JOINT * LANES) + velocity
         store(offsets.start, at, either(owns, start, load(offsets.start, at)))
         store(offsets.rate, at, either(owns, rate, load(offsets.rate, at)))

@@ -20,7 +20,7 @@ from statwalk.maths.compiling import FLOAT, LONG, kernel, read
 from statwalk.maths.packed import ADDRESSES, PackedColumns, opened, packed
 from statwalk.maths.reference import by_reference
 from statwalk.motion.tables.motion_tables import MOTIONS
-from statwalk.stage.steps._kernels import measure
+from statwalk.stage.steps.measurements import measure
 from statwalk.stage.steps.memory import MEMORY
 
 DOUBLE = types.float64

@@ -73,7 +73,7 @@ def _state_view(machine: Machine, row: int, definition: StateDefinition) -> Stat
         clips=list(definition.clips),
         loop=bool(machine.loop[row]),
         duration=float(machine.duration[row]) if has_motion else 0.0,
-        outer=definition.outer,
+        outer=definition.composite,
         final=definition.final,
         markers=[MarkerView(name=marker, phase=phase) for marker, phase in machine.markers[row]],
     )

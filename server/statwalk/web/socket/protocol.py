@@ -10,6 +10,7 @@ from __future__ import annotations
 import asyncio
 
 from uvicorn._types import ASGISendEvent
+from uvicorn.protocols.utils import ClientDisconnected
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
 
 UNWRITABLE_SECONDS = 5.0
@@ -51,12 +52,34 @@ class ViewerProtocol(WebSocketsSansIOProtocol):
             self.stop_timer()
 
     async def send(self, message: ASGISendEvent) -> None:
-        """Sends a message of the application; waits at most a second for the peer to take a close frame."""
+        """Sends a message of the application; waits at most a second for the peer to take a close frame.
+
+        :raises ClientDisconnected: when the connection is closing.
+        """
+        if self.close_sent and message["type"] == "websocket.send":
+            raise ClientDisconnected
         await super().send(message)
         if message["type"] == "websocket.close":
             self.leave()
         elif message["type"] == "websocket.http.response.body" and not message.get("more_body"):
             self.handshake_complete = True  # a refused upgrade is an answer too; uvicorn would log an error
+
+    def handle_parser_exception(self) -> None:
+        """Sends the close frame, and discards for a second what the peer still sends.
+
+        uvicorn closes at once; a socket that is closed with unread data is reset, and a reset takes the close
+        frame from a peer that has not read it.
+        """
+        if not self.close_sent:
+            assert self.conn.close_sent is not None
+            code, reason = self.conn.close_sent.code, self.conn.close_sent.reason
+            self.queue.put_nowait({"type": "websocket.disconnect", "code": code, "reason": reason})
+            self.transport.write(b"".join(self.conn.data_to_send()))
+            self.close_sent = True
+            self.leave()
+            self.close_timer = self.abort_timer  # uvicorn does not close a connection that has this timer
+        self.transport.resume_reading()
+        self.transport.write_eof()
 
     def keepalive_timeout(self) -> None:
         """Closes the connection: the peer does not answer pings."""

@@ -32,7 +32,7 @@ async def stream(socket: WebSocket, stage_id: str, frames: str = "pose") -> None
         host = registry.find(stage_id)
         _check_subprotocol(socket)
         outbox = Outbox(kind)
-        host.fanout.join(outbox)
+        host.join(outbox)
     except (Problem, StatwalkError) as error:
         problem = error if isinstance(error, Problem) else from_error(error, socket.path_params)
         await answer(problem.body())(socket.scope, socket.receive, socket.send)

@@ -1,5 +1,5 @@
-"""Every moment that an actor can come to, and every tick from one moment to the next, as arrays that a kernel
-fills.
+"""The state space of an actor, as arrays that a kernel fills: every node (what its machine is in after a
+tick) that it can come to, and every tick from one node to the next.
 """
 
 from __future__ import annotations
@@ -16,28 +16,28 @@ from statwalk.maths.compiling import write
 NOTHING = -1
 """no event comes from outside"""
 MOST_WAITING = 4
-"""events that may wait in a moment: one from outside, the others by markers"""
+"""events that may wait in a node: one from outside, the others by markers"""
 MOST_GUESSES = 256
 """sets of truths and draws that may be left to try in a tick"""
 STATE, TIME, BEGUN, ENDED, IS_FIRST, WAITING, QUEUE = range(7)
-"""columns of a moment; BEGUN: the tick into the motion at which it began, if that was in this tick, else
+"""columns of a node; BEGUN: the tick into the motion at which it began, if that was in this tick, else
 NOT_BEGUN; IS_FIRST: the event that is asked about comes now; after QUEUE event, kind and ticks left for each
 place, then the inner states that were left last
 """
 NOT_BEGUN = -(1 << 30)
-OF_MOMENTS, OF_TICKS, OF_TAKEN, OF_EXPANDED, OF_WORK = range(5)
-"""places in `Moments.counts`"""
+OF_NODES, OF_TICKS, OF_TAKEN, OF_EXPANDED, OF_WORK = range(5)
+"""places in `StateSpace.counts`"""
 
 
-class Moments(NamedTuple):
-    """Moments M and ticks T, in the order in which they were found: those that take the least time first."""
+class StateSpace(NamedTuple):
+    """Nodes M and ticks T, in the order in which they were found: those that take the least time first."""
 
     counts: NDArray[np.int64]
-    """(5,) moments, ticks, events taken, moments whose ticks are all there, steps of an actor"""
-    moment: NDArray[np.int32]
+    """(5,) nodes, ticks, events taken, nodes whose ticks are all there, steps of an actor"""
+    node: NDArray[np.int32]
     """(M, C)"""
     place: NDArray[np.int32]
-    """(2^k,) the moment by the hash of its numbers, -1 none"""
+    """(2^k,) the node by the hash of its numbers, -1 none"""
     found_by: NDArray[np.int32]
     """(M,) the tick that came to it first, -1 where it is a start"""
     start: NDArray[np.int32]
@@ -62,10 +62,10 @@ class Guesses(NamedTuple):
     draws: NDArray[np.float64]
     """(256, 32)"""
     now: NDArray[np.int32]
-    """(C,) the numbers of the moment at hand"""
+    """(C,) the numbers of the node at hand"""
 
 
-MOMENTS = types.BaseTuple.from_types(
+STATE_SPACE = types.BaseTuple.from_types(
     (
         *(
             write(types.int64, 1),
@@ -82,7 +82,7 @@ MOMENTS = types.BaseTuple.from_types(
             write(types.int16, 2),
         ),
     ),
-    Moments,
+    StateSpace,
 )
 GUESSES = types.BaseTuple.from_types(
     (write(types.uint8, 2), write(types.float64, 2), write(types.int32, 1)), Guesses
@@ -91,14 +91,14 @@ GUESSES = types.BaseTuple.from_types(
 
 
 def columns(histories: int) -> int:
-    """How many numbers a moment has."""
+    """How many numbers a node has."""
     return QUEUE + 3 * MOST_WAITING + histories
 
 
-def no_moments(histories: int, room: int = 1 << 12) -> Moments:
-    """Room for so many moments, and some ticks for each."""
+def empty_state_space(histories: int, room: int = 1 << 12) -> StateSpace:
+    """Room for so many nodes, and some ticks for each."""
     ticks = 4 * room
-    return Moments(
+    return StateSpace(
         np.zeros(5, np.int64),
         np.zeros((room, columns(histories)), np.int32),
         np.full(2 * room, -1, np.int32),
@@ -112,23 +112,23 @@ def no_moments(histories: int, room: int = 1 << 12) -> Moments:
     )
 
 
-MOMENT_ARRAYS, TICK_ARRAYS, TAKEN_ARRAYS = (
-    ("moment", "place", "found_by"),
+NODE_ARRAYS, TICK_ARRAYS, TAKEN_ARRAYS = (
+    ("node", "place", "found_by"),
     ("start", "end", "press", "is_free", "past"),
     ("taken",),
 )
 
 
-def doubled(moments: Moments, names: Sequence[str]) -> Moments:
+def doubled(space: StateSpace, names: Sequence[str]) -> StateSpace:
     """The same with twice the room in some of the arrays."""
-    arrays = {name: getattr(moments, name) for name in names}
-    return moments._replace(
+    arrays = {name: getattr(space, name) for name in names}
+    return space._replace(
         **{name: np.concatenate([array, np.zeros_like(array)]) for name, array in arrays.items()}
     )
 
 
-def trimmed(moments: Moments) -> Moments:
+def trimmed(space: StateSpace) -> StateSpace:
     """The same without the room that is left."""
-    some, ticks, taken, _, _ = moments.counts.tolist()
-    ends = {"moment": some, "found_by": some, "taken": taken} | dict.fromkeys(TICK_ARRAYS, ticks)
-    return moments._replace(**{name: getattr(moments, name)[:end] for name, end in ends.items()})
+    some, ticks, taken, _, _ = space.counts.tolist()
+    ends = {"node": some, "found_by": some, "taken": taken} | dict.fromkeys(TICK_ARRAYS, ticks)
+    return space._replace(**{name: getattr(space, name)[:end] for name, end in ends.items()})

@@ -10,14 +10,19 @@ import numpy as np
 from numba import boolean
 
 from statwalk.maths.compiling import FLOAT, LONG, inlined, kernel, read, write
+from statwalk.maths.simd.lanes import LANES
 
-BLOCK, TILE = 16, 128
-XYZ = 3 * BLOCK
+TILE = 128
+XYZ = 3 * LANES
 """floats of a block's points: 16 x, 16 y, 16 z"""
-RAW = 16 * BLOCK
+MATRIX = 16
+"""floats of a bone's matrix: three rows of four, and four zeros"""
+RAW = MATRIX * LANES
 """index in the scratch of a tile's normals, not yet of unit length, in blocks"""
 LAST = RAW + 3 * TILE
 """index in the scratch of the last block of a part, until it is cut off"""
+SCRATCH = LAST + 2 * XYZ
+"""floats of memory that `_kernels.skinned` needs"""
 ONE, ZERO = np.float32(1), np.float32(0)
 FINITE = np.float32(3.4028234663852886e38)
 """the largest float32"""
@@ -38,12 +43,12 @@ def mended_normals(raw: Any, rest: Any, block: int, out: Any, at: int, count: in
     vertex's normal at rest.
     """
     for vertex in range(count):
-        lane = 3 * (vertex - vertex % BLOCK) + vertex % BLOCK
+        lane = 3 * (vertex - vertex % LANES) + vertex % LANES
         row, other = RAW + lane, XYZ * block + lane
-        x, y, z = raw[row], raw[row + 16], raw[row + 32]
+        x, y, z = raw[row], raw[row + LANES], raw[row + 2 * LANES]
         size = _size_of(x, y, z)
         if size == ZERO:
-            x, y, z = rest[other], rest[other + 16], rest[other + 32]
+            x, y, z = rest[other], rest[other + LANES], rest[other + 2 * LANES]
             size = _size_of(x, y, z)
         if size == ZERO:
             x, y, z, size = ZERO, ZERO, ONE, ONE

@@ -1,4 +1,4 @@
-"""A moment of the search and the machine's row that it stands for: read, written, and found again by its
+"""A node of the search and the machine's row that it stands for: read, written, and found again by its
 numbers.
 """
 
@@ -6,17 +6,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from statwalk.machine.model_checker.moments import (
+from statwalk.machine.model_checker.state_space import (
     BEGUN,
     ENDED,
     MOST_WAITING,
     NOT_BEGUN,
-    OF_MOMENTS,
+    OF_NODES,
     QUEUE,
     STATE,
     TIME,
     WAITING,
-    Moments,
+    StateSpace,
 )
 from statwalk.machine.runtime.state import BEGINNING, MachineState
 from statwalk.maths.arrays import Ints
@@ -29,12 +29,16 @@ _ALMOST = 1e-4
 
 
 @called
-def read_moment(m: Moments, row: int, s: MachineState) -> None:
-    """Makes the machine's row of a moment."""
-    time, begun, waiting = m.moment[row, TIME], m.moment[row, BEGUN], m.moment[row, WAITING]
+def read_node(m: StateSpace, row: int, s: MachineState) -> None:
+    """Makes the machine's row of a node."""
+    time, begun, waiting = (
+        m.node[row, TIME],
+        m.node[row, BEGUN],
+        m.node[row, WAITING],
+    )
     s.state[0, 0], s.ended[0, 0], s.age[0, 0], s.waiting[0, 0] = (
-        m.moment[row, STATE],
-        m.moment[row, ENDED],
+        m.node[row, STATE],
+        m.node[row, ENDED],
         0,
         waiting,
     )
@@ -46,17 +50,17 @@ def read_moment(m: Moments, row: int, s: MachineState) -> None:
         if slot < waiting:
             place = QUEUE + 3 * slot
             s.waiting_event[0, 0, slot], s.waiting_for[0, 0, slot] = (
-                m.moment[row, place],
-                m.moment[row, place + 1],
+                m.node[row, place],
+                m.node[row, place + 1],
             )
-            s.waiting_until[0, 0, slot] = NOW + m.moment[row, place + 2]
+            s.waiting_until[0, 0, slot] = NOW + m.node[row, place + 2]
     for history in range(s.last.shape[1]):
-        s.last[0, history] = m.moment[row, QUEUE + 3 * MOST_WAITING + history]
+        s.last[0, history] = m.node[row, QUEUE + 3 * MOST_WAITING + history]
 
 
 @called
-def write_moment(s: MachineState, is_new: int, numbers: Ints) -> None:
-    """Writes the moment of the machine's row after a tick. `is_new`: a motion began in the tick."""
+def write_node(s: MachineState, is_new: int, numbers: Ints) -> None:
+    """Writes the node of the machine's row after a tick. `is_new`: a motion began in the tick."""
     for k in range(numbers.shape[0]):
         numbers[k] = 0
     numbers[STATE], numbers[ENDED], numbers[WAITING] = s.state[0, 0], s.ended[0, 0], s.waiting[0, 0]
@@ -71,8 +75,8 @@ def write_moment(s: MachineState, is_new: int, numbers: Ints) -> None:
 
 
 @called
-def place_of(m: Moments, numbers: Ints) -> int:
-    """The place in the table of a moment with those numbers; where it is not there yet, the place for it."""
+def place_of(m: StateSpace, numbers: Ints) -> int:
+    """The place in the table of a node with those numbers; where it is not there yet, the place for it."""
     code = 17
     for k in range(numbers.shape[0]):
         code = ((code * 1000003) ^ (numbers[k] + 1)) & 0x7FFFFFFF
@@ -84,19 +88,19 @@ def place_of(m: Moments, numbers: Ints) -> int:
 
 
 @called
-def _differs(m: Moments, row: int, numbers: Ints) -> bool:
+def _differs(m: StateSpace, row: int, numbers: Ints) -> bool:
     for k in range(numbers.shape[0]):  # noqa: SIM110 - kernels know no generators
-        if m.moment[row, k] != numbers[k]:
+        if m.node[row, k] != numbers[k]:
             return True
     return False
 
 
 @called
-def put_in_place(m: Moments, numbers: Ints) -> None:
-    """Fills the table with all moments."""
+def put_in_place(m: StateSpace, numbers: Ints) -> None:
+    """Fills the table with all nodes."""
     for place in range(m.place.shape[0]):
         m.place[place] = -1
-    for row in range(m.counts[OF_MOMENTS]):
+    for row in range(m.counts[OF_NODES]):
         for k in range(numbers.shape[0]):
-            numbers[k] = m.moment[row, k]
+            numbers[k] = m.node[row, k]
         m.place[place_of(m, numbers)] = row

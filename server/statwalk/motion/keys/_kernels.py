@@ -1,6 +1,4 @@
-"""Checks and conversions of all numbers of a model for readers of files, compiled: each number is read once,
-and nothing is allocated.
-"""
+"""The kernels for the keys of clips: each number is read once, and nothing is allocated."""
 
 from __future__ import annotations
 
@@ -10,69 +8,7 @@ from typing import Any
 from numba import types
 
 from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
-from statwalk.maths.simd.lane_columns import load_quads, load_xyz
-from statwalk.maths.simd.lane_functions import all_between, any_above, most
-from statwalk.maths.simd.lanes import WIDTH, broadcast, load, store
-
-
-@kernel(read(FLOAT, 1), FLOAT, FLOAT, returns=types.boolean)
-def within(numbers: Any, low: Any, high: Any) -> Any:
-    """Returns whether low < x < high for all numbers (n,); false for NaN."""
-    first, last, whole = broadcast(low), broadcast(high), numbers.shape[0] // WIDTH * WIDTH
-    out = 0
-    for at in range(0, whole, WIDTH):
-        out += not all_between(load(numbers, at), first, last)
-    for at in range(whole, numbers.shape[0]):
-        out += not low < numbers[at] < high
-    return out == 0
-
-
-@kernel(read(FLOAT, 2), FLOAT, returns=types.boolean)
-def unit_length(vectors: Any, tolerance: Any) -> Any:
-    """Returns whether the squared lengths of all vectors (V,3) are within a tolerance of 1."""
-    one, low, high, whole = (
-        broadcast(FLOAT(1)),
-        broadcast(-tolerance),
-        broadcast(tolerance),
-        vectors.shape[0] // WIDTH * WIDTH,
-    )
-    off = 0
-    for row in range(0, whole, WIDTH):
-        x, y, z = load_xyz(vectors, 3 * row)
-        off += not all_between(x * x + y * y + z * z - one, low, high)
-    for row in range(whole, vectors.shape[0]):
-        a, b, c = vectors[row, 0], vectors[row, 1], vectors[row, 2]
-        off += not abs(a * a + b * b + c * c - FLOAT(1)) < tolerance
-    return off == 0
-
-
-@kernel(read(FLOAT, 2), FLOAT, returns=LONG)
-def normalised(weights: Any, tolerance: Any) -> Any:
-    """Returns the number of columns of weights (V,4) in use; 0 unless all rows sum to 1 within a tolerance
-    and fall without negative weights.
-    """
-    one, low, high, whole = (
-        broadcast(FLOAT(1)),
-        broadcast(-tolerance),
-        broadcast(tolerance),
-        weights.shape[0] // WIDTH * WIDTH,
-    )
-    off = used = 0
-    zero = broadcast(FLOAT(0))
-    risen = second = third = fourth = zero
-    for row in range(0, whole, WIDTH):
-        a, b, c, d = load_quads(weights, 4 * row)
-        off += not all_between(a + b + c + d - one, low, high)
-        risen = most(most(most(b - a, c - b), most(d - c, -d)), risen)
-        second, third, fourth = most(b, second), most(c, third), most(d, fourth)
-    off += any_above(risen, zero)
-    used = any_above(second, zero) + any_above(third, zero) + any_above(fourth, zero)
-    for row in range(whole, weights.shape[0]):
-        e, f, g, h = weights[row, 0], weights[row, 1], weights[row, 2], weights[row, 3]
-        off += not abs(e + f + g + h - FLOAT(1)) < tolerance
-        off += not ((e >= f) & (f >= g) & (g >= h) & (h >= 0))
-        used = max(used, (f > 0) + (g > 0) + (h > 0))
-    return 0 if off else used + 1
+from statwalk.maths.simd.lanes import LANES, load, store
 
 
 @kernel(read(FLOAT, 1), read(LONG, 1), read(LONG, 1), write(FLOAT, 1))
@@ -81,8 +17,8 @@ def gathered(numbers: Any, starts: Any, counts: Any, out: Any) -> None:
     at = 0
     for row in range(starts.shape[0]):
         first, count = starts[row], counts[row]
-        whole = count // WIDTH * WIDTH
-        for k in range(0, whole, WIDTH):
+        whole = count // LANES * LANES
+        for k in range(0, whole, LANES):
             store(out, at + k, load(numbers, first + k))
         for k in range(whole, count):
             out[at + k] = numbers[first + k]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
-from statwalk.machine.compile.alternatives import MEASURED
-from statwalk.machine.definition.machine_definition import MachineDefinition
+from statwalk.machine.conditions.variables import variables_of
 from statwalk.maths.formula.parser import parse
 from statwalk.maths.formula.tokens import ConditionError
 
@@ -23,12 +23,12 @@ class ConditionInfo:
     """its constant value, if it asks for no variable"""
 
 
-def condition_info(definition: MachineDefinition, text: str) -> ConditionInfo:
-    """Returns the facts about a condition of a machine."""
-    variable_names = tuple(dict.fromkeys((*definition.parameters, *MEASURED)))
+def condition_info(text: str, parameters: Iterable[str]) -> ConditionInfo:
+    """Returns the facts about a condition of a machine with these parameters."""
+    variables = variables_of(parameters)
     try:
-        program = parse(text, variable_names)
+        formula = parse(text, variables)
     except ConditionError as error:
         return ConditionInfo(refused=str(error))
-    constant = None if program.variables else bool(program.evaluate(np.zeros((len(variable_names), 1)))[0])
-    return ConditionInfo(program.variables, constant=constant)
+    constant = None if formula.variables else bool(formula.evaluate(np.zeros((len(variables), 1)))[0])
+    return ConditionInfo(formula.variables, constant=constant)

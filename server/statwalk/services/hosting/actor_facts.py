@@ -1,0 +1,80 @@
+"""Reads the facts of actors: the arrays are copied while a stage stands still, the facts are made later."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.character.role import Role
+from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.random import Words
+from statwalk.services.hosting.stage_replies import ActorFacts
+from statwalk.stage.stage import Stage
+from statwalk.stage.state.cast import Cast
+from statwalk.stage.state.hashing import text
+
+
+class ActorColumns(NamedTuple):
+    """n actors of one role, as arrays that no tick writes into; L layers."""
+
+    role: Role
+    names: Mapping[int, str]
+    """by id"""
+    ids: NDArray[np.int64]
+    states: Ints
+    """(n, L)"""
+    times: Floats
+    """(n,) seconds into the motion of the base layer"""
+    positions: Floats
+    """(n, 3)"""
+    headings: Floats
+    hashes: Words
+
+    @classmethod
+    def of(cls, cast: Cast, names: Mapping[int, str], rows: Ints | slice) -> ActorColumns:
+        """Returns the columns of some rows of a cast."""
+        machine = cast.machine
+        columns: tuple[Any, ...] = (cast.ids, machine.state, machine.time[:, 0])
+        columns += cast.position, cast.heading, cast.hash
+        return cls(cast.role, names, *(column[rows].copy() for column in columns))
+
+    def facts(self) -> Iterator[ActorFacts]:
+        """Yields the facts of each actor."""
+        machine = self.role.machine
+        for actor, states, time, position, heading, hashed in zip(
+            *(column.tolist() for column in self[2:]), strict=True
+        ):
+            names = tuple(machine.states[state] for state in states)
+            yield ActorFacts(
+                id=actor,
+                name=self.names[actor],
+                machine=self.role.name,
+                state=names[0],
+                states=names,
+                time=time,
+                position=tuple(position),
+                heading=heading,
+                hash=text(hashed),
+            )
+
+
+def columns_of(stage: Stage, actors: Iterable[int] | None = None) -> list[ActorColumns]:
+    """Returns the columns of all actors at the playhead, or of some, by role; their facts can be made while
+    the stage goes on.
+
+    :raises UnknownNameError: when an actor does not exist.
+    """
+    names = stage.state.names
+    if actors is None:
+        return [ActorColumns.of(cast, names, slice(None)) for cast in stage.casts]
+    wanted = np.array([stage.actor(actor).id for actor in actors], np.int64)
+    rows = [(cast, np.flatnonzero(np.isin(cast.ids, wanted))) for cast in stage.casts]
+    return [ActorColumns.of(cast, names, some) for cast, some in rows if len(some)]
+
+
+def facts_in(columns: Iterable[ActorColumns]) -> Iterator[ActorFacts]:
+    """Yields the facts of actors; by id within a role."""
+    return (facts for cast in columns for facts in cast.facts())

@@ -1,0 +1,49 @@
+"""The lock of one stage: threads take it for short work, and for a slice of long work at a time."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from statwalk.errors import BusyError
+from statwalk.services.cancel import SLICE_SECONDS
+
+BUSY_SECONDS = 20.0
+
+
+class StageLock:
+    """A lock that says when it was last asked for: `touched`, in seconds of the monotonic clock."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
+        self.touched = time.monotonic()
+
+    @contextmanager
+    def held(self) -> Iterator[None]:
+        """Holds the lock.
+
+        :raises BusyError: when another thread holds the stage for 20 s.
+        """
+        if not self.lock.acquire(timeout=BUSY_SECONDS):
+            raise BusyError("the stage is busy with a long step; try again")
+        try:
+            self.touched = time.monotonic()
+            yield
+        finally:
+            self.lock.release()
+
+    def in_slices(self, work: Iterator[int], check: Callable[[], None]) -> None:
+        """Runs long work, holding the lock for 5 ms at a time; what is done stays if `check` raises.
+
+        `check` is called before each slice, and raises to cancel the work.
+        """
+        unfinished = True
+        while unfinished:
+            check()
+            with self.held():
+                slice_end = time.perf_counter() + SLICE_SECONDS
+                while unfinished and time.perf_counter() < slice_end:
+                    unfinished = next(work, None) is not None
+            time.sleep(0)  # lets a thread that waits for the lock run
