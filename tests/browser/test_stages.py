@@ -78,3 +78,16 @@ def test_a_stage_that_somebody_else_watches_stays(server: Server, viewer: Page) 
     choose(viewer, "walker-layers")
     assert stage in stages(server)
     assert other.evaluate("__viewer.stage()") == stage
+
+
+def test_another_machine_in_the_glb_stream_shows_its_own_state_and_all_of_itself(viewer: Page) -> None:
+    """Not the state of the actor that was watched before."""
+    viewer.keyboard.press("g")
+    until(viewer, "__viewer.shown() === 'glb'")
+    choose(viewer, "scene:swarm")
+    until(viewer, "__viewer.state() === 'FLY'")
+    choose(viewer, "faq-printed")
+    until(viewer, "__viewer.shown() === 'glb' && __viewer.state() === 'STAT'")
+    left, top, right, bottom = viewer.evaluate("__viewer.pixels()")["box"]
+    assert min(left, top) > 0.01
+    assert max(right, bottom) < 0.99

@@ -80,4 +80,9 @@ export class History {
   stateAt(lane: number, tick: number): string | null {
     return this.between(lane, tick, tick)[0]?.state ?? null;
   }
+
+  /** Returns the newest known state of `lane`, or null. */
+  newest(lane: number): string | null {
+    return this.between(lane, 0, Infinity).at(-1)?.state ?? null;
+  }
 }

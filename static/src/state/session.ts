@@ -72,6 +72,7 @@ export class Session extends MachineReader {
     this.forgetPast();
     this.scrubber.forget();
     this.state.set(null);
+    this.tellStates([]);
     this.pose = this.glb = null;
     this.connection.connect(stage, () => this.frames.value);
   }
@@ -115,11 +116,14 @@ export class Session extends MachineReader {
     if (actor === null) return;
     // A GLB frame carries no states: the last state goes on until a verdict changes it.
     const live = this.looking.value === null;
-    if (live)
+    if (live && this.layerStates.value.some(Boolean))
       this.layerStates.value.forEach((state, layer) => this.history.see(laneKey(actor, layer), tick, state));
     else
       this.tellStates(
-        (this.cast?.layers ?? []).map((_, layer) => this.history.stateAt(laneKey(actor, layer), tick) ?? ""),
+        (this.cast?.layers ?? []).map((_, layer) => {
+          const lane = laneKey(actor, layer);
+          return (live ? this.history.newest(lane) : this.history.stateAt(lane, tick)) ?? "";
+        }),
       );
     const base = this.stateIndex(actor, this.layerStates.value[0] ?? "");
     this.state.set(base >= 0 ? base : null);

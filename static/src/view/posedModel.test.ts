@@ -103,6 +103,14 @@ describe("PosedModel", () => {
     expect([...view.jointPositions(new Float32Array(9)).slice(0, 3)]).toEqual([0, 1, 2]);
   });
 
+  it("has the box of the pose that the server gave, around its root", () => {
+    const view = posed(0);
+    const at = (x: number): number[] => new THREE.Matrix4().makeTranslation(x, 0, 0).toArray();
+    view.place(new Float32Array([at(9), at(10), at(12), at(14)].flat()));
+    const { min, max } = view.box();
+    expect([min.x, max.x]).toEqual([3, 5]);
+  });
+
   it("leaves the model it was cloned from alone", () => {
     const original = model();
     new PosedModel(1, cast, original, false).apply(frame(), 1);

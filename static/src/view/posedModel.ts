@@ -90,6 +90,16 @@ export class PosedModel {
     this.worlds = matrices.subarray(16);
   }
 
+  /** Gives the objects the pose whose matrices the server gave. Joints are in order, parents first. */
+  private poseAsPlaced(): void {
+    if (!this.worlds) return;
+    this.joints.forEach((joint, j) => {
+      if (!joint?.parent) return;
+      joint.matrixWorld.fromArray(this.jointWorld(j));
+      joint.matrix.copy(joint.parent.matrixWorld).invert().multiply(joint.matrixWorld);
+    });
+  }
+
   private pose(frame: CastFrame, index: number, joint: THREE.Object3D | null): void {
     if (!joint) return;
     joint.position.fromArray(frame.translation, index * 3);
@@ -101,6 +111,7 @@ export class PosedModel {
   /** Returns the box of the posed skin around the actor's root, metres. */
   box(): THREE.Box3 {
     this.root.updateWorldMatrix(true, true);
+    this.poseAsPlaced();
     const box = new THREE.Box3().setFromObject(this.root, true);
     return box.isEmpty()
       ? new THREE.Box3(new THREE.Vector3(-0.5, 0, -0.5), new THREE.Vector3(0.5, 1.8, 0.5))
