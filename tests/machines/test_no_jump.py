@@ -102,7 +102,8 @@ def play(cases):
 
 
 def ticks_of(state, event):
-    return round(float(MACHINE.blend[MACHINE.states.index(state), MACHINE.events.index(event)]) * 60)
+    (alternative,) = MACHINE.alternatives[MACHINE.states.index(state), MACHINE.events.index(event)]
+    return round(alternative.blend * 60)
 
 
 INTERRUPTIONS = [

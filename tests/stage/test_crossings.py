@@ -3,6 +3,7 @@ and look at: every kernel is counted as it is called.
 """
 
 import sys
+import threading
 from collections import Counter
 
 import pytest
@@ -32,15 +33,16 @@ senses: {HIT: {touch: [tip, tip]}, FAST: {when: speed > 1}}
 
 @pytest.fixture
 def crossings(monkeypatch):
-    """How often each kernel is called from here on, by its module and name."""
+    """How often each kernel is called from here on in this thread, by its module and name."""
     prepare()
+    here = threading.get_ident()
     counts: Counter[str] = Counter()
 
     def counted(kernel):
         name = f"{kernel.py_func.__module__}.{kernel.py_func.__name__}"
 
         def call(*arguments):
-            counts[name] += 1
+            counts[name] += threading.get_ident() == here
             return kernel(*arguments)
 
         return call

@@ -3,11 +3,12 @@
 import random
 
 import pytest
+from statwalk.machine.model_checker import search
 from statwalk.machine.model_checker.lengths import Lengths
 from statwalk.machine.model_checker.program_in_ticks import program_in_ticks
 from statwalk.machine.model_checker.search import beginning, searched
 from statwalk.machine.model_checker.state_space import MOST_WAITING, NOT_BEGUN
-from statwalk.machine.model_checker.work import Work
+from statwalk.machine.model_checker.work import Work, go_on
 from statwalk.machine.runtime.state import BEGINNING
 from ticking import RATE, Ticking
 
@@ -102,17 +103,20 @@ def node_of(actor):
     )
 
 
+def search_of(machine, checkpoint=go_on):
+    program = program_in_ticks(machine, Lengths(tuple(LENGTHS.values()), (True,) * 5), is_patient=True)
+    presses = [machine.columns[name] for name in INPUTS]
+    return searched(program, beginning(program), (), presses, Work(10_000_000, checkpoint))
+
+
 def following(actor):
     """For each node that the search knows the nodes that a tick may lead to; what waits in blank cells
     waits for its buffer.
     """
-    program = program_in_ticks(actor.machine, Lengths(tuple(LENGTHS.values()), (True,) * 5), is_patient=True)
-    search = searched(
-        program, beginning(program), (), [actor.machine.columns[name] for name in INPUTS], Work(10_000_000)
-    )
-    nodes = [tuple(row) for row in search.space.node.tolist()]
+    whole = search_of(actor.machine)
+    nodes = [tuple(row) for row in whole.space.node.tolist()]
     found = {node: set() for node in nodes}
-    for start, end in zip(search.start.tolist(), search.end.tolist(), strict=True):
+    for start, end in zip(whole.start.tolist(), whole.end.tolist(), strict=True):
         found[nodes[start]].add(nodes[end])
     return found
 
@@ -131,3 +135,14 @@ def test_what_happens_is_among_what_can_happen(seed):
         if press and actor.memory.waiting[0, 0] > 1:
             break  # the event waits beside one of a marker: the search leaves such lives out
         assert node_of(actor) in known[before]
+
+
+def test_a_search_in_pieces_finds_the_same_and_lets_others_cancel_it(monkeypatch):
+    """One node in each piece."""
+    machine, looks = Ticking.of(random_machine(3), LENGTHS).machine, []
+    whole = search_of(machine)
+    monkeypatch.setattr(search, "PAUSE_WORK", 0)
+    pieces = search_of(machine, lambda: looks.append(True))
+    for name, array in whole.space._asdict().items():
+        assert array.tolist() == getattr(pieces.space, name).tolist(), name
+    assert len(looks) >= len(whole.space.node)

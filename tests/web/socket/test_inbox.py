@@ -26,7 +26,7 @@ def held() -> Registry:
 def inbox(held: Registry) -> Inbox:
     host = held.open(StageSetup(clock="manual", actors=(AddActor("faq-walker"),)))
     host.handle(ask.Step(5))
-    return Inbox(host, Outbox("pose"), CancelToken(), CapacityLimiter(1))
+    return Inbox(host, Outbox("pose"), CancelToken(), CancelToken(), CapacityLimiter(1))
 
 
 async def taken_until_cut(inbox: Inbox, message: str, most: int) -> int:
@@ -74,3 +74,11 @@ async def test_after_many_forks_the_present_still_takes_events(inbox: Inbox) -> 
     for tick in [0] * 10 + [None]:
         await inbox.take(json.dumps({"type": "event", "event": "FORWARD", "tick": tick}))
     assert json.loads(inbox.outbox.take_texts()[-1])["type"] == "accepted"
+
+
+async def test_an_input_counts_though_the_viewer_is_gone(inbox: Inbox) -> None:
+    """What it sent before it left may be read after the connection broke."""
+    inbox.token.cancel()
+    await inbox.take(json.dumps({"type": "event", "event": "FORWARD"}))
+    inbox.host.handle(ask.Step(1))
+    assert [actor.state for actor in inbox.host.handle(ask.DescribeActors())] == ["STWK"]

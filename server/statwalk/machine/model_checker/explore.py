@@ -9,7 +9,7 @@ from numba import types
 from statwalk.machine.compile.alternatives import BLANK, MIXED
 from statwalk.machine.compile.program import PROGRAM, Program
 from statwalk.machine.conditions.condition_values import UNKNOWN
-from statwalk.machine.model_checker.found_ticks import EVERYTHING, TOO_MUCH, add_tick, room
+from statwalk.machine.model_checker.found_ticks import EVERYTHING, PAUSED, TOO_MUCH, add_tick, room
 from statwalk.machine.model_checker.guesses import guess_nothing, guess_otherwise, is_asked, make_known
 from statwalk.machine.model_checker.node_rows import (
     NOW,
@@ -145,6 +145,7 @@ def _is_free(p: Program, out: MachineEffects, g: Guesses, guess: int) -> bool:
     _PRESSES,
     _PRESSES,
     types.int64,
+    types.int64,
     returns=types.int64,
 )
 def explore(
@@ -158,8 +159,10 @@ def explore(
     first: Ints,
     presses: Ints,
     most_work: int,
+    pause: int,
 ) -> int:
-    """Adds all ticks of all nodes, and the nodes that they lead to.
+    """Adds all ticks of all nodes, and the nodes that they lead to; after `pause` units of work it returns,
+    and the next call goes on.
 
     In each one of `presses` comes; where IS_FIRST one of `first`.
     """
@@ -172,6 +175,7 @@ def explore(
     effects, space, guesses = by_reference(out), by_reference(m), by_reference(g)
     out.work.scratch[TICK], out.work.clock[DT] = NOW, 1.0
     put_in_place(space, g.now)
+    until = m.counts[OF_WORK] + pause
     while m.counts[OF_EXPANDED] < m.counts[OF_NODES]:
         row, ticks, taken = m.counts[OF_EXPANDED], m.counts[OF_TICKS], m.counts[OF_TAKEN]
         is_first = m.node[row, IS_FIRST]
@@ -184,4 +188,6 @@ def explore(
                 m.counts[OF_TICKS], m.counts[OF_TAKEN] = ticks, taken
                 return end
         m.counts[OF_EXPANDED] = row + 1
+        if m.counts[OF_WORK] > until:
+            return PAUSED
     return EVERYTHING

@@ -14,9 +14,9 @@ from statwalk.machine.runtime.reasons import TAKEN
 from statwalk.maths.arrays import Ints
 from statwalk.maths.reference import called
 
-EVERYTHING, TOO_MUCH, MORE_NODES, MORE_TICKS, MORE_TAKEN = range(5)
+EVERYTHING, TOO_MUCH, MORE_NODES, MORE_TICKS, MORE_TAKEN, PAUSED = range(6)
 """how an exploration ends: all is found; it takes more work than is allowed, or more than can be kept of a
-node; more room is needed
+node; more room is needed; the caller may cancel it, or go on
 """
 
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from statwalk.machine.compile.program import Program
 from statwalk.machine.model_checker.explore import explore
-from statwalk.machine.model_checker.found_ticks import EVERYTHING, MORE_NODES, MORE_TAKEN, MORE_TICKS
+from statwalk.machine.model_checker.found_ticks import EVERYTHING, MORE_NODES, MORE_TAKEN, MORE_TICKS, PAUSED
 from statwalk.machine.model_checker.longest import longest
 from statwalk.machine.model_checker.state_space import (
     BEGUN,
@@ -42,6 +42,8 @@ from statwalk.maths.arrays import Bools, Floats, Ints
 
 MOST_BYTES = 1 << 27
 """of memory for one search"""
+PAUSE_WORK = 100_000
+"""ticks between two looks at the checkpoint: some 50 ms"""
 SHORT = {MORE_NODES: NODE_ARRAYS, MORE_TICKS: TICK_ARRAYS, MORE_TAKEN: TAKEN_ARRAYS}
 """the arrays that need more room, by how an exploration ends"""
 
@@ -96,15 +98,17 @@ def searched(
     )
     given = np.array(first, np.int64), np.array([NOTHING, *presses], np.int64)
     effects, state = effects_for(program, 1, room), fresh(program, 1)
-    while (
-        end := explore(program, state, surroundings, inputs, effects, space, guesses, *given, work.left)
-    ) in SHORT:
-        space = doubled(space, SHORT[end])
-        if sum(array.nbytes for array in space) > MOST_BYTES:
-            break
+    end = PAUSED
+    while end in SHORT or end == PAUSED:
+        end = explore(
+            program, state, surroundings, inputs, effects, space, guesses, *given, work.left, PAUSE_WORK
+        )
+        if end in SHORT:
+            space = doubled(space, SHORT[end])
+            if sum(array.nbytes for array in space) > MOST_BYTES:
+                break
         work.checkpoint()
     work.spend(int(space.counts[OF_WORK]))
-    work.checkpoint()
     if end != EVERYTHING:
         raise TooManyError(TOO_MANY)
     return Search(trimmed(space))

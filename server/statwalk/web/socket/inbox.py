@@ -52,13 +52,21 @@ class Inbox:
     Acknowledging a frame is free. Every other message costs tokens, which are spent before the message is
     parsed; a viewer without tokens is disconnected with code 4029.
 
+    `token`: cancelled when the viewer is gone, with it the past ticks that it wants to see; inputs for the
+    present count though the viewer that sent them is gone, and end with the server (`ending`).
     `past_limiter`: limits the threads that compute past ticks for viewers.
     """
 
     def __init__(
-        self, host: StageHost, outbox: Outbox, token: CancelToken, past_limiter: CapacityLimiter
+        self,
+        host: StageHost,
+        outbox: Outbox,
+        token: CancelToken,
+        ending: CancelToken,
+        past_limiter: CapacityLimiter,
     ) -> None:
-        self.host, self.outbox, self.token, self.past_limiter = host, outbox, token, past_limiter
+        self.host, self.outbox, self.token, self.ending = host, outbox, token, ending
+        self.past_limiter = past_limiter
         self.inputs = TokenBucket(INPUTS_PER_SECOND, INPUT_BURST)
         self.acks = TokenBucket(IDLE_ACKS_PER_SECOND, IDLE_ACKS_PER_SECOND)
         self.forks = TokenBucket(1 / SECONDS_PER_FORK, MOST_FORKS)
@@ -111,8 +119,8 @@ class Inbox:
     async def post(self, ref: Ref, command: SendEvent | SetParameter, at: int | None) -> None:
         """Posts an input at tick `at` (None: the playhead), and answers where it went."""
         message = ask.Post((command,), at, may_fork=self.forks.has_one())
-        limiter = None if at is None else self.past_limiter
-        posted = await to_thread.run_sync(self.host.handle, message, self.token, limiter=limiter)
+        token, limiter = (self.ending, None) if at is None else (self.token, self.past_limiter)
+        posted = await to_thread.run_sync(self.host.handle, message, token, limiter=limiter)
         if posted.stage != self.host.id:
             self.forks.spend()
         self.accepted(ref, posted)

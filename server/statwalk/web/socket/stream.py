@@ -75,8 +75,8 @@ class Viewer:
 
     def __init__(self, socket: WebSocket, host: StageHost, outbox: Outbox) -> None:
         self.socket, self.host, self.outbox = socket, host, outbox
-        self.token = CancelToken(socket.scope.get(ENDING))
-        self.inbox = Inbox(host, outbox, self.token, socket.app.state.past_limiter)
+        self.token, ending = (CancelToken(socket.scope.get(ENDING)) for _ in range(2))
+        self.inbox = Inbox(host, outbox, self.token, ending, socket.app.state.past_limiter)
         self.sent_layout: tuple[int, str] | None = None
 
     async def serve(self) -> None:
