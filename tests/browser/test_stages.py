@@ -1,4 +1,4 @@
-"""The stages that the page opens: it closes what it leaves, and opens it again when it is reloaded."""
+"""The stages that the page opens: it closes a stage that it leaves for another, and keeps it in a reload."""
 
 from collections.abc import Callable
 
@@ -42,21 +42,25 @@ def test_slow_changes_leave_one_stage(server: Server, viewer: Page) -> None:
     wait_for(lambda: stages(server) - before == {viewer.evaluate("__viewer.stage()")})
 
 
-def test_a_page_that_goes_away_closes_its_stage(server: Server, viewer: Page) -> None:
-    before = stages(server)
-    choose(viewer, "faq-printed")
-    viewer.goto("about:blank")
-    wait_for(lambda: stages(server) == before)
+IS_READY = "window.__viewer?.ready && document.querySelector('#picker select').value === 'faq-printed'"
 
 
-def test_a_reloaded_page_has_its_machine_again(server: Server, viewer: Page) -> None:
+def test_a_reloaded_page_keeps_its_stage_and_still_closes_it(server: Server, viewer: Page) -> None:
     before = stages(server)
     choose(viewer, "faq-printed")
+    stage = viewer.evaluate("__viewer.stage()")
     viewer.reload()
-    until(
-        viewer, "window.__viewer?.ready && document.querySelector('#picker select').value === 'faq-printed'"
-    )
+    until(viewer, IS_READY)
+    assert viewer.evaluate("__viewer.stage()") == stage
+    choose(viewer, "walker-layers")
     wait_for(lambda: stages(server) - before == {viewer.evaluate("__viewer.stage()")})
+
+
+def test_a_reloaded_page_whose_stage_was_closed_has_its_machine_again(server: Server, viewer: Page) -> None:
+    choose(viewer, "faq-printed")
+    httpx.delete(f"{server.url}/api/stages/{viewer.evaluate('__viewer.stage()')}")
+    viewer.reload()
+    until(viewer, IS_READY)
 
 
 def test_a_stage_of_the_address_stays(server: Server, opened: Callable[[str], Page]) -> None:

@@ -48,8 +48,7 @@ async function send(
   version: number | undefined,
 ): Promise<Response> {
   const headers: Record<string, string> = version === undefined ? {} : { "if-match": `"${version}"` };
-  // A page that goes away may still delete what it leaves behind.
-  const options: RequestInit = { method: method.toUpperCase(), headers, keepalive: method === "delete" };
+  const options: RequestInit = { method: method.toUpperCase(), headers };
   if (body)
     Object.assign(options, {
       headers: { ...headers, "content-type": "application/json" },

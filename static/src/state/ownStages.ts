@@ -17,12 +17,11 @@ export class OwnStages {
     session.forked.on((stage) => this.made.set(stage, null));
     session.leaving.on(() => this.leave());
     session.hello.on((hello) => hello && this.close());
-    window.addEventListener("pagehide", ({ persisted }) => !persisted && this.end());
   }
 
   /**
-   * Watches the stage that the address names, or main. A stage that this tab made, and closed when the page
-   * was reloaded, is opened again.
+   * Watches the stage that the address names, or main. A stage that this tab made is its own again after a
+   * reload; if the server has closed it meanwhile, a new one is opened.
    */
   async begin(stage: string | null): Promise<void> {
     const opening = history.state as Opening | null;
@@ -56,11 +55,6 @@ export class OwnStages {
     const left = this.left.filter((stage) => stage !== this.session.stage);
     this.left = [];
     for (const stage of left) void this.remove(stage);
-  }
-
-  private end(): void {
-    if (this.openingOf(this.session.stage)) this.leave();
-    for (const stage of this.left) void this.remove(stage);
   }
 
   private async remove(stage: string): Promise<void> {
