@@ -57,7 +57,7 @@ cells:
 
 
 def events_of(count: int, share: float) -> np.ndarray:
-    """Returns indices into EVENTS, (TICKS, count); `share` of them are not 0, which is no event."""
+    """Returns (TICKS, count) indices into EVENTS; 0 is no event, and `share` of them are events."""
     chance = np.random.default_rng(count)
     return np.where(chance.random((TICKS, count)) < share, chance.integers(1, len(EVENTS), (TICKS, count)), 0)
 

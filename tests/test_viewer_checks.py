@@ -1,5 +1,5 @@
-"""The viewer's own checks: strict types, those of the server as the server has them, and the tests beside its
-sources.
+"""The viewer's types are strict, its generated types are those of the server, and the tests beside its
+sources pass.
 """
 
 import json

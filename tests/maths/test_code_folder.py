@@ -1,4 +1,4 @@
-"""Compiled code is found again by whom it fits, and by nobody else."""
+"""A process finds compiled code of its own sources, libraries and processor, and no other code."""
 
 import json
 import os

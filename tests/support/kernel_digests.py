@@ -164,7 +164,7 @@ def digest(arrays):
 
 
 def of_the_product():
-    """The kernels of this process without those that only tests have."""
+    """Returns the kernels of the package in this process, without the kernels of tests."""
     return [made for made in compiling.KERNELS if (made.__module__ or "").startswith("statwalk.")]
 
 

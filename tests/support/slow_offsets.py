@@ -90,8 +90,8 @@ class Fading(NamedTuple):
         return fading
 
     def replaced(self, rows: Ints, seconds: Floats, jump: tuple[Floats, Floats], way: Floats) -> Fading:
-        """With one transition of all layers together in the place of all that the rows (n,) had; cubic, of
-        `seconds` (n,).
+        """Returns a copy in which the rows (n,) have one cubic transition of `seconds` (n,) for all layers,
+        in place of their transitions before.
         """
         fading = Fading._make(array.copy() for array in self)
         fading.elapsed[rows], fading.duration[rows], fading.quintic[rows] = 0.0, 0.0, False

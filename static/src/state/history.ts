@@ -60,7 +60,7 @@ export class History {
       start: Math.max(run.start, head + 1),
     }));
     const [before, after] = [known.at(-1), later[0]];
-    // There is no gap after `head`: the last state of the answer lasts up to the first frame that was seen.
+    // The last state of the answer lasts until the first frame that the page received: no gap after `head`.
     if (before && after) before.end = after.start - 1;
     if (before && after?.state === before.state) later[0] = { ...known.pop()!, end: after.end };
     this.runs.set(lane, [...known, ...later]);

@@ -1,4 +1,4 @@
-"""Machine files: all that they say is read; tables may be in a file of their own."""
+"""Reads every key of a machine file; a table may be in its own file."""
 
 import pytest
 from machine_texts import ROBOT

@@ -116,5 +116,5 @@ def named(entries: Sequence[Json], key: str) -> NDArray[np.bool_]:
 
 
 def all_of(values: Sequence[Any], kind: type) -> bool:
-    """Returns whether all values are of one type (a bool is no int here)."""
+    """Returns whether all values are of one type; a bool does not count as an int."""
     return set(map(type, values)) <= {kind}

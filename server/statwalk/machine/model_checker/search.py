@@ -76,26 +76,9 @@ def searched(
 
     :raises TooManyError: if there is more than `work` allows.
     """
-    conditions = len(program.code) - 1
     room = 2 * (64 + program.target.shape[1] * 12 + 4 * len(program.marker_event))
     surroundings, inputs = Measurements.none(1, 1), Inputs.of([0], [0])
-    guesses = Guesses(
-        np.zeros((MOST_GUESSES, conditions), np.uint8),
-        np.zeros((MOST_GUESSES, MOST_DRAWS)),
-        np.zeros(starts.shape[1], np.int32),
-    )
-    space = empty_state_space(
-        program.inside.shape[1], max(1 << 12, 1 << int(2 * len(starts)).bit_length(), 1 << room.bit_length())
-    )
-    (
-        space.node[: len(starts)],
-        space.found_by[: len(starts)],
-        space.counts[OF_NODES],
-    ) = (
-        starts,
-        -1,
-        len(starts),
-    )
+    guesses, space = _no_guesses(program, starts), _space_of(program, starts, room)
     given = np.array(first, np.int64), np.array([NOTHING, *presses], np.int64)
     effects, state = effects_for(program, 1, room), fresh(program, 1)
     end = PAUSED
@@ -112,6 +95,23 @@ def searched(
     if end != EVERYTHING:
         raise TooManyError(TOO_MANY)
     return Search(trimmed(space))
+
+
+def _no_guesses(program: Program, starts: Ints) -> Guesses:
+    return Guesses(
+        np.zeros((MOST_GUESSES, len(program.code) - 1), np.uint8),
+        np.zeros((MOST_GUESSES, MOST_DRAWS)),
+        np.zeros(starts.shape[1], np.int32),
+    )
+
+
+def _space_of(program: Program, starts: Ints, room: int) -> StateSpace:
+    """A state space with the nodes `starts`, and room for at least `room` more."""
+    count = len(starts)
+    size = max(1 << 12, 1 << int(2 * count).bit_length(), 1 << room.bit_length())
+    space = empty_state_space(program.inside.shape[1], size)
+    space.node[:count], space.found_by[:count], space.counts[OF_NODES] = starts, -1, count
+    return space
 
 
 class Search:

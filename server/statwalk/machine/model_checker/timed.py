@@ -152,8 +152,8 @@ class Pace:
 
     @cached_property
     def freely(self) -> Search:
-        """All that the actor can come to, whatever happens; what waits in a blank cell might as well come
-        later.
+        """Returns the search over all events, truths and draws; an event that waits in a blank cell may also
+        come later, so it does not wait here.
         """
         program = program_in_ticks(self.machine, self.lengths, is_patient=False)
         return searched(program, beginning(program), (), self.every, self.work)
