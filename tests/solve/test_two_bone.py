@@ -43,8 +43,8 @@ def test_tells_the_remaining_distance():
 
 def test_bones_keep_their_lengths():
     _, mid, end = places(WITHIN)
-    np.testing.assert_allclose(np.linalg.norm(mid - ROOT, axis=1), UPPER, atol=2e-6)
-    np.testing.assert_allclose(np.linalg.norm(end - mid, axis=1), LOWER, atol=2e-6)
+    np.testing.assert_allclose(np.linalg.norm(mid - ROOT, axis=1), UPPER, atol=5e-6)
+    np.testing.assert_allclose(np.linalg.norm(end - mid, axis=1), LOWER, atol=5e-6)
 
 
 def test_the_knee_is_on_the_side_of_the_pole():

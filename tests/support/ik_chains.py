@@ -5,6 +5,7 @@ their joints.
 import numpy as np
 import slow_hierarchy
 from statwalk.maths import quat
+from statwalk.maths.clamp_table import clamp_table
 from statwalk.maths.pose import Pose, rest
 from statwalk.maths.pose_buffer import PoseBuffer
 from statwalk.solve.chains import Chain
@@ -46,11 +47,14 @@ def turns(poses):
     return slow_hierarchy.worlds(parents(poses.rotation.shape[1] - 1), poses)[..., :3, :3]
 
 
-def solved(poses, target, solver="two-bone", weight=1.0, pole=(0.0, 0, 0), rotation=IDENTITY, **options):
+def solved(
+    poses, target, solver="two-bone", weight=1.0, pole=(0.0, 0, 0), rotation=IDENTITY, limits=None, **options
+):
     """The poses afterwards, and how it went; the chain is all joints below the root."""
     count = poses.rotation.shape[1]
     buffer = PoseBuffer.of(rest(count), poses)
     chain = Chain(solver, tuple(range(1, count)), **options)
     goal = Goal(*(np.asarray(part, float) for part in (target, weight, pole, rotation)))
-    outcome = solve_poses(buffer, parents(count - 1), chain, goal)
+    clamps = clamp_table(limits or {}, rest(count))
+    outcome = solve_poses(buffer, parents(count - 1), clamps, chain, goal)
     return buffer.poses(), outcome

@@ -13,16 +13,24 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.simd.lane_elementary import of
 from statwalk.maths.simd.lane_functions import any_above, least, most, where_below
-from statwalk.maths.simd.lane_quat import minus, mul, normalized, plus, slerp
-from statwalk.maths.simd.lane_turns import rotated
+from statwalk.maths.simd.lane_quat import minus, mul, normalized, plus, rotated, slerp
 from statwalk.maths.simd.lane_vector import added, length, times
 from statwalk.maths.simd.lanes import LANES, broadcast
 from statwalk.maths.simd.pose_lanes import ROTATION, SCALE, either4, joint_at, load3, load4, store3, store4
 
 ZERO, ONE = np.float32(0), np.float32(1)
-LOCAL, OFFSET, POINT, TURN, BEST, AIM = 0, 4 * LANES, 7 * LANES, 10 * LANES, 14 * LANES, 18 * LANES
+LOCAL, OFFSET, POINT, TURN, BEST, AIM, LENGTH = (
+    0,
+    4 * LANES,
+    7 * LANES,
+    10 * LANES,
+    14 * LANES,
+    18 * LANES,
+    21 * LANES,
+)
 """floats of a joint in memory: its rotation from its parent; its place in its parent's frame; its place, and
-the rotation of its parent, in the chain's frame; the best rotation so far; a vector of the solver's
+the rotation of its parent, in the chain's frame; the best rotation so far; a vector of the solver's; the
+length of the bone before it
 """
 JOINT = 24 * LANES
 """floats of a joint in memory"""

@@ -26,6 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Ints
+from statwalk.maths.clamp_table import ClampTable
 from statwalk.maths.columns import columns, locked
 from statwalk.maths.simd.lanes import LANES
 
@@ -58,6 +59,10 @@ class Chain:
     """at most, 1 or more; two-bone needs none without limits"""
     pole_kind: int = NO_POLE
     """NO_POLE, POLE_DIRECTION or POLE_POINT"""
+    forward: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    """look-at: the line of sight in the frame of the last joint, unit length"""
+    gain: float = 2.0
+    """force: radians of a step for a force as long as the chain, shared by the joints, above 0"""
     turns_end: bool = False
     """whether the end gets the input `rotation`; otherwise it keeps its rotation from its parent"""
 
@@ -78,15 +83,19 @@ class Chains(NamedTuple):
     tolerance: Annotated[NDArray[np.float32], "chain"]
     iterations: Annotated[NDArray[np.int32], "chain"]
     pole_kind: Annotated[NDArray[np.int32], "chain"]
+    forward: Annotated[NDArray[np.float32], "chain, xyz"]
+    gain: Annotated[NDArray[np.float32], "chain"]
     turns_end: Annotated[NDArray[np.bool_], "chain"]
+    is_free: Annotated[NDArray[np.bool_], "chain"]
+    """whether no joint that turns has limits or a sensitivity below 1"""
 
 
 CHAINS = columns(Chains, readonly=True)
 """the numba type of Chains"""
 
 
-def chain_tables(parent: Ints, chains: Sequence[Chain]) -> Chains:
-    """Returns the tables of the chains of a skeleton with these parents (J,)."""
+def chain_tables(parent: Ints, chains: Sequence[Chain], limits: ClampTable) -> Chains:
+    """Returns the tables of the chains of a skeleton with these parents (J,) and limits."""
     ancestors = [_ancestors(parent, chain.joints[0]) for chain in chains]
     joints = [chain.joints for chain in chains]
     sensitivity = [chain.sensitivity or (1.0,) * len(chain.joints) for chain in chains]
@@ -103,9 +112,19 @@ def chain_tables(parent: Ints, chains: Sequence[Chain]) -> Chains:
             tolerance=np.array([chain.tolerance for chain in chains], np.float32),
             iterations=np.array([chain.iterations for chain in chains], np.int32),
             pole_kind=np.array([chain.pole_kind for chain in chains], np.int32),
+            forward=np.array([chain.forward for chain in chains], np.float32).reshape(-1, 3),
+            gain=np.array([chain.gain for chain in chains], np.float32),
             turns_end=np.array([chain.turns_end for chain in chains], bool),
+            is_free=np.array([_is_free(chain, limits) for chain in chains], bool),
         )
     )
+
+
+def _is_free(chain: Chain, limits: ClampTable) -> bool:
+    """Two-bone: only the limits of the two joints that turn count."""
+    if chain.solver == "two-bone":
+        return bool((limits.row[[chain.joints[0], chain.joints[chain.middle]]] < 0).all())
+    return min((1.0, *chain.sensitivity[:-1])) == 1 and bool((limits.row[[*chain.joints[:-1]]] < 0).all())
 
 
 def joints_between(parent: Ints, start: int, end: int) -> tuple[int, ...]:

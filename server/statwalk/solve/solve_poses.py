@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.clamp_table import CLAMP_TABLE, ClampTable
 from statwalk.maths.packed import packed
 from statwalk.maths.pose_buffer import PoseBuffer
 from statwalk.maths.simd.aligned import zeros
@@ -52,14 +53,19 @@ class Solved:
     """(N,)"""
 
 
-def solve_poses(poses: PoseBuffer, parent: Ints, chain: Chain, goal: Goal) -> Solved:
-    """Turns the joints of the chain in all poses of the buffer, whose skeleton has these parents (J,)."""
-    tables = packed(chain_tables(parent, [chain]), CHAINS)
+def solve_poses(poses: PoseBuffer, parent: Ints, limits: ClampTable, chain: Chain, goal: Goal) -> Solved:
+    """Turns the joints of the chain, within their limits, in all poses of the buffer, whose skeleton has
+    these parents (J,).
+    """
+    tables = packed(chain_tables(parent, [chain], limits), CHAINS)
+    clamps = packed(limits, CLAMP_TABLE)
     rows = input_rows(len(poses.values), 1)
     for row, values in ((TARGET, goal.target), (POLE, goal.pole), (ROTATION, goal.rotation)):
         _fill(rows, row, values, poses.count)
     _fill(rows, WEIGHT, np.asarray(goal.weight)[..., None], poses.count)
-    _kernels.solve(tables.argument, 0, poses.values, rows, zeros(scratch_floats(len(chain.joints))))
+    _kernels.solve(
+        tables.argument, clamps.argument, 0, poses.values, rows, zeros(scratch_floats(len(chain.joints)))
+    )
     return Solved(_row(rows, DISTANCE, poses.count), _row(rows, ITERATIONS, poses.count).astype(np.int64))
 
 

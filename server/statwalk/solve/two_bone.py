@@ -9,12 +9,13 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.simd.lane_elementary import of
 from statwalk.maths.simd.lane_functions import any_above, least, most, root, size, where_below
-from statwalk.maths.simd.lane_quat import conjugate, minus, mul, scaled, vector_square
-from statwalk.maths.simd.lane_turns import between, between_frames, rotated
+from statwalk.maths.simd.lane_quat import conjugate, minus, mul, rotated, scaled, vector_square
+from statwalk.maths.simd.lane_turns import between, between_frames
 from statwalk.maths.simd.lane_vector import added, cross, dot, length, perpendicular, unit, where3_below
 from statwalk.maths.simd.lanes import broadcast
 from statwalk.maths.simd.pose_lanes import load3, load4, store4
 from statwalk.solve.chain_lanes import JOINT, LOCAL, POINT, TURN, place_joints, softened
+from statwalk.solve.iterate import limited
 
 ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
 STRAIGHT = 1.2e-7
@@ -24,8 +25,9 @@ NEAREST = 1e-5
 
 
 @inlined
-def solve_two_bone(scratch: Any, count: int, middle: int, target: Any, pole: Any, softening: Any) -> None:
-    """Turns the first and the middle joint so that the last of `count` joints comes to the target.
+def solve_two_bone(scratch: Any, count: int, middle: int, target: Any, pole: Any, softening: Any) -> Any:
+    """Turns the first and the middle joint so that the last of `count` joints comes to the target; returns
+    the softened target.
 
     `pole` is the direction in which the middle joint bends; zero: as it bends now. For a target out of
     reach the limb is straight and points at it; for a target that is too near it is folded. A knee keeps the
@@ -39,7 +41,8 @@ def solve_two_bone(scratch: Any, count: int, middle: int, target: Any, pole: Any
     smallest = of(1e-12)
     upper_length, lower_length = most(length(upper), smallest), most(length(lower), smallest)
     whole = upper_length + lower_length
-    aim = minus(softened(target, start, whole, softening), start)
+    target = softened(target, start, whole, softening)
+    aim = minus(target, start)
     onward = _onward(aim, minus(end, start), upper, whole)
     sideways = _sideways(pole, upper, onward, upper_length)
 
@@ -71,6 +74,16 @@ def solve_two_bone(scratch: Any, count: int, middle: int, target: Any, pole: Any
     axis = rotated(conjugate(load4(scratch, at + TURN)), hinge)
     turn = axis[0] * bend[0], axis[1] * bend[0], axis[2] * bend[0], bend[1]
     store4(scratch, at + LOCAL, mul(turn, load4(scratch, at + LOCAL)))
+    return target
+
+
+@inlined
+def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any) -> None:
+    """Brings the first and the middle joint within their limits."""
+    first = chains.first[number]
+    store4(scratch, LOCAL, limited(chains, clamps, first, load4(scratch, LOCAL)))
+    at = middle * JOINT
+    store4(scratch, at + LOCAL, limited(chains, clamps, first + middle, load4(scratch, at + LOCAL)))
 
 
 @inlined

@@ -12,24 +12,10 @@ from statwalk.maths.simd.lane_quat import normalized, vector_square
 from statwalk.maths.simd.lane_vector import cross, dot, perpendicular
 from statwalk.maths.simd.lanes import broadcast
 
-ZERO, ONE, TWO = np.float32(0), np.float32(1), np.float32(2)
+ZERO, ONE = np.float32(0), np.float32(1)
 OPPOSITE = np.float32(1e-6)
 """1 + the cosine of the angle from which directions count as opposite: 0.08 degrees less than 180"""
 SMALLEST = np.float32(1e-30)
-
-
-@inlined
-def rotated(q: Any, v: Any) -> Any:
-    """Returns the vector v rotated by q: v + 2w(u×v) + 2u×(u×v)."""
-    axis, two = (q[0], q[1], q[2]), broadcast(TWO)
-    once = cross(axis, v)
-    doubled = once[0] * two, once[1] * two, once[2] * two
-    twice = cross(axis, doubled)
-    return (
-        fused(q[3], doubled[0], v[0]) + twice[0],
-        fused(q[3], doubled[1], v[1]) + twice[1],
-        fused(q[3], doubled[2], v[2]) + twice[2],
-    )
 
 
 @inlined
