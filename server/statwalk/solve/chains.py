@@ -37,6 +37,8 @@ TARGET, POLE, WEIGHT, ROTATION, DISTANCE, ITERATIONS, ROWS = 0, 3, 6, 7, 11, 12,
 """rows of a chain's inputs and outputs: sixteen floats each"""
 LONGEST_CHAIN = 256
 """joints of a chain"""
+DEFAULT_ITERATIONS = {"two-bone": 16, "ccd": 16, "fabrik": 16, "force": 64, "look-at": 8}
+MOST_ITERATIONS = 10_000
 
 
 @dataclass(frozen=True)
@@ -61,7 +63,7 @@ class Chain:
     """NO_POLE, POLE_DIRECTION or POLE_POINT"""
     forward: tuple[float, float, float] = (0.0, 0.0, 1.0)
     """look-at: the line of sight in the frame of the last joint, unit length"""
-    gain: float = 2.0
+    gain: float = 1.0
     """force: radians of a step for a force as long as the chain, shared by the joints, above 0"""
     turns_end: bool = False
     """whether the end gets the input `rotation`; otherwise it keeps its rotation from its parent"""
