@@ -52,6 +52,11 @@ class Foot:
         """Returns hip, knee and ankle."""
         return self.hip, self.knee, self.ankle
 
+    @property
+    def joints(self) -> list[int]:
+        """Returns ankle and toe, and the other joints that carry the sole."""
+        return sorted({self.ankle, *self.carriers.tolist(), *([self.toe] if self.toe >= 0 else [])})
+
 
 def feet_of(character: Character) -> tuple[Foot, ...]:
     """Returns the feet that the names of the joints tell; none for a character without feet."""
@@ -97,7 +102,7 @@ def _foot(character: Character, name: str, ankle: int) -> Foot:
 
 
 def _sole(character: Character, below: list[int], world: Floats) -> SkinPoints:
-    """The lowest points of the joints `below`, with their skin; the joints themselves if they have no skin."""
+    """The lowest points of the skin of the joints `below`; the joints themselves if they have none."""
     points = bound_points(character).of_joints(below)
     if not points.count:
         points = SkinPoints.of_joints_themselves(below, len(character.skeleton))
@@ -113,4 +118,5 @@ def _spread(flat: Floats, rows: Ints) -> Ints:
         return rows
     angles = np.linspace(0, 2 * np.pi, MOST_POINTS, endpoint=False)
     directions = np.stack([np.cos(angles), np.sin(angles)], -1)
-    return rows[np.unique((flat @ directions.T).argmax(0))]
+    outermost: Ints = rows[np.unique((flat @ directions.T).argmax(0))]
+    return outermost

@@ -5,6 +5,7 @@ Unreal, Blender's Rigify, CMU, KayKit, Quaternius and the FAQ.
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 SIDES = {"left": "left", "l": "left", "lft": "left", "right": "right", "r": "right", "rgt": "right"}
@@ -26,5 +27,5 @@ def side_of(name: str) -> str:
 def is_part(name: str, stems: str) -> bool:
     """Returns whether a word of the name, or two words in a row, begin with one of the stems."""
     words = words_of(name)
-    pairs = [first + second for first, second in zip(words, words[1:], strict=False)]
+    pairs = [first + second for first, second in pairwise(words)]
     return any(word.startswith(stem) for word in (*words, *pairs) for stem in stems.split())

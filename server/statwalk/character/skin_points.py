@@ -13,6 +13,8 @@ from statwalk.character.character import Character
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.columns import lock_fields
 
+DIRECTIONS = 96
+
 
 @dataclass(frozen=True, eq=False)
 class SkinPoints:
@@ -42,6 +44,15 @@ class SkinPoints:
         carriers: Ints = self.shares[:, 3].argmax(0)
         return carriers
 
+    def outermost(self, world: Floats, whole: Sequence[int] = ()) -> SkinPoints:
+        """Returns the points that could touch a floor: all that the joints `whole` carry, and of every other
+        joint those that lie furthest out in DIRECTIONS directions in the pose of `world` (J, 3, 4).
+        """
+        points, carriers, directions = self.at(world), self.carriers, _sphere()
+        every = [np.flatnonzero(carriers == joint) for joint in np.unique(carriers)]
+        chosen = [rows[(points[rows] @ directions).argmax(0)] for rows in every]
+        return self.take(np.unique(np.concatenate([np.flatnonzero(np.isin(carriers, whole)), *chosen])))
+
     def of_joints(self, joints: Sequence[int]) -> SkinPoints:
         """Returns the points that one of the joints carries."""
         return self.take(np.flatnonzero(np.isin(self.carriers, joints)))
@@ -63,6 +74,13 @@ class SkinPoints:
         flat = rows.reshape(*rows.shape[:-2], -1)
         values: Floats = flat @ self.shares.reshape(-1, self.count).astype(flat.dtype)
         return values
+
+
+def _sphere() -> Floats:
+    """(3, DIRECTIONS) unit vectors spread evenly: a spiral of golden angles."""
+    height = 1 - (2 * np.arange(DIRECTIONS) + 1) / DIRECTIONS
+    angle, radius = np.pi * (3 - np.sqrt(5)) * np.arange(DIRECTIONS), np.sqrt(1 - height * height)
+    return np.stack([radius * np.cos(angle), height, radius * np.sin(angle)])
 
 
 def bound_points(character: Character) -> SkinPoints:

@@ -12,7 +12,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml import fields, flock_part, inputs, layers, levels, senses, whole_table
+from statwalk.files.machine_yaml import (
+    budgets,
+    fields,
+    flock_part,
+    inputs,
+    layers,
+    levels,
+    senses,
+    whole_table,
+)
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import (
@@ -54,6 +63,7 @@ KEYS = (
     "colliders",
     "flock",
     "properties",
+    "budgets",
 )
 
 
@@ -157,6 +167,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         colliders=colliders,
         flock=flock_part.flock(entries.get("flock"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
+        budgets=budgets.budgets(entries.get("budgets")),
         rows=base.top.table.rows,
         title=entries["title"].text() if "title" in entries else "",
         description=entries["description"].text() if "description" in entries else "",

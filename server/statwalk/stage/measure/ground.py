@@ -1,4 +1,4 @@
-"""How feet hold the ground: how far soles slide while they stand on it, and how far the skin sinks into it."""
+"""How feet hold the ground: how far soles slide over it, and how far the skin sinks into it."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import numpy as np
 
 from statwalk.character.feet import Foot
 from statwalk.character.skin_points import SkinPoints
-from statwalk.maths.arrays import Floats
+from statwalk.maths.arrays import Bools, Floats
 from statwalk.stage.measure.trials import Recording, placed
 
 NEAR = 0.006
 """metres: a sole point that is lower stands on the floor"""
 
 
-def slides(recording: Recording, feet: tuple[Foot, ...], watched: Floats) -> Floats:
+def slides(recording: Recording, feet: tuple[Foot, ...], watched: Bools) -> Floats:
     """Returns (N,) metres: the farthest that a sole point moves over the floor in one contact of a foot.
 
     A contact lasts while any point of the sole is near the floor; a point counts from tick to tick while it
@@ -33,9 +33,10 @@ def slides(recording: Recording, feet: tuple[Foot, ...], watched: Floats) -> Flo
     return farthest
 
 
-def sinks(recording: Recording, skin: SkinPoints, watched: Floats) -> Floats:
+def sinks(recording: Recording, skin: SkinPoints, watched: Bools) -> Floats:
     """Returns (N,) metres: how far the lowest point of the skin is below the floor."""
     if not skin.count:
         return np.zeros(recording.heading.shape[1])
     lowest = np.stack([skin.heights(world).min(-1) for world in recording.world]) + recording.position[..., 1]
-    return np.maximum(-np.where(watched, lowest, 0).min(0), 0)
+    sunk: Floats = -np.where(watched, lowest, 0).min(0)
+    return sunk.clip(0)

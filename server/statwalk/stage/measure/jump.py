@@ -52,9 +52,9 @@ def changes_of(track: Floats) -> Floats:
 def most_of(role: Role, state: int, joints: Ints) -> Floats:
     """Returns (2, J) the largest changes within a state's motion by itself."""
     tracks = (motion_alone(role, state, offset)[:, joints] for offset in OFFSETS)
-    return np.max(
-        [changes_of(track) for track in tracks if len(track) > 2] or [np.zeros((2, len(joints)))], 0
-    )
+    changes = [changes_of(track) for track in tracks if len(track) > 2]
+    most: Floats = np.max(changes or [np.zeros((2, len(joints)))], 0)
+    return most
 
 
 def jump_of(track: Floats, most: Sequence[Floats], names: Sequence[str]) -> Jump:

@@ -6,11 +6,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from statwalk.character.role import Role
+from statwalk.machine.runtime.result import Changes
 from statwalk.machine.runtime.state import MachineState, fresh
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.pose import Pose
@@ -18,6 +20,7 @@ from statwalk.maths.simd.pose_layout import JOINT_CHANNELS, ROTATION_CHANNEL, SC
 from statwalk.motion.root_track import compose
 from statwalk.rig.evaluate import world_from_local
 from statwalk.stage.advance import advance
+from statwalk.stage.effects.effects import Effects
 from statwalk.stage.state.cast import CastState
 from statwalk.stage.state.commands import Press
 from statwalk.stage.state.stage_state import StageState
@@ -54,6 +57,8 @@ class Recording:
     """(N,) the last tick before the event counts"""
     state: Ints
     """(T, N, L)"""
+    event: Ints
+    """(T, N, L) the event whose cell changed the state or restarted it in a tick, NEVER none"""
     position: Floats
     """(T, N, 3)"""
     heading: Floats
@@ -65,7 +70,15 @@ class Recording:
     target: Floats
     """(T, N, J, 3) float32: where the joints would be in the new motion alone, in the actor's space"""
 
-    @property
+    def take(self, rows: Ints) -> Recording:
+        """Returns the recording of some trials."""
+        of_ticks = {
+            name: getattr(self, name)[:, rows]
+            for name in ("state", "event", "position", "heading", "left", "world", "target")
+        }
+        return replace(self, sent=self.sent[rows], **of_ticks)
+
+    @cached_property
     def joints(self) -> Floats:
         """Returns where the joints are on the stage, (T, N, J, 3)."""
         return placed(self.world[..., 3].astype(np.float64), self.position, self.heading)
@@ -89,17 +102,14 @@ def record(role: Role, trials: Sequence[Trial], ticks: int) -> Recording:
         versions={role.name: role.name},
     )
     due = _commands(role, trials, sent)
-    roles, shots = {role.name: role}, [_shot(role, state)]
+    roles, shots = {role.name: role}, [_shot(role, state, Effects())]
     for tick in range(1, ticks):
-        state, _ = advance(roles, state, due.get(tick - 1, []), 1 / RATE, 0)
-        shots.append(_shot(role, state))
-    rows, targets, machine_state, position, heading, left = (
-        np.stack(column) for column in zip(*shots, strict=True)
-    )
-    world = _world(role, rows)
-    return Recording(
-        role, sent, machine_state, position, heading, left, world, _world(role, targets)[..., 3].copy()
-    )
+        state, effects = advance(roles, state, due.get(tick - 1, []), 1 / RATE, 0)
+        shots.append(_shot(role, state, effects))
+    rows, targets, *shown = (np.stack(column) for column in zip(*shots, strict=True))
+    machine, event, position, heading, left = shown
+    worlds = _world(role, rows), _world(role, targets)[..., 3].copy()
+    return Recording(role, sent, machine, event, position, heading, left, *worlds)
 
 
 def _beginnings(role: Role, trials: Sequence[Trial]) -> tuple[Floats, Ints]:
@@ -157,23 +167,38 @@ def _way(role: Role, state: int, start: float, end: float) -> Floats:
     if motion is None or role.machine.layer_of[state]:
         return np.zeros(3)
     times, default = (np.array([start]), np.array([end])), role.machine.program.default[None]
-    return motion.way(*times, np.zeros(1, np.int64), default)[0]
+    delta: Floats = motion.way(*times, np.zeros(1, np.int64), default)[0]
+    return delta
 
 
-def _shot(role: Role, state: StageState) -> tuple[Floats, Floats, Ints, Floats, Floats, Floats]:
+def _shot(role: Role, state: StageState, effects: Effects) -> tuple[Any, ...]:
     """Copies of what the stage shows."""
     cast = state.casts[role.name]
     target = poses_ahead(role, cast.machine)
-    own = cast.machine.state.copy(), cast.position.copy(), cast.heading.copy(), cast.offsets.left.max(1)
-    return cast.shown.rows(), target.rows(), *own
+    machine = cast.machine.state.copy(), _events(cast, effects.changes.get(role.name))
+    return cast.shown.rows(), target.rows(), *machine, cast.position.copy(), cast.heading.copy(), _left(cast)
+
+
+def _events(cast: CastState, changes: Changes | None) -> Ints:
+    """(N, L) the event of the last change of each layer in a tick."""
+    events = np.full(cast.machine.state.shape, NEVER)
+    if changes is not None and len(changes.actor):
+        events[cast.ids.searchsorted(changes.actor), changes.layer] = changes.event
+    return events
+
+
+def _left(cast: CastState) -> Floats:
+    """(N,) the share of the transition that is left."""
+    left: Floats = cast.offsets.left.max(1)
+    return left
 
 
 def _world(role: Role, rows: Floats) -> Floats:
     """The joints' matrices (…, J, 3, 4) of poses as rows of channels (…, 10·J + W)."""
     joints = len(role.character.skeleton)
     parts = rows[..., : JOINT_CHANNELS * joints].reshape(*rows.shape[:-1], joints, JOINT_CHANNELS)
-    split = np.split(parts, [ROTATION_CHANNEL, SCALE_CHANNEL], axis=-1)
-    return world_from_local(role.character.skeleton, Pose(*split, np.zeros((*rows.shape[:-1], 0))))
+    move, turn, scale = np.split(parts, [ROTATION_CHANNEL, SCALE_CHANNEL], axis=-1)
+    return world_from_local(role.character.skeleton, Pose(move, turn, scale, rows[..., :0]))
 
 
 def motion_alone(role: Role, state: int, offset: float) -> Floats:
