@@ -93,7 +93,6 @@ def bound_points(character: Character) -> SkinPoints:
         bones, weights = surface.bones[:, influence], surface.weights[:, influence].astype(np.float64)
         bind = surface.palette.inverse_bind[bones].astype(np.float64)
         at = np.concatenate([np.einsum("vab,vb->va", bind, rest), np.ones((count, 1))], -1)
-        np.add.at(
-            shares, (surface.palette.joints[bones], slice(None), np.arange(count)), weights[:, None] * at
-        )
+        carried = surface.palette.joints[bones].astype(np.intp), np.arange(count)
+        shares[carried[0], :, carried[1]] += weights[:, None] * at  # a vertex has each influence once
     return SkinPoints(shares)

@@ -22,6 +22,7 @@ from statwalk.files.machine_yaml import (
     senses,
     whole_table,
 )
+from statwalk.files.machine_yaml.parameters import parameters as read_parameters
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import (
@@ -43,27 +44,9 @@ SCHEMA_PATH = Path(__file__).with_name("machine.schema.json")
 SEMANTICS = "1"
 SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
-    "semantics",
-    "title",
-    "description",
-    "character",
-    "root",
-    "initial",
-    "idle",
-    "fallback",
-    "defaults",
-    "states",
-    "events",
-    "table",
-    "cells",
-    "layers",
-    "keys",
-    "parameters",
-    "senses",
-    "colliders",
-    "flock",
-    "properties",
-    "budgets",
+    *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
+    *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
+    *("properties", "budgets"),
 )
 
 
@@ -135,7 +118,7 @@ def read_machine(text: str, name: str = "machine", file: str = FILE_NAME) -> Mac
 def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefinition, str]:
     """Returns the machine's definition, all of its names checked, and the text of its table."""
     entries = _checked_keys(root)
-    parameters = inputs.parameters(entries.get("parameters"))
+    parameters = read_parameters(entries.get("parameters"))
     colliders, variables = (
         senses.colliders(entries.get("colliders")),
         variables_of(parameters),
