@@ -10,7 +10,7 @@ from statwalk.character.character import Character
 from statwalk.character.joint_names import is_part, side_of
 from statwalk.character.skin_points import SkinPoints, bound_points
 from statwalk.maths import transform
-from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.arrays import Bools, Floats, Ints
 from statwalk.maths.columns import lock_fields
 from statwalk.rig.evaluate import world_from_local
 
@@ -43,6 +43,8 @@ class Foot:
     """(K, 3) float64"""
     skin: SkinPoints
     """the same points as the skin moves them"""
+    is_front: Bools
+    """(K,) the points of the ball, not of the heel"""
 
     def __post_init__(self) -> None:
         lock_fields(self)
@@ -51,6 +53,15 @@ class Foot:
     def leg(self) -> tuple[int, int, int]:
         """Returns hip, knee and ankle."""
         return self.hip, self.knee, self.ankle
+
+    def length(self, world: Floats) -> float:
+        """Returns the length of the leg, in metres, for matrices (J, 3, 4): hip to knee to ankle; of a foot
+        without leg the height of its ankle above the sole.
+        """
+        if min(self.leg) < 0:
+            return max(float(world[self.ankle, 1, 3] - self.skin.heights(world).min()), 1e-3)
+        hip, knee, ankle = (world[joint, :, 3] for joint in self.leg)
+        return float(np.linalg.norm(knee - hip) + np.linalg.norm(ankle - knee))
 
     @property
     def joints(self) -> list[int]:
@@ -98,12 +109,16 @@ def _foot(character: Character, name: str, ankle: int) -> Foot:
     skin = _sole(character, below, world)
     carriers = skin.carriers
     points = transform.apply(transform.invert(world[carriers]), skin.at(world))
-    return Foot(name, hip, knee, ankle, toe, carriers, points, skin)
+    at = skin.at(world)[:, ::2]
+    ahead = at.mean(0) - world[ankle, ::2, 3]
+    along = at @ (ahead if np.linalg.norm(ahead) > 1e-6 else np.array([0.0, 1]))
+    is_front = along > (along.min() + along.max()) / 2
+    return Foot(name, hip, knee, ankle, toe, carriers, points, skin, is_front)
 
 
 def _sole(character: Character, below: list[int], world: Floats) -> SkinPoints:
     """The lowest points of the skin of the joints `below`; the joints themselves if they have none."""
-    points = bound_points(character).of_joints(below)
+    points = bound_points(character, below)
     if not points.count:
         points = SkinPoints.of_joints_themselves(below, len(character.skeleton))
     height = points.heights(world)

@@ -12,6 +12,7 @@ import numpy as np
 from statwalk.character.character import Character
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.columns import lock_fields
+from statwalk.rig.evaluate import world_from_local
 
 DIRECTIONS = 96
 
@@ -44,19 +45,6 @@ class SkinPoints:
         carriers: Ints = self.shares[:, 3].argmax(0)
         return carriers
 
-    def outermost(self, world: Floats, whole: Sequence[int] = ()) -> SkinPoints:
-        """Returns the points that could touch a floor: all that the joints `whole` carry, and of every other
-        joint those that lie furthest out in DIRECTIONS directions in the pose of `world` (J, 3, 4).
-        """
-        points, carriers, directions = self.at(world), self.carriers, _sphere()
-        every = [np.flatnonzero(carriers == joint) for joint in np.unique(carriers)]
-        chosen = [rows[(points[rows] @ directions).argmax(0)] for rows in every]
-        return self.take(np.unique(np.concatenate([np.flatnonzero(np.isin(carriers, whole)), *chosen])))
-
-    def of_joints(self, joints: Sequence[int]) -> SkinPoints:
-        """Returns the points that one of the joints carries."""
-        return self.take(np.flatnonzero(np.isin(self.carriers, joints)))
-
     def take(self, rows: Ints) -> SkinPoints:
         """Returns some of the points."""
         return SkinPoints(self.shares[:, :, rows])
@@ -83,16 +71,35 @@ def _sphere() -> Floats:
     return np.stack([radius * np.cos(angle), height, radius * np.sin(angle)])
 
 
-def bound_points(character: Character) -> SkinPoints:
-    """Returns all vertices of a character."""
-    surface, joints = character.surface, len(character.skeleton)
-    count = surface.positions.shape[1]
-    shares = np.zeros((joints, 4, count))
-    rest = np.concatenate([surface.positions, np.ones((1, count))]).T.astype(np.float64)
-    for influence in range(surface.bones.shape[1]):
-        bones, weights = surface.bones[:, influence], surface.weights[:, influence].astype(np.float64)
+def bound_points(character: Character, joints: Sequence[int]) -> SkinPoints:
+    """Returns the vertices that one of the joints carries: has the largest weight in."""
+    surface = character.surface
+    rows = np.flatnonzero(np.isin(_carriers(character), joints))
+    rest = np.concatenate([surface.positions[:, rows], np.ones((1, len(rows)))]).T.astype(np.float64)
+    shares, every = np.zeros((len(character.skeleton), 4, len(rows))), np.arange(len(rows))
+    for bones, weights in zip(surface.bones[rows].T, surface.weights[rows].T.astype(np.float64), strict=True):
         bind = surface.palette.inverse_bind[bones].astype(np.float64)
-        at = np.concatenate([np.einsum("vab,vb->va", bind, rest), np.ones((count, 1))], -1)
-        carried = surface.palette.joints[bones].astype(np.intp), np.arange(count)
-        shares[carried[0], :, carried[1]] += weights[:, None] * at  # a vertex has each influence once
+        at = np.concatenate([np.einsum("vab,vb->va", bind, rest), np.ones((len(rows), 1))], -1)
+        shares[surface.palette.joints[bones], :, every] += weights[:, None] * at
     return SkinPoints(shares)
+
+
+def outermost_points(character: Character, whole: Sequence[int] = ()) -> SkinPoints:
+    """Returns the points of a character that could touch a floor: all that the joints `whole` carry, and of
+    every other joint those that lie furthest out in DIRECTIONS directions at rest.
+    """
+    rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
+    shares = [np.zeros((len(character.skeleton), 4, 0))]
+    for joint in np.unique(_carriers(character)).tolist():
+        points = bound_points(character, [joint])
+        furthest = np.unique((points.at(rest) @ _sphere()).argmax(0))
+        shares.append((points if joint in whole else points.take(furthest)).shares)
+    return SkinPoints(np.concatenate(shares, -1))
+
+
+def _carriers(character: Character) -> Ints:
+    """(V,) the joint with the largest weight in each vertex."""
+    surface = character.surface
+    heaviest = np.take_along_axis(surface.bones, surface.weights.argmax(1)[:, None], 1)[:, 0]
+    carriers: Ints = surface.palette.joints[heaviest].astype(np.int64)
+    return carriers

@@ -8,11 +8,10 @@ import numpy as np
 
 from statwalk.character.feet import Foot, feet_of
 from statwalk.character.role import Role
-from statwalk.character.skin_points import SkinPoints, bound_points
+from statwalk.character.skin_points import SkinPoints, outermost_points
 from statwalk.machine.compile.alternatives import NOW
 from statwalk.machine.travel import reachable
 from statwalk.maths.arrays import Floats, Ints
-from statwalk.rig.evaluate import world_from_local
 from statwalk.stage.measure.jump import joints_shown, most_of
 from statwalk.stage.measure.limbs import hands_of
 
@@ -35,9 +34,8 @@ class Subject:
     @cached_property
     def skin(self) -> SkinPoints:
         """Returns the points of the skin that could sink into the floor."""
-        character, feet = self.role.character, [joint for foot in self.feet for joint in foot.joints]
-        rest = world_from_local(character.skeleton, character.bind_pose)
-        return bound_points(character).outermost(rest, feet)
+        feet = [joint for foot in self.feet for joint in foot.joints]
+        return outermost_points(self.role.character, feet)
 
     @cached_property
     def hands(self) -> Ints:
