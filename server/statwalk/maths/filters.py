@@ -29,7 +29,7 @@ def low_pass(values: Floats, rate: float, cutoff: float) -> Floats:
         raise ValueError(f"a cutoff must be more than 0 Hz, not {cutoff:g}")
     if len(values) < 3 or cutoff >= rate / 2:
         return values.copy()
-    from scipy.signal import butter, filtfilt  # noqa: PLC0415 - half a second, only when something is filtered
+    from scipy.signal import butter, filtfilt
 
     above, below = butter(ORDER, 2 * cutoff / rate)
     padded = min(len(values) - 1, int(3 * rate / cutoff))

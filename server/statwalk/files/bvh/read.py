@@ -17,8 +17,8 @@ from statwalk.files.gltf.names import unique
 from statwalk.files.tetrahedra import MATERIAL, joined_parts
 from statwalk.maths import pose as poses
 from statwalk.maths import quat
-from statwalk.maths.filters import continuous
 from statwalk.maths.arrays import Floats
+from statwalk.maths.filters import continuous
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Channel, Clip
 from statwalk.rig.skeleton import Skeleton
