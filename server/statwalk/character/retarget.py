@@ -20,7 +20,7 @@ from statwalk.character.carry import Motion, motion_of, rotations, to_world
 from statwalk.character.character import Character
 from statwalk.character.joint_keys import channels_of
 from statwalk.character.plant import Path, planted
-from statwalk.errors import ContentError
+from statwalk.errors import ContentError, UnknownNameError
 from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
 from statwalk.motion.clip import Clip
@@ -58,25 +58,37 @@ class Wish:
     bones          bone -> the source's joint, "" for none, where the names do not tell
     target_bones   the same for the target
     start, end     seconds: the piece of the clip that is carried over; `end` None: to its end
-    name           the new clip's name; "": the old one
     """
 
     bones: Mapping[str, str] | None = None
     target_bones: Mapping[str, str] | None = None
     start: float = 0.0
     end: float | None = None
-    name: str = ""
 
 
 def retarget(
-    clip: Clip, source: Character, target: Character, wish: Wish | None = None
+    clip: Clip,
+    source: Character,
+    target: Character,
+    *,
+    bones: Mapping[str, str] | None = None,
+    target_bones: Mapping[str, str] | None = None,
+    start: float = 0.0,
+    end: float | None = None,
 ) -> tuple[Clip, Retargeted]:
-    """Returns the clip of `source` as a clip of `target`, and a report.
+    """Returns the clip of `source` as a clip of `target`, and a report; the arguments are those of `Wish`.
 
-    :raises ContentError: when the two have too few bones in common, a name of `wish` does not exist, or the clip
+    :raises ContentError: when the two have too few bones in common, a bone or joint does not exist, or the clip
         is too long.
     """
-    wish = wish or Wish()
+    return retargeted(clip, source, target, Wish(bones, target_bones, start, end))
+
+
+def retargeted(clip: Clip, source: Character, target: Character, wish: Wish) -> tuple[Clip, Retargeted]:
+    """Returns the clip of `source` as a clip of `target`, and a report.
+
+    :raises ContentError: as `retarget`.
+    """
     ours = Body.of(source, _bones(source, wish.bones, "bones"))
     theirs = Body.of(target, _bones(target, wish.target_bones, "target_bones"))
     common = [bone for bone in BODY_BONES if bone in ours.bones and bone in theirs.bones]
@@ -88,16 +100,15 @@ def retarget(
     path, scale = _path(ours, theirs, motion, world)
     keys = planted(theirs, turns, path)
     channels = channels_of(theirs, keys, motion.times)
-    duration = float(np.float32(motion.times[-1]))
-    carried = Clip(wish.name or clip.name, channels, duration, target.bind_pose)
+    carried = Clip(clip.name, channels, float(np.float32(motion.times[-1])), target.bind_pose)
     return carried, _report(ours, theirs, turns, clip, scale, notes)
 
 
 def _bones(character: Character, chosen: Mapping[str, str] | None, key: str) -> dict[str, int]:
     try:
         return body_bones(character.skeleton, chosen)
-    except ContentError as error:
-        raise ContentError(error.message, place=key) from None
+    except (ContentError, UnknownNameError) as error:
+        raise ContentError(getattr(error, "message", str(error)), place=key) from None
 
 
 def _check(common: list[str], source: Body, target: Body) -> None:

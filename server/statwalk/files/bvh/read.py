@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from statwalk.character.character import Character
-from statwalk.errors import TextError
+from statwalk.errors import ContentError, TextError
 from statwalk.files.bvh.frames import read_frames
 from statwalk.files.bvh.hierarchy import AXES, Joint, lines_of, read_hierarchy
 from statwalk.files.gltf import write
@@ -24,6 +24,7 @@ from statwalk.motion.clip import Channel, Clip
 from statwalk.rig.skeleton import Skeleton
 
 Position = Literal["replace", "add"]
+SMALLEST_SCALE = 1e-6
 POSITIONS: tuple[Position, ...] = ("replace", "add")
 
 
@@ -35,7 +36,13 @@ def read_bvh(data: bytes, name: str, position: Position = "replace", scale: floa
 
     :raises TextError: when the file is refused; `place` is the line.
     """
-    text = _text(data)
+    if position not in POSITIONS:
+        raise ContentError(f"position is one of {', '.join(POSITIONS)}, not {str(position)[:40]!r}")
+    if not SMALLEST_SCALE <= scale <= 1 / SMALLEST_SCALE:
+        raise ContentError(
+            f"a scale is a number from {SMALLEST_SCALE:g} to {1 / SMALLEST_SCALE:g}, not {scale:g}"
+        )
+    text = text_of(data)
     joints, motion = read_hierarchy(lines_of(text))
     channels = sum(len(joint.channels) for joint in joints)
     rows, seconds = read_frames(text, motion.number, channels)
@@ -59,7 +66,7 @@ def read_bvh(data: bytes, name: str, position: Position = "replace", scale: floa
     return replace(character, model_glb=write.model_glb(character))
 
 
-def _text(data: bytes) -> str:
+def text_of(data: bytes) -> str:
     """Returns the text; line ends of Windows and of old Macs become newlines."""
     try:
         text = data.decode("utf-8-sig")
