@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -12,6 +13,7 @@ import numpy as np
 
 from statwalk.character.character import Character
 from statwalk.character.colliders import Colliders
+from statwalk.character.joint_limits import limits_of
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
 from statwalk.character.solver_memory import SolverMemory
@@ -24,6 +26,7 @@ from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.verify import verify
 from statwalk.maths.arrays import Bools, Floats
+from statwalk.maths.clamp_table import CLAMP_TABLE, ClampTable, JointLimit, clamp_table
 from statwalk.maths.packed import PackedColumns, packed
 from statwalk.motion.blend_space import BlendSpace, Motion
 from statwalk.motion.layer_lanes import MASKS, LayerMasks
@@ -38,11 +41,13 @@ class PackedRole(NamedTuple):
     motions: PackedColumns[MotionTables]
     poses: PackedColumns[PoseTables]
     masks: PackedColumns[LayerMasks]
+    limits: PackedColumns[ClampTable]
 
     @property
-    def arguments(self) -> tuple[Any, Any, Any, Any]:
+    def arguments(self) -> tuple[Any, Any, Any, Any, Any]:
         """Returns all tables as arguments of kernels."""
-        return self.program.argument, self.motions.argument, self.poses.argument, self.masks.argument
+        program, motions, poses, masks, limits = (table.argument for table in self)
+        return program, motions, poses, masks, limits
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,6 +104,7 @@ class Role:
             root,
             stock,
         )
+        role.limits  # noqa: B018 - made now, as the colliders
         role.colliders  # noqa: B018 - made now, so that an unknown joint is an error now and not in a tick
         return role
 
@@ -141,7 +147,19 @@ class Role:
     def packed(self) -> PackedRole:
         """Returns the arrays of the role as arguments of kernels."""
         program, motions = packed(self.machine.program, PROGRAM), self.stock.tables(self.motions)
-        return PackedRole(program, motions, packed(self.pose_tables, POSES), packed(self.layer_masks, MASKS))
+        poses, masks = packed(self.pose_tables, POSES), packed(self.layer_masks, MASKS)
+        return PackedRole(program, motions, poses, masks, packed(self.clamp_table, CLAMP_TABLE))
+
+    @cached_property
+    def limits(self) -> Mapping[int, JointLimit]:
+        """Returns the limits of the character's joints: the machine's, else the character's."""
+        by_name = limits_of(self.character, self.definition)
+        return {self.character.skeleton.index(name): limit for name, limit in by_name.items()}
+
+    @cached_property
+    def clamp_table(self) -> ClampTable:
+        """Returns the limits as arrays."""
+        return clamp_table(self.limits, self.character.bind_pose)
 
     @cached_property
     def colliders(self) -> Colliders:

@@ -16,6 +16,14 @@ from statwalk.rig.joints import clamped_transform
 from statwalk.rig.skeleton import Skeleton
 
 
+class ClampedJoint(NamedTuple):
+    """A joint that its limits changed: by how many radians and units of length."""
+
+    joint: str
+    angle: float
+    distance: float
+
+
 class Excess(NamedTuple):
     """By how much joints leave their limits."""
 

@@ -20,12 +20,14 @@ from statwalk.machine.runtime.result import StepResult, result_of
 from statwalk.machine.runtime.state import STATE
 from statwalk.machine.runtime.surroundings import Inputs
 from statwalk.maths.arrays import Ints
+from statwalk.maths.clamp_table import CLAMP_TABLE
 from statwalk.maths.compiling import FLOAT, LONG, kernel, write
 from statwalk.maths.packed import ADDRESSES, opened
 from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.layer_lanes import MASKS
 from statwalk.motion.tables.motion_tables import MOTIONS
 from statwalk.rig.hierarchy import model_block
+from statwalk.rig.limit_lanes import limit_block
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
 from statwalk.stage.steps._kernels import (
@@ -46,11 +48,12 @@ from statwalk.stage.steps.offset_lanes import add_block
 from statwalk.stage.steps.step_machines import NOT_MEASURED, MeasuredFrom, step_machines
 
 DOUBLE = types.float64
-_program, _motions, _poses, _masks, _state = (
+_program, _motions, _poses, _masks, _limits, _state = (
     opened(PROGRAM),
     opened(MOTIONS),
     opened(POSES),
     opened(MASKS),
+    opened(CLAMP_TABLE),
     opened(STATE),
 )
 _offsets, _effects, _memory = opened(OFFSETS), opened(EFFECTS), opened(MEMORY)
@@ -87,8 +90,8 @@ def decide(cast: Cast, memory: Memory, inputs: Inputs, dt: float, now: int, seed
 
 
 def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: bool) -> Cast:
-    """Runs steps 3 sample, 4 blend and 7 world, for sixteen actors at a time; `changed`: the rows of the
-    actors whose state has changed.
+    """Runs steps 3 sample, 4 blend, 6 limit and 7 world, for sixteen actors at a time; `changed`: the rows of
+    the actors whose state has changed.
     """
     offsets = cast.offsets.with_room(changed) if len(changed) else cast.offsets
     work = memory.offsets(offsets).argument, memory.effects.argument, memory.poses.argument
@@ -104,19 +107,20 @@ def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: boo
 
 
 @kernel(
-    ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, write(FLOAT, 3),
-    write(FLOAT, 3), write(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 2), write(DOUBLE, 2),
+    ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES,
+    write(FLOAT, 3), write(FLOAT, 3), write(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 2), write(DOUBLE, 2),
     write(types.uint64, 1), LONG,
     DOUBLE, types.boolean,
 )  # fmt: skip
 def _pose_blocks(
-    program: Any, motions: Any, poses: Any, moved: Any, machine: Any, offsets: Any, effects: Any, memory: Any,
-    previous: Any, shown: Any, position: Any, heading: Any, root_delta: Any, solver_memory: Any,
-    hashes: Any, used: int, dt: float, is_looked_at: bool,
+    program: Any, motions: Any, poses: Any, moved: Any, limited: Any, machine: Any, offsets: Any,
+    effects: Any, memory: Any, previous: Any, shown: Any, position: Any, heading: Any, root_delta: Any,
+    solver_memory: Any, hashes: Any, used: int, dt: float, is_looked_at: bool,
 ) -> None:  # fmt: skip
     """Writes the poses of all blocks into `previous`; `offsets` has room for all transitions that begin."""
     p, m, t, masks = _program(program), _motions(motions), _poses(poses), _masks(moved)
     s, o, done, mem = _state(machine), _offsets(offsets), _effects(effects), _memory(memory)
+    limits = _limits(limited)
     note_transitions(t, s, done, mem)
     for block in range(shown.shape[0]):
         # 3 sample: the local poses of the motions, upper layers over lower layers
@@ -136,7 +140,9 @@ def _pose_blocks(
             hashes[row] = hash_actor(hashes[row], s, o, position, heading, root_delta, solver_memory, row)
         add_block(o, masks, mem.coming, 0, block, 0.0, mem.scratch)
         release_slots(o, block)
-        # 5 express, 6 limit: not yet; they will change `mem.coming` here
+        # 5 express: not yet; it will change `mem.coming` here
+        # 6 limit: joints with limits are clamped, SK6
+        limit_block(limits, mem.coming, 0)
         keep_block(mem.coming, previous, block)
         # 7 world: the joints that colliders ride on, in model space, once for all readers
         # (`Cast.model`: touches, flocks); the matrices of all joints are computed when they are read

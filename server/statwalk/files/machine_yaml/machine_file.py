@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
+from statwalk.files.joint_limits import joint_limits
 from statwalk.files.machine_yaml import (
     fields,
     flock_part,
@@ -45,7 +46,7 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
-    "properties",
+    *("joints", "limits", "properties"),
 )
 
 
@@ -147,6 +148,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         parameters=parameters,
         senses=sense_events,
         colliders=colliders,
+        limits=joint_limits(entries.get("joints"), entries.get("limits")),
         flock=flock_part.flock(entries.get("flock"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
         rows=base.top.table.rows,

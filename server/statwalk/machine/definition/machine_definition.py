@@ -10,6 +10,7 @@ from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
 from statwalk.machine.definition.flock_definition import FlockDefinition
+from statwalk.machine.definition.limit_definition import LimitDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
 END = "END"
@@ -191,6 +192,8 @@ class MachineDefinition:
     senses: Mapping[str, SenseDefinition | TouchDefinition] = field(default_factory=dict)
     """by the event that they raise"""
     colliders: Mapping[str, ColliderDefinition] = field(default_factory=dict)
+    limits: Mapping[str, LimitDefinition] = field(default_factory=dict)
+    """the limits of the character's joints, by joint; they replace the character's own"""
     flock: FlockDefinition | None = None
     """all actors of the role fly as one flock"""
     properties: tuple[PropertyDefinition, ...] = ()
