@@ -4,7 +4,7 @@ import numpy as np
 from model import Model, material
 from shapes import Mesh, about_z, ball, box, joined, lathe
 
-A, B = material("bone A", "#5b7285", 0.45, 0.2), material("bone B", "#e9803a", 0.4)
+A, B = material("bone A", "#8fa6b8", 0.5), material("bone B", "#e9803a", 0.4)
 MARK = material("mark", "#fff3e0", 0.5)
 UP = 0.62
 """metres: the length of bone A"""

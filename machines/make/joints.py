@@ -106,7 +106,7 @@ def _natural(is_angle: bool, value: float) -> float:
 
 
 def _tries(stand: Stand) -> list[list[float]]:
-    """For each degree of freedom the values of its clips, degrees and metres, beyond the limits at both ends."""
+    """For each degree of freedom the values of its clips, beyond the limits at both ends."""
     out = []
     for freedom in freedoms(stand.limit):
         low, high = (
@@ -125,11 +125,11 @@ def _machine(name: str, stand: Stand) -> str:
     free, tries = freedoms(stand.limit), _tries(stand)
     names = [freedom.name + ("_deg" if freedom.is_angle else "") for freedom in free]
     text = [
-        "# Made by machines/make. SHOW moves every degree of freedom through its range; TRY listens to the sliders,",
-        "# which reach beyond the limits: what lies beyond is clamped.",
+        "# Made by machines/make. SHOW moves every degree of freedom through its range; TRY listens to the",
+        "# sliders, which reach beyond the limits: what lies beyond is clamped.",
         "semantics: 1",
         f"title: A {stand.limit.type} joint, {stand.letters}",
-        f"description: Press s to see its range, t to try it with the sliders. {len(free)} degrees of freedom.",
+        f"description: Press s to see its range, t to try its {len(free)} degrees of freedom with the sliders.",
         f"character: {name}.glb",
         "initial: SHOW",
         "defaults: {blend: 0.4, buffer: 0}",
