@@ -129,7 +129,7 @@ def _machine(name: str, stand: Stand) -> str:
         "# sliders, which reach beyond the limits: what lies beyond is clamped.",
         "semantics: 1",
         f"title: A {stand.limit.type} joint, {stand.letters}",
-        f"description: Press s to see its range, t to try its {len(free)} degrees of freedom with the sliders.",
+        f"description: Press s to see its range, t to try it with sliders. Degrees of freedom: {len(free)}.",
         f"character: {name}.glb",
         "initial: SHOW",
         "defaults: {blend: 0.4, buffer: 0}",

@@ -57,7 +57,8 @@ def test_a_hinge_keeps_the_twist_alone():
     vectors = clamped(limit, TURNS.as_quat()).as_rotvec()
     along = vectors @ axis
     np.testing.assert_allclose(vectors, along[:, None] * axis, atol=1e-6)
-    assert along.min() == pytest.approx(-0.5, abs=1e-6) and along.max() == pytest.approx(1.2, abs=1e-6)
+    assert along.min() == pytest.approx(-0.5, abs=1e-6)
+    assert along.max() == pytest.approx(1.2, abs=1e-6)
 
 
 def test_a_swing_goes_to_the_nearest_swing_of_the_ellipse():

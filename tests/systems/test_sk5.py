@@ -63,7 +63,8 @@ def test_values_beyond_the_limits_are_clamped_and_others_stay(name):
     np.testing.assert_allclose(clamp(limit, inside), inside, atol=1e-9)
     beyond = clamp(limit, 100 * np.sign(inside - inside.mean(0)))
     low, high = np.array([(freedom.low, freedom.high) for freedom in freedoms(limit)]).T
-    assert (beyond >= low - 1e-9).all() and (beyond <= high + 1e-9).all()
+    assert (beyond >= low - 1e-9).all()
+    assert (beyond <= high + 1e-9).all()
 
 
 def test_a_hinge_bends_about_the_axis_at_right_angles_to_its_bone():

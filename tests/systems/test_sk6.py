@@ -122,4 +122,5 @@ def test_an_unknown_joint_in_the_table_names_the_tables_file(tmp_path):
     (tmp_path / "limits.txt").write_text(TABLE.replace("Left.upperleg ", "Left.upperlag "))
     with pytest.raises(TextError, match=r"Left\.upperleg") as error:
         load(path)
-    assert (error.value.file or "").endswith("limits.txt") and error.value.place == "line 3"
+    assert (error.value.file or "").endswith("limits.txt")
+    assert error.value.place == "line 3"

@@ -8,7 +8,7 @@ from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.maths.clamp_table import JointLimit
 
 
-def limits_of(character: Character, definition: MachineDefinition) -> dict[str, JointLimit]:
+def limits_of(character: Character, definition: MachineDefinition) -> dict[int, JointLimit]:
     """Returns the limits by joint.
 
     :raises MachineError: when the machine limits a joint that the character does not have.
@@ -17,4 +17,5 @@ def limits_of(character: Character, definition: MachineDefinition) -> dict[str, 
         if name not in character.skeleton.names:
             message = str(UnknownNameError("joint", name, character.skeleton.names))
             raise definition.refuse(f"limits: {message}", limit.line)
-    return {**character.limits, **{name: limit for name, (limit, _line) in definition.limits.items()}}
+    by_name = {**character.limits, **{name: limit for name, (limit, _line) in definition.limits.items()}}
+    return {character.skeleton.index(name): limit for name, limit in by_name.items()}

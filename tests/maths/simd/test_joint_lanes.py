@@ -1,4 +1,4 @@
-"""Clamped joints of sixteen at a time against the joints' degrees of freedom, clamped one by one in float64."""
+"""Clamped joints, sixteen at a time, against their degrees of freedom, clamped one by one in float64."""
 
 import numpy as np
 import pytest

@@ -56,7 +56,9 @@ def _sampled(
     count = len(state.state)
     out, memory = PoseBuffer.at_rest(role.character.bind_pose, count), memory_of(role, count)
     changing = packed(state, STATE).argument, packed(offsets, OFFSETS).argument, memory.poses.argument
-    _sample_ahead(*role.packed.arguments, *changing, seconds, is_limited, out.values)
+    _sample_ahead(
+        *role.packed.arguments, role.packed.clamps.argument, *changing, seconds, is_limited, out.values
+    )
     return out
 
 
