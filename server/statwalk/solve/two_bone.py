@@ -60,8 +60,9 @@ def solve_two_bone(scratch: Any, count: int, middle: int, target: Any, pole: Any
     new_hinge = cross(sideways, onward)
     per_lengths = broadcast(ONE) / (upper_length * lower_length)
     old_x = scaled(upper, broadcast(ONE) / upper_length)
-    hinge = _old_hinge(hinge, upper_length * lower_length, old_x, new_x, new_hinge)
-    old_cosine, old_sine = dot(upper, lower) * per_lengths, length(cross(upper, lower)) * per_lengths
+    hinge_length = root(most(vector_square(hinge), of(1e-30)))
+    old_cosine, old_sine = dot(upper, lower) * per_lengths, hinge_length * per_lengths
+    hinge = _old_hinge(scaled(hinge, broadcast(ONE) / hinge_length), old_sine, old_x, new_x, new_hinge)
     new_cosine = (reach * reach - upper_length * upper_length - lower_length * lower_length) * (
         broadcast(HALF) * per_lengths
     )
@@ -101,19 +102,18 @@ def _sideways(pole: Any, upper: Any, onward: Any, upper_length: Any) -> Any:
     """The unit vector at right angles to `onward` on the side of the pole; of the present bend if the pole is
     parallel to `onward`; any if that is parallel too.
     """
-    straight = of(STRAIGHT)
-    pole, bend = unit(pole), scaled(upper, broadcast(ONE) / upper_length)
     aside = added(pole, onward, -dot(pole, onward))
-    present = added(bend, onward, -dot(bend, onward))
-    present = where3_below(straight, vector_square(present), present, perpendicular(onward))
-    return unit(where3_below(straight, vector_square(aside), aside, present))
+    present = added(upper, onward, -dot(upper, onward))
+    is_bent = of(STRAIGHT) * upper_length * upper_length
+    if any_above(is_bent, vector_square(present)):
+        present = where3_below(is_bent, vector_square(present), present, perpendicular(onward))
+    return unit(where3_below(of(STRAIGHT) * vector_square(pole), vector_square(aside), aside, present))
 
 
 @inlined
-def _old_hinge(hinge: Any, lengths: Any, old_x: Any, new_x: Any, new_hinge: Any) -> Any:
+def _old_hinge(axis: Any, sine: Any, old_x: Any, new_x: Any, new_hinge: Any) -> Any:
     """The unit axis about which the limb is bent; for a straight limb the axis with which it turns least."""
-    square, straight = vector_square(hinge), of(STRAIGHT) * lengths * lengths
-    axis = unit(hinge)
+    square, straight = sine * sine, of(STRAIGHT)
     if any_above(straight, square):
         axis = where3_below(square, straight, rotated(between(new_x, old_x), new_hinge), axis)
     return axis
