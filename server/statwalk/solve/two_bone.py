@@ -33,8 +33,8 @@ def solve_two_bone(
 
     `pole` is the direction in which the middle joint bends; zero: as it bends now. For a target out of
     reach the limb is straight and points at it; for a target that is too near it is folded. A knee keeps the
-    axis about which it is bent now, or bends about `hinge_of_start` in the frame of the first joint if that is
-    not zero; then a knee that is bent backwards is bent forwards again.
+    axis about which it is bent now, or bends about `hinge_of_start` in the frame of the first joint if that
+    is not zero; then a knee that is bent backwards is bent forwards again.
     """
     place_joints(scratch, count, LOCAL)
     at = middle * JOINT
