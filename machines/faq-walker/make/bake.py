@@ -22,6 +22,7 @@ class Writer:
     def __init__(self) -> None:
         self.file = gl.GLTF2(asset=gl.Asset(version="2.0", generator="machines/faq-walker/make"))
         self.blob = bytearray()
+        self.written: dict[bytes, int] = {}
 
     def add(
         self, rows: NDArray[np.generic], component: int, *, target: int | None = None, bounds: bool = False
@@ -46,8 +47,12 @@ class Writer:
         return len(self.file.accessors) - 1
 
     def floats(self, rows: Array, **how: bool | int | None) -> int:
-        """Append rows as 32-bit floats."""
-        return self.add(rows.astype(np.float32), FLOAT, **how)  # type: ignore[arg-type]
+        """Append rows as 32-bit floats; the same rows are written once."""
+        numbers = rows.astype(np.float32)
+        key = repr((numbers.shape, how)).encode() + numbers.tobytes()
+        if key not in self.written:
+            self.written[key] = self.add(numbers, FLOAT, **how)  # type: ignore[arg-type]
+        return self.written[key]
 
 
 def _add_body(out: Writer, body: Body) -> None:

@@ -1,10 +1,12 @@
 """All motions of the figure, in the order of the file."""
 
 from moves.crouch import STAND_UP
+from moves.curve import CURVE_LEFT, CURVE_RIGHT
 from moves.jump import CROUCH, FLY, JUMP, LAND
 from moves.motion import Motion
 from moves.stand import STAND
-from moves.start_stop import COME_TO_STOP, START_WALK
+from moves.start import START_WALK
+from moves.stop import NOT_GONE, STOPS
 from moves.turn import TURN_LEFT, TURN_RIGHT
 from moves.walk import WALK
 
@@ -12,9 +14,12 @@ MOTIONS: list[Motion] = [
     STAND,
     START_WALK,
     WALK,
-    COME_TO_STOP,
+    *STOPS,
+    NOT_GONE,
     TURN_LEFT,
     TURN_RIGHT,
+    CURVE_LEFT,
+    CURVE_RIGHT,
     JUMP,
     FLY,
     LAND,

@@ -1,0 +1,187 @@
+"""Coming to a stop from any phase of the walk: the foot that swings takes a last, shorter step, the other one
+comes beside it, and the body catches up and settles.
+
+One motion for each of a few phases; what lies between them is blended. `ahead` is the part of a cycle until the
+heel of the last foot touches; the shorter it is, the less is left of the step that can be shortened.
+"""
+
+import numpy as np
+from curves import Array, Curve, eased, ramp, through
+from moves.feet import Arc, Plant, Track, rolled, walk_track
+from moves.motion import Body, Feet, Motion, TrackOf, added, held, mixed, replaced, sides, slope, value
+from moves.stand import FOOT_X, FOOT_Z, TOES_OUT, stand_body, stand_plant
+from moves.walk import AHEAD, CYCLE, OFF, STRIDE, pitch_of, walk_body, walk_feet, walk_plant
+from skeleton import SIDES
+
+STOP = 1.0
+LONGEST = 0.45  # of a cycle: the earliest that the last step is shortened
+SHORTER = 0.21  # metres: by how much at the most
+QUICKER = 0.13  # the share of its time that the last step saves at the most
+CATCH = {
+    "lean": [(0.10, 0.0), (0.38, -2.5), (0.62, 1.2), (0.92, 0.0)],
+    "low_pitch": [(0.15, 0.0), (0.50, 2.5), (0.72, -0.8), (0.96, 0.0)],
+    "up_pitch": [(0.18, 0.0), (0.54, 3.0), (0.76, -1.0), (0.98, 0.0)],
+    "head_pitch": [(0.20, 0.0), (0.56, 2.5), (0.80, -0.6), (0.99, 0.0)],
+    "near.swing": [(0.25, 0.0), (0.50, 7.0), (0.74, -2.0), (0.98, 0.0)],
+    "far.swing": [(0.28, 0.0), (0.55, 5.0), (0.80, -1.5), (1.0, 0.0)],
+    "near.elbow": [(0.25, 0.0), (0.55, 6.0), (0.80, -1.0), (1.0, 0.0)],
+    "far.elbow": [(0.25, 0.0), (0.52, 4.0), (0.78, -1.0), (1.0, 0.0)],
+}  # seconds after the heel strike, degrees
+
+
+class Stopping:
+    """The times and places of one stop: `sign` +1 if the left foot is the last to step."""
+
+    def __init__(self, sign: float, ahead: float) -> None:
+        self.sign, self.ahead = sign, ahead
+        part = max(ahead, 0.0) / LONGEST
+        self.short = SHORTER * part**1.5
+        self.touch = ahead * CYCLE * (1 - QUICKER * part)  # seconds: the last foot's heel
+        self.lift = self.touch + 0.131 - 0.012 * part  # the other foot's toes
+        self.closed = self.touch + 0.50 - 0.05 * part
+        walked = (0.0 if sign > 0 else 0.5) + 1 - ahead
+        self.begin = walked * CYCLE  # the walk's time where this begins
+        self.strike = self.begin + ahead * CYCLE
+        self.place = walk_plant(sign, 1)._replace(start=self.touch, end=9.0)
+        self.place = self.place._replace(z=self.place.z - self.short)
+        self.middle = sign * (abs(self.place.x) - FOOT_X)  # between the feet that have come to rest
+        self.end = self.place.z - FOOT_Z
+
+    def walked(self, t: Array) -> Array:
+        """The walk's time at a time of the stop: it runs a little ahead until the heel touches."""
+        if self.touch <= 0:
+            return self.begin + t
+        saved = self.ahead * CYCLE - self.touch
+        return np.asarray(self.begin + t + saved * ramp(t, 0.0, self.touch))
+
+    def shifted(self, seconds: float) -> float:
+        """When something happens that follows the heel strike by so many seconds: all is over at the end."""
+        return (
+            self.touch + seconds * (STOP - max(self.touch, 0.0)) if self.touch > 0 else self.touch + seconds
+        )
+
+    def name_of(self, side: str) -> str:
+        """Which side a key of CATCH means: near is the last foot's."""
+        is_near = (SIDES[side] > 0) == (self.sign > 0)
+        return "near" if is_near else "far"
+
+
+def _walk_at(stop: Stopping) -> Body:
+    return lambda t: walk_body(stop.walked(t))
+
+
+def stop_feet(stop: Stopping) -> Feet:
+    """The last foot's step is shortened, and it rolls flat and stays; the other one comes beside it."""
+
+    def make(side: str, sign: float) -> TrackOf:
+        return _last_foot(stop, side, sign) if sign == stop.sign else _closing_foot(stop, sign)
+
+    return sides(make)
+
+
+def _last_foot(stop: Stopping, side: str, sign: float) -> TrackOf:
+    walking = walk_feet()
+    walk_pitch = pitch_of(sign)
+    off = max(0.0, (stop.ahead - (1 - OFF)) * CYCLE)
+
+    def track(t: Array) -> Track:
+        u = stop.walked(t)
+        step = walking(u)[side]
+        ankle = step.ankle - np.stack([0 * t, 0 * t, stop.short * ramp(t, off, max(stop.touch, 1e-3))], -1)
+        pitch = np.where(u < stop.strike, step.pitch, walk_pitch(np.minimum(u, stop.strike + 0.3)))
+        down = t >= stop.touch
+        ankle[down] = rolled(stop.place, pitch[down])
+        return Track(ankle, step.yaw[:1] + 0 * t, pitch)
+
+    return track
+
+
+def _closing_foot(stop: Stopping, sign: float) -> TrackOf:
+    walk_pitch, span = pitch_of(sign), (stop.closed - stop.lift) / 0.369
+    keys = [(0.0, -30.0), (0.20, -44.0), (0.32, -22.0), (0.44, 5.0), (0.50, 6.0), (0.58, 0.0)]
+    own = eased([(stop.lift + (time - 0.131) * span, degrees) for time, degrees in keys])
+
+    def pitch(t: Array) -> Array:
+        weight = ramp(t, stop.lift + 0.17 * span, stop.lift - 0.011)
+        return np.radians(own(t)) * (1 - weight) + walk_pitch(stop.walked(t)) * weight
+
+    stands = walk_plant(sign, 0 if sign < 0 else 1)._replace(start=-9.0, end=stop.lift)
+    beside = Plant(stop.closed, 9.0, stop.middle + sign * FOOT_X, stop.place.z, sign * TOES_OUT)
+    arcs = [Arc(0.11, 0.05, 0.226), Arc(0.27, 0.23, 0.226), Arc(0.52, 0.58, 0.186), Arc(0.78, 0.90, 0.137)]
+    return lambda t: walk_track(t, [stands, beside], [arcs], pitch)
+
+
+def stop_body(stop: Stopping) -> Body:
+    """The body holds back at once, catches up with the feet, goes a little too far and settles."""
+    walking, rest = _walk_at(stop), held(stand_body, 0.0)
+    catch = {}
+    for name, keys in CATCH.items():
+        curve = eased([(stop.shifted(time), degrees) for time, degrees in keys])
+        for side in SIDES:
+            catch[name.replace(stop.name_of(side), side)] = curve
+    settled = mixed(walking, added(rest, _own(stop, catch)), lambda t: ramp(t, 0.0, stop.shifted(0.62)))
+    return replaced(added(settled, _held_back(stop)), _path(stop, walking))
+
+
+def _own(stop: Stopping, catch: dict[str, Curve]) -> dict[str, Curve]:
+    return {name: curve for name, curve in catch.items() if not name.startswith(("near", "far"))}
+
+
+def _held_back(stop: Stopping) -> dict[str, Curve]:
+    """The first that is seen: the trunk leans back against the step."""
+    if stop.touch < 0.1:
+        return {}
+    late = stop.touch + 0.15
+    return {
+        "lean": eased([(0.0, 0.0), (0.6 * late, -2.5), (late + 0.2, 0.0)]),
+        "up_pitch": eased([(0.0, 0.0), (0.55 * late, -2.0), (late + 0.2, 0.0)]),
+        "head_pitch": eased([(0.0, 0.0), (0.5 * late, 2.5), (late + 0.2, 0.0)]),
+    }
+
+
+def _path(stop: Stopping, walking: Body) -> dict[str, Curve]:
+    end_x, end_y = stop.middle + value(stand_body, "x", 0), value(stand_body, "y", 0)
+    later = stop.shifted
+    over = mixed(
+        walking,
+        lambda t: {"x": np.full_like(t, end_x), "y": np.full_like(t, end_y)},
+        lambda t: ramp(t, max(0.0, later(0.05)), later(0.66)),
+    )
+    keys = [(0.0, value(walking, "z", 0)), (0.95 * stop.closed, stop.end + 0.010), (STOP, stop.end)]
+    z = through(keys, slope(walking, "z", 0))
+    return {"z": z, "x": lambda t: over(t)["x"], "y": lambda t: over(t)["y"]}
+
+
+def stopped(name: str, sign: float, ahead: float) -> Motion:
+    """A stop that begins this part of a cycle before the last foot's heel touches."""
+    stop = Stopping(sign, ahead)
+    return Motion(name, STOP, stop_body(stop), stop_feet(stop))
+
+
+def rest_feet() -> Feet:
+    """Both feet stay."""
+    return sides(lambda _, sign: lambda t: walk_track(t, [stand_plant(sign)], [], np.zeros_like))
+
+
+def rest_body() -> Body:
+    """Nobody has gone yet: the lean is taken back, a little too far."""
+    return added(
+        held(stand_body, 0.0),
+        {
+            "lean": eased([(0.0, 0.0), (0.30, -0.9), (0.62, 0.3), (0.95, 0.0)]),
+            "up_pitch": eased([(0.05, 0.0), (0.36, 1.2), (0.70, -0.3), (0.98, 0.0)]),
+            "y": eased([(0.0, 0.0), (0.26, -0.006), (0.56, 0.0)]),
+            "Left.elbow": eased([(0.05, 0.0), (0.38, 3.0), (0.9, 0.0)]),
+            "Right.elbow": eased([(0.09, 0.0), (0.44, 2.5), (0.95, 0.0)]),
+        },
+    )
+
+
+AHEADS = (0.42, 0.28, 0.14, 0.03, -0.03)
+"""before the heel strike, parts of a cycle"""
+STOPS = [
+    stopped(f"come-to-stop-{side}-{number}", sign, ahead)
+    for side, sign in (("left", 1.0), ("right", -1.0))
+    for number, ahead in enumerate(AHEADS, 1)
+]
+NOT_GONE = Motion("come-to-rest", STOP, rest_body(), rest_feet())
