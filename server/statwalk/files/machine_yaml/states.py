@@ -11,9 +11,9 @@ from statwalk.machine.conditions.variables import ENTRY
 from statwalk.machine.definition.machine_definition import (
     NO_MOTION,
     BlendDefinition,
-    ParameterDefinition,
     StateDefinition,
 )
+from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
 STATE_KEYS = ("motion", "loop", "speed", "markers", "final")
 NONE = "none"
