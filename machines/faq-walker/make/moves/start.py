@@ -4,7 +4,7 @@ import numpy as np
 from curves import Array, Curve, eased, ramp, through
 from moves.feet import Arc, Plant, walk_track
 from moves.motion import Body, Feet, Motion, TrackOf, added, held, later, mixed, replaced, sides, slope, value
-from moves.stand import FOOT_X, FOOT_Z, TOES_OUT, stand_body, stand_plant
+from moves.stand import FOOT_Z, stand_body, stand_plant
 from moves.walk import AHEAD, CYCLE, STRIDE, arcs_of, pitch_of, walk_body, walk_plant
 
 STAND_POSE: Body = held(stand_body, 0.0)

@@ -1,8 +1,8 @@
 """Coming to a stop from any phase of the walk: the foot that swings takes a last, shorter step, the other one
 comes beside it, and the body catches up and settles.
 
-One motion for each of a few phases; what lies between them is blended. `ahead` is the part of a cycle until the
-heel of the last foot touches; the shorter it is, the less is left of the step that can be shortened.
+One motion for each of a few phases; what lies between them is blended. `ahead` is the part of a cycle until
+the heel of the last foot touches; the shorter it is, the less is left of the step that can be shortened.
 """
 
 import numpy as np
@@ -10,8 +10,7 @@ from curves import Array, Curve, eased, ramp, through
 from moves.feet import Arc, Plant, Track, rolled, walk_track
 from moves.motion import Body, Feet, Motion, TrackOf, added, held, mixed, replaced, sides, slope, value
 from moves.stand import FOOT_X, FOOT_Z, TOES_OUT, stand_body, stand_plant
-from moves.walk import AHEAD, CYCLE, OFF, STRIDE, pitch_of, walk_body, walk_feet, walk_plant
-from skeleton import SIDES
+from moves.walk import CYCLE, OFF, pitch_of, walk_body, walk_feet, walk_plant
 
 STOP = 1.0
 LONGEST = 0.45  # of a cycle: the earliest that the last step is shortened
@@ -59,11 +58,6 @@ class Stopping:
         return (
             self.touch + seconds * (STOP - max(self.touch, 0.0)) if self.touch > 0 else self.touch + seconds
         )
-
-    def name_of(self, side: str) -> str:
-        """Which side a key of CATCH means: near is the last foot's."""
-        is_near = (SIDES[side] > 0) == (self.sign > 0)
-        return "near" if is_near else "far"
 
 
 def _walk_at(stop: Stopping) -> Body:
@@ -114,17 +108,15 @@ def _closing_foot(stop: Stopping, sign: float) -> TrackOf:
 def stop_body(stop: Stopping) -> Body:
     """The body holds back at once, catches up with the feet, goes a little too far and settles."""
     walking, rest = _walk_at(stop), held(stand_body, 0.0)
-    catch = {}
-    for name, keys in CATCH.items():
-        curve = eased([(stop.shifted(time), degrees) for time, degrees in keys])
-        for side in SIDES:
-            catch[name.replace(stop.name_of(side), side)] = curve
-    settled = mixed(walking, added(rest, _own(stop, catch)), lambda t: ramp(t, 0.0, stop.shifted(0.62)))
+    near, far = ("Left", "Right") if stop.sign > 0 else ("Right", "Left")
+    catch = {
+        name.replace("near", near).replace("far", far): eased(
+            [(stop.shifted(time), degrees) for time, degrees in keys]
+        )
+        for name, keys in CATCH.items()
+    }
+    settled = mixed(walking, added(rest, catch), lambda t: ramp(t, 0.0, stop.shifted(0.62)))
     return replaced(added(settled, _held_back(stop)), _path(stop, walking))
-
-
-def _own(stop: Stopping, catch: dict[str, Curve]) -> dict[str, Curve]:
-    return {name: curve for name, curve in catch.items() if not name.startswith(("near", "far"))}
 
 
 def _held_back(stop: Stopping) -> dict[str, Curve]:
@@ -177,11 +169,11 @@ def rest_body() -> Body:
     )
 
 
-AHEADS = (0.42, 0.28, 0.14, 0.03, -0.03)
+AHEADS = {"left": (0.445, 0.375, 0.26, 0.14, 0.02, -0.025), "right": (0.445, 0.375, 0.26, 0.14, 0.03, -0.05)}
 """before the heel strike, parts of a cycle"""
 STOPS = [
-    stopped(f"come-to-stop-{side}-{number}", sign, ahead)
-    for side, sign in (("left", 1.0), ("right", -1.0))
-    for number, ahead in enumerate(AHEADS, 1)
+    stopped(f"come-to-stop-{side}-{number}", 1.0 if side == "left" else -1.0, ahead)
+    for side, parts in AHEADS.items()
+    for number, ahead in enumerate(parts, 1)
 ]
 NOT_GONE = Motion("come-to-rest", STOP, rest_body(), rest_feet())

@@ -27,8 +27,8 @@ QUEUE = ("waiting_event", "waiting_for", "waiting_until", "waiting_held", "waiti
 
 
 class MachineState(NamedTuple):
-    """The machines of N actors: L layers, E events, P parameters, V entry values, K senses, H composite states
-    with history. Times are in seconds and ticks.
+    """The machines of N actors: L layers, E events, P parameters, V entry values, K senses, H composite
+    states with history. Times are in seconds and ticks.
     """
 
     state: NDArray[np.int16]
