@@ -6,7 +6,7 @@ from moves.jump import CROUCH, FLY, JUMP, LAND
 from moves.motion import Motion
 from moves.stand import STAND
 from moves.start import START_WALK
-from moves.stop import NOT_GONE, STOPS
+from moves.stop import NOT_GONE, SHORT_STOPS, STOPS
 from moves.turn import TURN_LEFT, TURN_RIGHT
 from moves.walk import WALK
 
@@ -15,6 +15,7 @@ MOTIONS: list[Motion] = [
     START_WALK,
     WALK,
     *STOPS,
+    *SHORT_STOPS,
     NOT_GONE,
     TURN_LEFT,
     TURN_RIGHT,

@@ -9,13 +9,9 @@ import numpy as np
 from curves import Array, Curve, eased, ramp, through
 from moves.feet import Arc, Plant, Track, rolled, walk_track
 from moves.motion import Body, Feet, Motion, TrackOf, added, held, mixed, replaced, sides, slope, value
-from moves.stand import FOOT_X, FOOT_Z, TOES_OUT, stand_body, stand_plant
-from moves.walk import CYCLE, OFF, pitch_of, walk_body, walk_feet, walk_plant
+from moves.stand import FOOT_X, TOES_OUT, stand_body, stand_plant
+from moves.stopping import STOP, Stop, stop_of_start, stop_of_walk
 
-STOP = 1.0
-LONGEST = 0.45  # of a cycle: the earliest that the last step is shortened
-SHORTER = 0.21  # metres: by how much at the most
-QUICKER = 0.13  # the share of its time that the last step saves at the most
 CATCH = {
     "lean": [(0.10, 0.0), (0.38, -2.5), (0.62, 1.2), (0.92, 0.0)],
     "low_pitch": [(0.15, 0.0), (0.50, 2.5), (0.72, -0.8), (0.96, 0.0)],
@@ -27,62 +23,27 @@ CATCH = {
     "far.elbow": [(0.25, 0.0), (0.52, 4.0), (0.78, -1.0), (1.0, 0.0)],
 }  # seconds after the heel strike, degrees
 
-
-class Stopping:
-    """The times and places of one stop: `sign` +1 if the left foot is the last to step."""
-
-    def __init__(self, sign: float, ahead: float) -> None:
-        self.sign, self.ahead = sign, ahead
-        part = max(ahead, 0.0) / LONGEST
-        self.short = SHORTER * part**1.5
-        self.touch = ahead * CYCLE * (1 - QUICKER * part)  # seconds: the last foot's heel
-        self.lift = self.touch + 0.131 - 0.012 * part  # the other foot's toes
-        self.closed = self.touch + 0.50 - 0.05 * part
-        walked = (0.0 if sign > 0 else 0.5) + 1 - ahead
-        self.begin = walked * CYCLE  # the walk's time where this begins
-        self.strike = self.begin + ahead * CYCLE
-        self.place = walk_plant(sign, 1)._replace(start=self.touch, end=9.0)
-        self.place = self.place._replace(z=self.place.z - self.short)
-        self.middle = sign * (abs(self.place.x) - FOOT_X)  # between the feet that have come to rest
-        self.end = self.place.z - FOOT_Z
-
-    def walked(self, t: Array) -> Array:
-        """The walk's time at a time of the stop: it runs a little ahead until the heel touches."""
-        if self.touch <= 0:
-            return self.begin + t
-        saved = self.ahead * CYCLE - self.touch
-        return np.asarray(self.begin + t + saved * ramp(t, 0.0, self.touch))
-
-    def shifted(self, seconds: float) -> float:
-        """When something happens that follows the heel strike by so many seconds: all is over at the end."""
-        return (
-            self.touch + seconds * (STOP - max(self.touch, 0.0)) if self.touch > 0 else self.touch + seconds
-        )
+PITCH = (
+    [(0.0, -30.0), (0.20, -44.0), (0.32, -22.0), (0.44, 5.0), (0.50, 6.0), (0.58, 0.0)],
+    [(0.0, 0.0), (0.131, -18.0), (0.22, -21.0), (0.40, 3.0), (0.50, 4.0), (0.58, 0.0)],
+)  # of the foot that closes, toes up: after a step, after a short one
 
 
-def _walk_at(stop: Stopping) -> Body:
-    return lambda t: walk_body(stop.walked(t))
-
-
-def stop_feet(stop: Stopping) -> Feet:
+def stop_feet(stop: Stop) -> Feet:
     """The last foot's step is shortened, and it rolls flat and stays; the other one comes beside it."""
 
     def make(side: str, sign: float) -> TrackOf:
-        return _last_foot(stop, side, sign) if sign == stop.sign else _closing_foot(stop, sign)
+        return _last_foot(stop, side) if sign == stop.sign else _closing_foot(stop, side, sign)
 
     return sides(make)
 
 
-def _last_foot(stop: Stopping, side: str, sign: float) -> TrackOf:
-    walking = walk_feet()
-    walk_pitch = pitch_of(sign)
-    off = max(0.0, (stop.ahead - (1 - OFF)) * CYCLE)
-
+def _last_foot(stop: Stop, side: str) -> TrackOf:
     def track(t: Array) -> Track:
-        u = stop.walked(t)
-        step = walking(u)[side]
-        ankle = step.ankle - np.stack([0 * t, 0 * t, stop.short * ramp(t, off, max(stop.touch, 1e-3))], -1)
-        pitch = np.where(u < stop.strike, step.pitch, walk_pitch(np.minimum(u, stop.strike + 0.3)))
+        step = stop.feet(stop.going(t))[side]
+        pitch = stop.feet(np.minimum(stop.going(t), stop.strike + 0.3))[side].pitch
+        back = stop.short * ramp(t, stop.off, max(stop.touch, 1e-3))
+        ankle = step.ankle - np.stack([0 * t, 0 * t, back], -1)
         down = t >= stop.touch
         ankle[down] = rolled(stop.place, pitch[down])
         return Track(ankle, step.yaw[:1] + 0 * t, pitch)
@@ -90,24 +51,29 @@ def _last_foot(stop: Stopping, side: str, sign: float) -> TrackOf:
     return track
 
 
-def _closing_foot(stop: Stopping, sign: float) -> TrackOf:
-    walk_pitch, span = pitch_of(sign), (stop.closed - stop.lift) / 0.369
-    keys = [(0.0, -30.0), (0.20, -44.0), (0.32, -22.0), (0.44, 5.0), (0.50, 6.0), (0.58, 0.0)]
-    own = eased([(stop.lift + (time - 0.131) * span, degrees) for time, degrees in keys])
+def _closing_foot(stop: Stop, side: str, sign: float) -> TrackOf:
+    span, is_short = (stop.closed - stop.lift) / 0.369, stop.place.z - stop.stands.z < 0.4
+    own = eased([(stop.lift + (time - 0.131) * span, degrees) for time, degrees in PITCH[is_short]])
 
     def pitch(t: Array) -> Array:
-        weight = ramp(t, stop.lift + 0.17 * span, stop.lift - 0.011)
-        return np.radians(own(t)) * (1 - weight) + walk_pitch(stop.walked(t)) * weight
+        weight = ramp(t, stop.lift + 0.17 * span, stop.lift - 0.011) * (not is_short)
+        return np.radians(own(t)) * (1 - weight) + stop.feet(stop.going(t))[side].pitch * weight
 
-    stands = walk_plant(sign, 0 if sign < 0 else 1)._replace(start=-9.0, end=stop.lift)
+    stands = stop.stands._replace(start=-9.0, end=stop.lift)
     beside = Plant(stop.closed, 9.0, stop.middle + sign * FOOT_X, stop.place.z, sign * TOES_OUT)
     arcs = [Arc(0.11, 0.05, 0.226), Arc(0.27, 0.23, 0.226), Arc(0.52, 0.58, 0.186), Arc(0.78, 0.90, 0.137)]
+    if is_short:
+        arcs = [Arc(0.15, 0.08, 0.170), Arc(0.42, 0.42, 0.176), Arc(0.72, 0.82, 0.142)]
     return lambda t: walk_track(t, [stands, beside], [arcs], pitch)
 
 
-def stop_body(stop: Stopping) -> Body:
+def stop_body(stop: Stop) -> Body:
     """The body holds back at once, catches up with the feet, goes a little too far and settles."""
-    walking, rest = _walk_at(stop), held(stand_body, 0.0)
+    rest = held(stand_body, 0.0)
+
+    def walking(t: Array) -> dict[str, Array]:
+        return stop.body(stop.going(t))
+
     near, far = ("Left", "Right") if stop.sign > 0 else ("Right", "Left")
     catch = {
         name.replace("near", near).replace("far", far): eased(
@@ -119,7 +85,7 @@ def stop_body(stop: Stopping) -> Body:
     return replaced(added(settled, _held_back(stop)), _path(stop, walking))
 
 
-def _held_back(stop: Stopping) -> dict[str, Curve]:
+def _held_back(stop: Stop) -> dict[str, Curve]:
     """The first that is seen: the trunk leans back against the step."""
     if stop.touch < 0.1:
         return {}
@@ -131,7 +97,7 @@ def _held_back(stop: Stopping) -> dict[str, Curve]:
     }
 
 
-def _path(stop: Stopping, walking: Body) -> dict[str, Curve]:
+def _path(stop: Stop, walking: Body) -> dict[str, Curve]:
     end_x, end_y = stop.middle + value(stand_body, "x", 0), value(stand_body, "y", 0)
     later = stop.shifted
     over = mixed(
@@ -146,7 +112,10 @@ def _path(stop: Stopping, walking: Body) -> dict[str, Curve]:
 
 def stopped(name: str, sign: float, ahead: float) -> Motion:
     """A stop that begins this part of a cycle before the last foot's heel touches."""
-    stop = Stopping(sign, ahead)
+    return _motion(name, stop_of_walk(sign, ahead))
+
+
+def _motion(name: str, stop: Stop) -> Motion:
     return Motion(name, STOP, stop_body(stop), stop_feet(stop))
 
 
@@ -175,5 +144,9 @@ STOPS = [
     stopped(f"come-to-stop-{side}-{number}", 1.0 if side == "left" else -1.0, ahead)
     for side, parts in AHEADS.items()
     for number, ahead in enumerate(parts, 1)
+]
+SHORT_STOPS = [
+    _motion("come-to-stop-short-1", stop_of_start(0.30, 0.17)),
+    _motion("come-to-stop-short-2", stop_of_start(0.42, 0.32)),
 ]
 NOT_GONE = Motion("come-to-rest", STOP, rest_body(), rest_feet())
