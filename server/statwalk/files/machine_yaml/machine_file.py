@@ -13,6 +13,7 @@ from pathlib import Path
 
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml import (
+    budgets,
     fields,
     flock_part,
     inputs,
@@ -45,7 +46,7 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
-    "properties",
+    *("properties", "budgets"),
 )
 
 
@@ -149,6 +150,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         colliders=colliders,
         flock=flock_part.flock(entries.get("flock"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
+        budgets=budgets.budgets(entries.get("budgets")),
         rows=base.top.table.rows,
         title=entries["title"].text() if "title" in entries else "",
         description=entries["description"].text() if "description" in entries else "",

@@ -8,6 +8,7 @@ from typing import Literal
 
 from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
+from statwalk.machine.definition.budgets_definition import BudgetDefinition
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
 from statwalk.machine.definition.flock_definition import FlockDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
@@ -194,6 +195,8 @@ class MachineDefinition:
     flock: FlockDefinition | None = None
     """all actors of the role fly as one flock"""
     properties: tuple[PropertyDefinition, ...] = ()
+    budgets: Mapping[str, BudgetDefinition] = field(default_factory=dict)
+    """the largest figures that measuring may give, by figure"""
     rows: tuple[tuple[str, ...], ...] = ()
     """the table as written, the header first"""
     title: str = ""
