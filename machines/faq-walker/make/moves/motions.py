@@ -1,8 +1,8 @@
 """All motions of the figure, in the order of the file."""
 
-from moves.crouch import STAND_UP
+from moves.crouch import CROUCH, STAND_UP
 from moves.curve import CURVE_LEFT, CURVE_RIGHT
-from moves.jump import CROUCH, FLY, JUMP, LAND
+from moves.jump import ABSORB, FLY, GET_UP, JUMP, LAND
 from moves.motion import Motion
 from moves.stand import STAND
 from moves.start import START_WALK
@@ -24,6 +24,8 @@ MOTIONS: list[Motion] = [
     JUMP,
     FLY,
     LAND,
+    ABSORB,
+    GET_UP,
     CROUCH,
     STAND_UP,
 ]
