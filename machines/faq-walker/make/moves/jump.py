@@ -1,12 +1,12 @@
 """One leap, written as a whole and cut into jump, fly, land, absorb and rise, so that positions and speeds
 meet at the cuts.
 
-It begins with the walk's left heel strike: the right foot comes beside the left, the body sinks with the arms
+It begins near a heel strike of the walk: the other foot comes beside that one, the body sinks with the arms
 behind it, pushes off, flies as a stone flies, touches down with the toes, sinks and stands up at once.
 """
 
 import numpy as np
-from curves import Array, Keys, constant, ramp, through
+from curves import Array, Curve, Keys, constant, ramp, through
 from moves.leap import (
     ABSORBED,
     END,
@@ -23,10 +23,10 @@ from moves.leap import (
     TOUCH_HEIGHT,
     UP,
 )
-from moves.leapfeet import leap_feet
-from moves.motion import Body, Motion, body_of, mixed, replaced, slope, value
+from moves.leapfeet import FIRST, Approach, leap_feet
+from moves.motion import Body, Feet, Motion, body_of, later, mixed, replaced, slope, value
 from moves.stand import stand_body
-from moves.walk import walk_body
+from moves.walk import CYCLE, walk_body
 
 DOWN: Keys = [(0.12, 0.893), (0.26, 0.800), (0.395, 0.752), (0.47, 0.796), (TAKE_OFF, HIGH)]
 RUN: Keys = [(0.18, 0.218), (0.36, 0.412), (TAKE_OFF, FAR)]
@@ -117,7 +117,7 @@ ANGLES: dict[str, Keys] = {
         (0, 14),
         (0.18, 32),
         (0.33, 52),
-        (0.46, 66),
+        (0.46, 71),
         (0.60, 60),
         (0.76, 42),
         (0.95, 32),
@@ -129,7 +129,7 @@ ANGLES: dict[str, Keys] = {
         (0, 34),
         (0.18, 38),
         (0.34, 55),
-        (0.48, 70),
+        (0.48, 73),
         (0.62, 62),
         (0.78, 44),
         (0.97, 32),
@@ -150,30 +150,53 @@ def _flown(t: Array) -> Array:
     return np.clip(t - TAKE_OFF, 0, FLIGHT)
 
 
-def _height(t: Array) -> Array:
-    down = through([(0, value(walk_body, "y", 0)), *DOWN], slope(walk_body, "y", 0), UP)
+def _walking(approach: Approach) -> Body:
+    return later(walk_body, -approach.walked, -approach.way)
+
+
+def _height_of(approach: Approach) -> Curve:
+    walking = _walking(approach)
+    down = through([(0, value(walking, "y", 0)), *DOWN], slope(walking, "y", 0), UP)
     sink = through(SINKING, UP - GRAVITY * FLIGHT)
-    flying = HIGH + UP * _flown(t) - GRAVITY / 2 * _flown(t) ** 2
-    return np.where(t < TAKE_OFF, down(t), np.where(t < TOUCH, flying, sink(t)))
+
+    def height(t: Array) -> Array:
+        flying = HIGH + UP * _flown(t) - GRAVITY / 2 * _flown(t) ** 2
+        return np.where(t < TAKE_OFF, down(t), np.where(t < TOUCH, flying, sink(t)))
+
+    return height
 
 
-def _way(t: Array) -> Array:
-    run = through([(0, 0), *RUN], slope(walk_body, "z", 0), FORWARD)
+def _way_of(approach: Approach) -> Curve:
+    walking = _walking(approach)
+    start = value(walking, "z", 0)
+    run = through([(0, 0), *RUN], slope(walking, "z", 0), FORWARD)
     brake = through([(TOUCH + time, TOUCH_FAR + way) for time, way in BRAKING], FORWARD)
-    return np.where(t < TAKE_OFF, run(t), np.where(t < TOUCH, FAR + FORWARD * _flown(t), brake(t)))
+
+    def way(t: Array) -> Array:
+        running = run(t) + start * (1 - ramp(t, 0.0, 0.52))
+        return np.where(t < TAKE_OFF, running, np.where(t < TOUCH, FAR + FORWARD * _flown(t), brake(t)))
+
+    return way
 
 
-def leap_body() -> Body:
-    """Handles from the walk's heel strike until he stands."""
+def leap(approach: Approach) -> tuple[Body, Feet]:
+    """Handles and feet from the walk until he stands."""
     stands = {name: float(curve[0]) for name, curve in stand_body(np.zeros(1)).items()}
     moving = {name: through([*keys, (END, stands.get(name, 0.0))]) for name, keys in ANGLES.items()}
     resting = {name: constant(end) for name, end in stands.items() if name not in ANGLES}
-    whole = mixed(walk_body, body_of({**resting, **moving}), lambda t: ramp(t, -0.01, 0.24))
-    return replaced(whole, {"y": _height, "z": _way})
+    whole = mixed(_walking(approach), body_of({**resting, **moving}), lambda t: ramp(t, -0.01, 0.24))
+    height, way = _height_of(approach), _way_of(approach)
+    return replaced(whole, {"y": height, "z": way}), leap_feet(height, way, approach)
 
 
-_BODY, _FEET = leap_body(), leap_feet(_height, _way)
-JUMP = Motion("jump", TAKE_OFF, _BODY, _FEET)
+SINCE = (-0.12, -0.05, 0.03, 0.065)
+"""after the heel strike of the foot that stands, parts of a cycle"""
+JUMPS = [
+    Motion(f"jump-{side}-{number}", TAKE_OFF, *leap(Approach(sign, part * CYCLE)))
+    for side, sign in (("left", 1.0), ("right", -1.0))
+    for number, part in enumerate(SINCE, 1)
+]
+_BODY, _FEET = leap(FIRST)
 FLY = Motion("fly", FLIGHT, _BODY, _FEET, start=TAKE_OFF)
 LAND = Motion("land", LANDED, _BODY, _FEET, start=TOUCH)
 ABSORB = Motion("absorb", ABSORBED - LANDED, _BODY, _FEET, start=TOUCH + LANDED)

@@ -2,7 +2,7 @@
 
 from moves.crouch import CROUCH, STAND_UP
 from moves.curve import CURVE_LEFT, CURVE_RIGHT
-from moves.jump import ABSORB, FLY, GET_UP, JUMP, LAND
+from moves.jump import ABSORB, FLY, GET_UP, JUMPS, LAND
 from moves.motion import Motion
 from moves.stand import STAND
 from moves.start import START_WALK
@@ -21,7 +21,7 @@ MOTIONS: list[Motion] = [
     TURN_RIGHT,
     CURVE_LEFT,
     CURVE_RIGHT,
-    JUMP,
+    *JUMPS,
     FLY,
     LAND,
     ABSORB,
