@@ -11,7 +11,7 @@ from moves.motion import Body, Feet, Motion, TrackOf, sides
 from moves.turn import ANGLE
 from moves.walk import CYCLE, STRIDE, arcs_of, pitch_of, walk_body, walk_plant
 
-WAY = 1.22  # metres a cycle, a little shorter than straight ahead
+WAY = 1.20  # metres a cycle, a little shorter than straight ahead
 INWARDS = 0.012  # metres that the pelvis is nearer to the centre
 RADIUS = WAY / np.radians(ANGLE)
 

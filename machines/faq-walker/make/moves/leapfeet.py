@@ -14,8 +14,9 @@ from scipy.interpolate import CubicSpline
 # a foot in the air: seconds after take-off, ankle ahead of the pelvis and above it
 TUCK = [(0.06, -0.26, -0.795), (0.16, -0.20, -0.70), (0.28, 0.0, -0.63), (0.41, 0.10, -0.78)]
 CLOSE = [
-    (0.175, -0.07, 0.212),
-    (0.245, 0.19, 0.182),
+    (0.152, -0.20, 0.222),
+    (0.20, 0.03, 0.214),
+    (0.26, 0.225, 0.182),
 ]  # the right foot on its way beside the left: seconds, z, height
 LAG = 0.012  # seconds by which the right foot comes later
 
