@@ -58,7 +58,7 @@ def motion(node: Node, parameters: Mapping[str, ParameterDefinition]) -> str | B
     axes = [over] if over.is_text else over.items()
     names = tuple(fields.chosen(axis, "parameter", (*parameters, *ENTRY)) for axis in axes)
     if not 1 <= len(set(names)) == len(names) <= 2:
-        raise entries["over"].refuse("a blend is over one parameter or entry value, or over two that differ")
+        raise entries["over"].refuse("a blend is over one parameter, or over two different parameters")
     clip_points = points(clips, len(names))
     return BlendDefinition(names, clip_points, node.line, _sync_markers(entries.get("markers"), clip_points))
 
