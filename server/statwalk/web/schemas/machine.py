@@ -17,6 +17,7 @@ from statwalk.web.schemas.table import (
     EdgeView,
     KeyView,
     LayerView,
+    GroundView,
     ParameterView,
     SenseView,
     StateView,
@@ -111,6 +112,7 @@ class MachineView(ResponseModel):
     variables: list[str]
     senses: dict[str, SenseView]
     colliders: dict[str, ColliderView]
+    ground: list[GroundView]
     limits: list[LimitView]
     layers: list[LayerView]
     text: str

@@ -877,6 +877,7 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
@@ -956,6 +957,15 @@ export interface components {
             kind: "state";
             state: string;
             steps: components["schemas"]["StepView"][];
+        };
+        /**
+         * @description A rectangle of uneven ground between two corners x z, metres; `heights`: at x0 z0, x1 z0, x1 z1,
+         *     x0 z1.
+         */
+        GroundView: {
+            corner: number[];
+            opposite: number[];
+            heights: number[];
         };
         /** @description The changes of state up to `head`, oldest first. */
         HistoryView: {
@@ -1067,6 +1077,7 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
@@ -1968,6 +1979,7 @@ export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
 export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
+export type GroundView = components['schemas']['GroundView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
 export type JointView = components['schemas']['JointView'];
