@@ -157,14 +157,9 @@ class Role:
         program, motions = packed(self.machine.program, PROGRAM), self.stock.tables(self.motions)
         poses, masks, solvers = self.pose_tables, self.layer_masks, self.solvers
         return PackedRole(
-            program,
-            motions,
-            packed(poses, POSES),
-            packed(masks, MASKS),
-            packed(solvers.legs, FEET),
-            packed(solvers.chains, CHAINS),
-            packed(solvers.clamps, CLAMP_TABLE),
-        )
+            program, motions, packed(poses, POSES), packed(masks, MASKS), packed(solvers.legs, FEET),
+            packed(solvers.chains, CHAINS), packed(solvers.clamps, CLAMP_TABLE),
+        )  # fmt: skip
 
     @cached_property
     def limits(self) -> Mapping[int, JointLimit]:
