@@ -22,6 +22,7 @@ from statwalk.files.machine_yaml import (
     whole_table,
 )
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
+from statwalk.files.machine_yaml.captures import CaptureLine, read_captures
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import (
@@ -61,6 +62,8 @@ class MachineFile:
     root_line: int
     text: str
     table_text: str
+    captures: tuple[CaptureLine, ...] = ()
+    """the captured motions that the character gets as clips"""
 
     def check_root(self, joints: Sequence[str]) -> None:
         """Checks that the root joint is one of the character's `joints`.
@@ -103,6 +106,7 @@ def machine_of(text: str, folder: Path, file: str = "") -> MachineFile:
         root_line=root.key_lines.get("root", 0),
         text=text,
         table_text=table_text,
+        captures=read_captures(entries.get("captures")),
     )
 
 
@@ -233,9 +237,9 @@ def _character_name(root: Node) -> str:
     """Returns the path of the character's file, or the name of the shipped machine whose character it is."""
     node = fields.required(root, "character")
     if not SHIPPED.fullmatch(node.text()) and not node.text().lower().endswith(
-        (".glb", ".gltf", ".yaml", ".yml")
+        (".glb", ".gltf", ".yaml", ".yml", ".bvh", ".trc")
     ):
         raise node.refuse(
-            f"{node.text()[:80]!r} is no .glb, .gltf or .yaml file, nor the name of a shipped machine"
+            f"{node.text()[:80]!r} is no .glb, .gltf, .yaml, .bvh or .trc file, nor the name of a shipped machine"
         )
     return node.text()

@@ -17,6 +17,7 @@ from statwalk.errors import ContentError, MachineError, UnknownNameError
 from statwalk.files import archive, captures
 from statwalk.files.bvh.read import Position
 from statwalk.files.character_yaml import load_character
+from statwalk.files.machine_yaml.captures import with_captures
 from statwalk.files.gltf import read_model
 from statwalk.files.machine_yaml.machine_file import FILE_NAME as MACHINE_FILE
 from statwalk.files.machine_yaml.machine_file import MachineFile, load_machine, machine_of
@@ -74,7 +75,7 @@ def load(
         return _load_version(str(source).partition("@")[0], text)
     path = Path(source)
     if path.suffix.lower() in captures.SUFFIXES:
-        return captures.load_capture(path, position, scale)
+        return captures.load_capture(path, captures.Reading(position, scale))
     if path.suffix.lower() in (*MODEL_SUFFIXES, ZIP_SUFFIX, *TEXT_SUFFIXES):
         return load_character_file(path)
     if path.is_dir():
@@ -167,7 +168,7 @@ def load_role(
     :raises ContentError: when a file is refused.
     """
     file = machine_of(text, folder) if text else load_machine(folder)
-    character = character_at(character_path(file))
+    character = with_captures(character_at(character_path(file)), file.captures, folder)
     file.check_root(character.skeleton.names)
     return Role.build(name or folder.resolve().name, character, file.definition, file.root_joint)
 
