@@ -3,12 +3,15 @@
 import type { ShippedCharacterView, UploadedCharacterView } from "./api.generated";
 
 export type {
+  BonesView as Bones,
   EventLine,
   HistoryView as StateHistory,
   LogHeader,
   LogLine,
   MachineSummary,
   MappingView as Mapping,
+  NewClip,
+  NewClipView as CarriedClip,
   NewCell,
   ProblemView as Problem,
   SceneView as SceneSummary,
