@@ -131,7 +131,7 @@ def ancestors(skeleton: Skeleton, joint: int) -> list[int]:
     return path
 
 
-def _carrier(skeleton: Skeleton, joints: list[int]) -> int | None:
+def carrier(skeleton: Skeleton, joints: list[int]) -> int | None:
     """Returns the lowest joint that carries all of them."""
     paths = [ancestors(skeleton, joint)[1:] for joint in joints]
     common = set.intersection(*map(set, paths)) if paths else set()
@@ -141,7 +141,7 @@ def _carrier(skeleton: Skeleton, joints: list[int]) -> int | None:
 def _find_hips(skeleton: Skeleton, found: dict[str, int]) -> None:
     """Makes the joint that carries both legs the hips, whatever its name."""
     legs = [found[side + "UpperLeg"] for side in SIDES if side + "UpperLeg" in found]
-    hips = _carrier(skeleton, legs) if len(legs) == 2 else None
+    hips = carrier(skeleton, legs) if len(legs) == 2 else None
     if hips is not None:
         found["Hips"] = hips
 
@@ -152,7 +152,7 @@ def _spine(skeleton: Skeleton, found: Mapping[str, int]) -> dict[str, int]:
     tops = tops if len(tops) == 2 else [found[bone] for bone in ("Neck", "Head") if bone in found]
     if "Hips" not in found or not tops:
         return {}
-    top = _carrier(skeleton, tops) if len(tops) > 1 else int(skeleton.parent[tops[0]])
+    top = carrier(skeleton, tops) if len(tops) > 1 else int(skeleton.parent[tops[0]])
     path = ancestors(skeleton, top)[::-1] if top is not None and top >= 0 else []
     if found["Hips"] not in path:
         return {}

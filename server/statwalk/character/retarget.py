@@ -18,7 +18,7 @@ from statwalk.character.body import Body
 from statwalk.character.body_bones import BODY_BONES, NEEDED, body_bones
 from statwalk.character.carry import Motion, motion_of, rotations, to_world
 from statwalk.character.character import Character
-from statwalk.character.joint_keys import channels_of
+from statwalk.character.joint_keys import channels_of, travelling_joint
 from statwalk.character.plant import Path, planted
 from statwalk.errors import ContentError, UnknownNameError
 from statwalk.maths import quat
@@ -40,6 +40,7 @@ class Retargeted:
     unmapped_source   the source's joints that move, and whose motion no joint takes
     unmapped_target   the target's joints that no motion reaches; they rest
     scale             the target's metres per unit of the source
+    root              the joint that travels: `root:` of a machine file
     notes             what else was done
     """
 
@@ -48,6 +49,7 @@ class Retargeted:
     unmapped_source: tuple[str, ...]
     unmapped_target: tuple[str, ...]
     scale: float
+    root: str
     notes: tuple[str, ...] = ()
 
 
@@ -101,7 +103,8 @@ def retargeted(clip: Clip, source: Character, target: Character, wish: Wish) -> 
     keys = planted(theirs, turns, path)
     channels = channels_of(theirs, keys, motion.times)
     carried = Clip(clip.name, channels, float(np.float32(motion.times[-1])), target.bind_pose)
-    return carried, _report(ours, theirs, turns, clip, scale, notes)
+    root = target.skeleton.names[travelling_joint(theirs, keys)]
+    return carried, _report(ours, theirs, turns, clip, (scale, root, notes))
 
 
 def _bones(character: Character, chosen: Mapping[str, str] | None, key: str) -> dict[str, int]:
@@ -188,7 +191,11 @@ def _drop(body: Body, up: Floats) -> float:
 
 
 def _report(
-    source: Body, target: Body, turns: Mapping[str, Floats], clip: Clip, scale: float, notes: tuple[str, ...]
+    source: Body,
+    target: Body,
+    turns: Mapping[str, Floats],
+    clip: Clip,
+    facts: tuple[float, str, tuple[str, ...]],
 ) -> Retargeted:
     ours, theirs = source.character.skeleton.names, target.character.skeleton.names
     bones = {
@@ -206,6 +213,5 @@ def _report(
         tuple(bone for bone in NEEDED if bone not in source.bones or bone not in target.bones),
         tuple(ours[joint] for joint in sorted(moving - used)),
         tuple(name for joint, name in enumerate(theirs) if joint not in taken),
-        scale,
-        notes,
+        *facts,
     )

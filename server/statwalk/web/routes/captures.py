@@ -92,12 +92,11 @@ def _keep(name: str, character: Character, store: ModelStore) -> None:
 
 
 def _view(name: str, character: Character, clip: str, report: Retargeted) -> NewClipView:
-    hips = report.bones.get("Hips", ("", ""))[1]
     return NewClipView(
         character=name,
         clip=clip,
         duration=float(character.clips[clip].duration),
-        root=hips,
+        root=report.root,
         bones={bone: JointPair(source=ours, target=theirs) for bone, (ours, theirs) in report.bones.items()},
         missing=list(report.missing),
         unmapped_source=list(report.unmapped_source),
