@@ -14,9 +14,7 @@ from playwright.sync_api import Page
 __all__ = ["own"]
 WALK = ASSETS / "bvh" / "cmu_12_01_walk.bvh"
 PLAYS = "__viewer.stage() !== 'main' && __viewer.ready && __viewer.state() === arg"
-MOVED = (
-    "Object.entries(__viewer.joints()).some(([name, at]) => Math.hypot(...at.map((v, i) => v - arg[name][i])) > 0.2)"
-)
+MOVED = "Object.entries(__viewer.joints()).some(([name, at]) => Math.hypot(...at.map((v, i) => v - arg[name][i])) > 0.2)"
 
 
 @needs_assets
@@ -28,7 +26,10 @@ def test_a_dropped_walk_plays_on_the_walker(own: Callable[[], set[str]], viewer:
     joints = viewer.evaluate("__viewer.joints()")
     assert joints["Head"][1] > joints["Root"][1] + 0.3 > joints["Left.foot"][1] + 0.6
     assert viewer.evaluate("__viewer.pixels().covered") > 0.02
-    assert {name for name in own() if "cmu" in name} == {"machines/walker-cmu-walk", "characters/walker-cmu-walk"}
+    assert {name for name in own() if "cmu" in name} == {
+        "machines/walker-cmu-walk",
+        "characters/walker-cmu-walk",
+    }
 
 
 def test_the_dialog_asks_for_bones_without_known_names(own: Callable[[], set[str]], viewer: Page) -> None:

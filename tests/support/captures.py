@@ -31,7 +31,9 @@ FRAMES, RATE = 31, 30.0
 def turns(phase: float) -> dict[str, tuple[float, float, float]]:
     """Degrees about Z, X, Y of the joints at a phase of the walk, 0…1."""
     swing = 25 * sin(2 * pi * phase)
-    bend = {side: 20 + 20 * sin(2 * pi * phase + shift) for side, shift in (("Left", 1.0), ("Right", 1.0 + pi))}
+    bend = {
+        side: 20 + 20 * sin(2 * pi * phase + shift) for side, shift in (("Left", 1.0), ("Right", 1.0 + pi))
+    }
     return {
         "LeftUpLeg": (0, -swing - 10, 0),
         "RightUpLeg": (0, swing - 10, 0),
@@ -75,7 +77,16 @@ def _joint(name: str, shown: Mapping[str, str], depth: int) -> str:
 
 def trc(names: Sequence[str], places: np.ndarray, rate: float = RATE) -> str:
     """A TRC of marker places (F, M, 3) in metres, written in millimetres; NaN becomes a blank."""
-    keys = "DataRate CameraRate NumFrames NumMarkers Units OrigDataRate OrigDataStartFrame OrigNumFrames".split()
+    keys = [
+        "DataRate",
+        "CameraRate",
+        "NumFrames",
+        "NumMarkers",
+        "Units",
+        "OrigDataRate",
+        "OrigDataStartFrame",
+        "OrigNumFrames",
+    ]
     values = [rate, rate, len(places), len(names), "mm", rate, 1, len(places)]
     lines = ["PathFileType\t4\t(X/Y/Z)\twalk.trc", "\t".join(keys), "\t".join(map(str, values))]
     lines.append("Frame#\tTime\t" + "\t\t\t".join(names) + "\t\t")

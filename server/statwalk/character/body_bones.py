@@ -1,8 +1,8 @@
 """The bones that bodies have in common, found by the names that Mixamo, VRM, Unreal, Rigify, CMU, KayKit,
 Quaternius, Biped, OptiTrack, Poser and the FAQ give them.
 
-Hips and spine are found by their place: the hips carry both legs, the spine leads from there to the arms. Names
-like `Hips` and `Body` mean another joint in every rig.
+Hips and spine are found by their place: the hips carry both legs, the spine leads from there to the arms.
+Names like `Hips` and `Body` mean another joint in every rig.
 """
 
 from __future__ import annotations
@@ -58,8 +58,8 @@ NEEDED = ("Hips", *(side + bone for side in SIDES for bone in ("UpperLeg", "Lowe
 
 
 def body_bones(skeleton: Skeleton, chosen: Mapping[str, str] | None = None) -> dict[str, int]:
-    """Returns the joint of each bone that the names of a skeleton tell; `chosen` (bone -> joint's name, "" for
-    none) comes first.
+    """Returns the joint of each bone that the names of a skeleton tell; `chosen` (bone -> joint's name, ""
+    for none) comes first.
 
     :raises ContentError: when a bone has no such name.
     :raises UnknownNameError: when the skeleton has no joint of a name.
@@ -77,8 +77,8 @@ def body_bones(skeleton: Skeleton, chosen: Mapping[str, str] | None = None) -> d
 
 
 def words_of(name: str) -> tuple[str, list[str]]:
-    """Returns the side that a joint's name tells ("" for none) and its other words, in lower case, without the
-    prefixes that tools add: `mixamorig:LeftUpLeg` is Left, up, leg.
+    """Returns the side that a joint's name tells ("" for none) and its other words, in lower case, without
+    the prefixes that tools add: `mixamorig:LeftUpLeg` is Left, up, leg.
     """
     words = [word.lower() for word in _WORD.findall(re.split(r"[:|]", name)[-1])]
     sides = [word for word in words if word in _SIDE_WORDS]
@@ -96,6 +96,7 @@ def _by_name(skeleton: Skeleton) -> dict[str, int]:
         named.setdefault((side, "".join(words)), joint)
     found: dict[str, int] = {}
     taken: set[int] = set()
+    joint: int | None
     wanted = [("", bone, names) for bone, names in _MIDDLE.items()]
     wanted += [(side, bone, names) for side in SIDES for bone, names in _LIMBS.items()]
     for side, bone, names in wanted:

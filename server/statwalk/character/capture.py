@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from statwalk.character.character import Character
 from statwalk.character.retarget import Retargeted, Wish, retargeted
@@ -23,8 +23,8 @@ class CaptureWish:
 
     clip: str = ""
     name: str = ""
-    carried: Wish = Wish()
-    filter: Filter = Filter()
+    carried: Wish = field(default_factory=Wish)
+    filter: Filter = field(default_factory=Filter)
     loop: bool = False
 
 

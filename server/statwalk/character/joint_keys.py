@@ -53,7 +53,8 @@ def channels_of(body: Body, keys: Keys, times: Floats) -> tuple[Channel, ...]:
 def _below_hips(body: Body, keys: Keys, joint: int) -> Floats:
     """Returns the way (F, 3) of a joint that travels with the hips over the ground, and keeps its height."""
     hips = keys.places["Hips"]
-    return body.position[joint] + (hips - hips[:1]) * np.array([1.0, 0.0, 1.0])
+    way: Floats = body.position[joint] + (hips - hips[:1]) * np.array([1.0, 0.0, 1.0])
+    return way
 
 
 def _rotation(frame: Floats, frames: int) -> Floats:

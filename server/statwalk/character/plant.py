@@ -62,10 +62,13 @@ def planted(body: Body, turns: dict[str, Floats], path: Path) -> Keys:
 
 
 def _hips(body: Body, path: Path, soles: dict[str, Floats], ground: float) -> Floats:
-    """Returns the hips (F, 3): the hip joints as high above the standing ankle as the captured ones, in scale."""
+    """Returns the hips (F, 3): the hip joints as high above the standing ankle as the captured ones,
+    in scale.
+    """
     if not path.feet or not soles:
         rest = body.at("Hips")[1] - path.hips[0, 1]
-        return path.hips + Y * rest
+        raised: Floats = path.hips + Y * rest
+        return raised
     standing = min(float(np.percentile(ankle[:, 1], STANDING_SHARE)) for ankle in path.feet.values())
     ankle = min(float(body.at(foot)[1]) for foot in soles)
     legs = [bone for bone in ("LeftUpperLeg", "RightUpperLeg") if bone in body.bones]
@@ -121,9 +124,12 @@ def _lifted(body: Body, turns: dict[str, Floats], ankle: Floats, sole: tuple[str
     """Returns the ankle (F, 3), lifted where the sole would be below the ground."""
     foot, points, ground = sole
     turn = quat.mul(turns[foot], quat.conjugate(body.rotation[body.bones[foot]]))
-    arms = points - body.at(foot)
-    rows = quat.rotate(turn[:, None, :], arms[None])[..., 1].min(-1)
-    return ankle + Y * np.maximum(ground - (ankle[:, 1] + rows), 0)[:, None]
+    heights = quat.to_matrix(turn)[:, 1, :]
+    lowest = np.full(len(ankle), np.inf)
+    for arm in points - body.at(foot):
+        np.minimum(lowest, vector.dot(heights, arm), out=lowest)
+    lifted: Floats = ankle + Y * np.maximum(ground - (ankle[:, 1] + lowest), 0)[:, None]
+    return lifted
 
 
 def _leg(

@@ -172,7 +172,8 @@ def _path(source: Body, target: Body, motion: Motion, world: Floats) -> tuple[Pa
         """Relative to the ground point below the first frame's hips."""
         turned = quat.rotate(world, motion.places[bone])
         start = quat.rotate(world, first) * np.array([1.0, 0.0, 1.0])
-        return (turned - start) * scale
+        place: Floats = (turned - start) * scale
+        return place
 
     feet = {bone: placed(bone) for bone in ("LeftFoot", "RightFoot") if bone in source.bones}
     return Path(placed("Hips"), feet, _drop(source, source.up) * scale), scale

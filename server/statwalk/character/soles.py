@@ -8,7 +8,7 @@ from statwalk.character.body import Body
 from statwalk.character.body_bones import SIDES, ancestors
 from statwalk.maths.arrays import Bools, Floats
 
-MOST_POINTS = 200
+MOST_POINTS = 64
 SOLE_SHARE = 0.35
 """of the ankle's height: points below count as sole"""
 
@@ -31,10 +31,12 @@ def _sole(body: Body, side: str) -> Floats:
     carried = np.array([not roots.isdisjoint(ancestors(skeleton, joint)) for joint in range(len(skeleton))])
     points = _points(body, carried)
     if not len(points):
-        return body.position[carried]
+        joints: Floats = body.position[carried]
+        return joints
     low, ankle = points[:, 1].min(), body.at(side + "Foot")[1]
-    sole = points[points[:, 1] <= low + SOLE_SHARE * max(ankle - low, 0.0) + 1e-6]
-    return sole[:: -(-len(sole) // MOST_POINTS)]
+    sole: Floats = points[points[:, 1] <= low + SOLE_SHARE * max(ankle - low, 0.0) + 1e-6]
+    spread: Floats = sole[:: -(-len(sole) // MOST_POINTS)]
+    return spread
 
 
 def _points(body: Body, carried: Bools) -> Floats:

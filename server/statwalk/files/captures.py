@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from statwalk.character.character import Character
@@ -29,7 +29,7 @@ class Reading:
 
     position: Position = "replace"
     scale: float = 1.0
-    filter: Filter = Filter()
+    filter: Filter = field(default_factory=Filter)
 
 
 def kind_of(start: bytes) -> str:

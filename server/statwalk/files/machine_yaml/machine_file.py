@@ -21,8 +21,8 @@ from statwalk.files.machine_yaml import (
     senses,
     whole_table,
 )
-from statwalk.files.machine_yaml.parameters import parameters as read_parameters
 from statwalk.files.machine_yaml.captures import CaptureLine, read_captures
+from statwalk.files.machine_yaml.parameters import parameters as read_parameters
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import (

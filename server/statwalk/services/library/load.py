@@ -17,8 +17,8 @@ from statwalk.errors import ContentError, MachineError, UnknownNameError
 from statwalk.files import archive, captures
 from statwalk.files.bvh.read import Position
 from statwalk.files.character_yaml import load_character
-from statwalk.files.machine_yaml.captures import with_captures
 from statwalk.files.gltf import read_model
+from statwalk.files.machine_yaml.captures import with_captures
 from statwalk.files.machine_yaml.machine_file import FILE_NAME as MACHINE_FILE
 from statwalk.files.machine_yaml.machine_file import MachineFile, load_machine, machine_of
 from statwalk.files.scene import FILE_NAME as SCENE_FILE
