@@ -1,5 +1,5 @@
-"""Motion capture on the page: a dropped walk is carried over to the watched character and plays; where names tell no
-bones, a dialog asks.
+"""Motion capture on the page: a dropped walk is carried over to the watched character and plays; where names
+tell no bones, a dialog asks.
 """
 
 from collections.abc import Callable
@@ -14,7 +14,10 @@ from playwright.sync_api import Page
 __all__ = ["own"]
 WALK = ASSETS / "bvh" / "cmu_12_01_walk.bvh"
 PLAYS = "__viewer.stage() !== 'main' && __viewer.ready && __viewer.state() === arg"
-MOVED = "Object.entries(__viewer.joints()).some(([name, at]) => Math.hypot(...at.map((v, i) => v - arg[name][i])) > 0.2)"
+MOVED = (
+    "Object.entries(__viewer.joints()).some(([name, at]) => "
+    "Math.hypot(...at.map((v, i) => v - arg[name][i])) > 0.2)"
+)
 
 
 @needs_assets

@@ -96,18 +96,17 @@ def _by_name(skeleton: Skeleton) -> dict[str, int]:
         named.setdefault((side, "".join(words)), joint)
     found: dict[str, int] = {}
     taken: set[int] = set()
-    joint: int | None
+
     wanted = [("", bone, names) for bone, names in _MIDDLE.items()]
     wanted += [(side, bone, names) for side in SIDES for bone, names in _LIMBS.items()]
     for side, bone, names in wanted:
         joints = [named[side, name] for name in names.split() if (side, name) in named]
         parent = found.get(PARENTS.get(side + bone, "")) if bone in _CHAINED else None
         carried = [joint for joint in joints if parent is None or parent in ancestors(skeleton, joint)[1:]]
-        free = (joint for joint in (carried or joints if bone == "Foot" else carried) if joint not in taken)
-        joint = next(free, None)
-        if joint is not None:
-            found[side + bone] = joint
-            taken.add(joint)
+        free = [joint for joint in (carried or joints if bone == "Foot" else carried) if joint not in taken]
+        if free:
+            found[side + bone] = free[0]
+            taken.add(free[0])
     return found | _fingers(named)
 
 

@@ -1,5 +1,5 @@
-"""Carries the turns of one body over to another: each bone turns from its rest as the other's does from its own,
-after the rest poses are brought into line.
+"""Carries the turns of one body over to another: each bone turns from its rest as the other's does from its
+own, after the rest poses are brought into line.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ def rotations(source: Body, target: Body, motion: Motion, world: Floats) -> dict
 
 
 def _turned(source: Body, target: Body, motion: Motion) -> dict[str, Floats]:
-    """Returns the turns of the target's bones; a spine of another number of joints bends as a whole as much."""
+    """Returns the turns of the target's bones; a spine with more or fewer joints bends as much as a whole."""
     turned = {
         bone: turn for bone, turn in motion.turned.items() if bone in target.bones and bone not in SPINE
     }
@@ -111,7 +111,7 @@ def _turned(source: Body, target: Body, motion: Motion) -> dict[str, Floats]:
 
 
 def _lined_up(source: Body, target: Body, onto: Floats) -> dict[str, Floats]:
-    """Returns the turns (4,) in the source's space that bring the target's limbs at rest along the source's."""
+    """Returns the turns (4,) in the source's space that bring the target's limbs along the source's."""
     turns: dict[str, Floats] = {}
     for bone, child in _LIMBS:
         ours, theirs = target.direction(bone, child), source.direction(bone, child)

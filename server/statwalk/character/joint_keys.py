@@ -14,15 +14,17 @@ from statwalk.motion.clip import Channel
 
 
 def travelling_joint(body: Body, keys: Keys) -> int:
-    """Returns the joint that travels: the hips, or what carries hips and feet, where feet do not hang on legs."""
+    """Returns the joint that travels: the hips, or what carries hips and feet, where feet do not hang on
+    legs.
+    """
     placed = [body.bones[bone] for bone in keys.places]
     above = carrier(body.character.skeleton, placed) if len(placed) > 1 else None
     return body.bones["Hips"] if above is None else above
 
 
 def channels_of(body: Body, keys: Keys, times: Floats) -> tuple[Channel, ...]:
-    """Returns the keys of the joints at `times` (F,): rotations of the bones, translations of those that have a
-    place. Joints without a bone keep their rest below the nearest joint that turns.
+    """Returns the keys of the joints at `times` (F,): rotations of the bones, translations of those that have
+    a place. Joints without a bone keep their rest below the nearest joint that turns.
     """
     bone_of = {body.bones[bone]: bone for bone in keys.turns}
     frames, travelling = len(times), travelling_joint(body, keys)

@@ -54,8 +54,8 @@ _ENDS = {side + bone: side + end for side in SIDES for bone, end in (("Foot", "T
 
 
 def trunk(points: Mapping[str, Floats]) -> dict[str, Floats]:
-    """Returns the matrices (F, 3, 3) of hips and spine: up from the pelvis to the neck, left as the legs and as the
-    shoulders are.
+    """Returns the matrices (F, 3, 3) of hips and spine: up from the pelvis to the neck, left as the legs and
+    as the shoulders are.
     """
     pelvis = points["Pelvis"]
     up = points["Neck"] - pelvis if "Neck" in points else np.broadcast_to(Y, pelvis.shape)
@@ -89,7 +89,7 @@ def turned(
 
 
 def skeleton_of(points: Mapping[str, Floats], segments: Sequence[Segment]) -> tuple[Skeleton, Pose]:
-    """Returns the bones as joints with their places at rest; a bone that carries no other has an end joint."""
+    """Returns the bones as joints, with places at rest; a bone that carries no other has an end joint."""
     names, parents, offsets = ["Hips", "Spine"], [-1, 0], [np.zeros(3), np.zeros(3)]
     hips_height = _length(points, "Pelvis", "Neck") if "Neck" in points else 0.5
     place: dict[str, int] = {"Hips": 0, "Spine": 1}

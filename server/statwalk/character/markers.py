@@ -1,8 +1,8 @@
 """Solves the tracks of optical markers to the bones of a body (KF8; FAQ Q18 and Q26).
 
-Markers show points of the body. Rule 8 turns each bone from its parent towards the point at its end; where a knee
-or an elbow was not seen, rule 12 places it between the points that were. Rest is the T-pose: arms along ±X, feet
-along +Z, lengths the medians of the whole capture.
+Markers show points of the body. Rule 8 turns each bone from its parent towards the point at its end; where a
+knee or an elbow was not seen, rule 12 places it between the points that were. Rest is the T-pose: arms along
+±X, feet along +Z, lengths the medians of the whole capture.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def solve_markers(names: Sequence[str], times: Floats, places: Floats, name: str
     if "Pelvis" not in points or not segments:
         known = ", ".join(sorted({str(point_of(marker)) for marker in names} - {"None"})) or "nothing"
         raise TextError(
-            f"the markers' names tell {known}; a body needs a pelvis (LASI, RASI, LPSI, RPSI or Hips) and a limb "
+            f"the markers' names tell {known}; a body needs a pelvis (LASI, RASI or Hips) and a limb "
             "(LKNE and LANK, LKnee and LAnkle, …)"
         )
     frames = trunk(points)
@@ -164,7 +164,9 @@ def _with_hinges(points: dict[str, Floats]) -> tuple[dict[str, Floats], tuple[st
 
 
 def _lengths(above: Floats, seen: Floats, below: Floats) -> tuple[Floats, Floats]:
-    """Returns the lengths (F,) of the bones on both sides of a joint: as seen, else half of the furthest reach."""
+    """Returns the lengths (F,) of the bones on both sides of a joint: as seen, else half of the furthest
+    reach.
+    """
     if np.isfinite(seen).all(-1).any():
         upper, lower = np.nanmedian(vector.length(seen - above)), np.nanmedian(vector.length(below - seen))
     else:

@@ -49,8 +49,8 @@ class Keys(NamedTuple):
 def planted(body: Body, turns: dict[str, Floats], path: Path) -> Keys:
     """Returns the turns of the bones with the legs on the ground, and where the hips are."""
     soles = soles_of(body)
-    ground = ground_of(body, soles)
-    hips = _hips(body, path, soles, ground)
+    ground = ground_of(soles)
+    hips = _hips(body, path, soles)
     solved, places = dict(turns), {"Hips": hips}
     for side in SIDES:
         leg = [side + bone for bone in ("UpperLeg", "LowerLeg", "Foot")]
@@ -61,7 +61,7 @@ def planted(body: Body, turns: dict[str, Floats], path: Path) -> Keys:
     return Keys(solved, places | _detached(body, solved, places))
 
 
-def _hips(body: Body, path: Path, soles: dict[str, Floats], ground: float) -> Floats:
+def _hips(body: Body, path: Path, soles: dict[str, Floats]) -> Floats:
     """Returns the hips (F, 3): the hip joints as high above the standing ankle as the captured ones,
     in scale.
     """
@@ -77,7 +77,7 @@ def _hips(body: Body, path: Path, soles: dict[str, Floats], ground: float) -> Fl
 
 
 def _ankle(body: Body, turns: dict[str, Floats], hips: Floats, path: Path, foot: str) -> Floats:
-    """Returns where an ankle goes (F, 3): as the captured one, as far aside as the target's hips are wider."""
+    """Returns where an ankle goes (F, 3): as the captured one, further aside by as much as hips are wider."""
     captured = path.feet[foot]
     standing = float(np.percentile(captured[:, 1], STANDING_SHARE))
     free = _freely(body, turns, hips, foot)

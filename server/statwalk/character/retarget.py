@@ -2,9 +2,9 @@
 
     clip, report = retarget(walk.clips["walk"], walk, knight)
 
-Bones are found by their names (`body_bones`). Each turns from its rest as its counterpart does, after the rest
-poses are brought into line; lengths follow the legs' lengths; the feet go where the captured feet go, and the
-soles stay on the ground (`plant`). The clip begins at the origin and faces +Z.
+Bones are found by their names (`body_bones`). Each turns from its rest as its counterpart does, after the
+rest poses are brought into line; lengths follow the legs' lengths; the feet go where the captured feet go,
+and the soles stay on the ground (`plant`). The clip begins at the origin and faces +Z.
 """
 
 from __future__ import annotations
@@ -80,7 +80,8 @@ def retarget(
 ) -> tuple[Clip, Retargeted]:
     """Returns the clip of `source` as a clip of `target`, and a report; the arguments are those of `Wish`.
 
-    :raises ContentError: when the two have too few bones in common, a bone or joint does not exist, or the clip
+    :raises ContentError: when the two have too few bones in common, a bone or joint does not exist, or the
+        clip
         is too long.
     """
     return retargeted(clip, source, target, Wish(bones, target_bones, start, end))
@@ -121,7 +122,7 @@ def _check(common: list[str], source: Body, target: Body) -> None:
         missing = [bone for bone in NEEDED if bone not in body.bones]
         if missing:
             raise ContentError(
-                f"the names of {body.character.name[:60]!r} do not tell which joints are {', '.join(missing)}; "
+                f"the names of {body.character.name[:60]!r} do not tell {', '.join(missing)}; "
                 f"name them: {key}: {{{missing[0]}: JOINT}}",
                 place=key,
             )
@@ -143,8 +144,8 @@ def _times(clip: Clip, body: Body, wish: Wish) -> tuple[Floats, tuple[str, ...]]
     kept = kept if len(kept) else np.array([wish.start])
     if len(kept) * len(body.character.skeleton) > MOST_JOINT_FRAMES:
         raise ContentError(
-            f"{len(kept)} frames of {len(body.character.skeleton)} joints are too many at once; choose a piece with "
-            "start and end",
+            f"{len(kept)} frames of {len(body.character.skeleton)} joints are too many at once; choose "
+            "a piece with start and end",
             place="end",
         )
     if wish.start == 0 and _begins_with_reference(clip, body, kept):

@@ -14,13 +14,13 @@ SOLE_SHARE = 0.35
 
 
 def soles_of(body: Body) -> dict[str, Floats]:
-    """Returns by foot bone the points (K, 3) of its sole in the character's space at rest; a foot without a mesh
-    has its joints.
+    """Returns by foot bone the points (K, 3) of its sole in the character's space at rest; a foot without a
+    mesh has its joints.
     """
     return {side + "Foot": _sole(body, side) for side in SIDES if side + "Foot" in body.bones}
 
 
-def ground_of(body: Body, soles: dict[str, Floats]) -> float:
+def ground_of(soles: dict[str, Floats]) -> float:
     """Returns the height (metres) of the ground that the character stands on at rest."""
     return min((float(points[:, 1].min()) for points in soles.values()), default=0.0)
 

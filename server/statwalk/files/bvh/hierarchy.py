@@ -141,8 +141,8 @@ def _detail(joint: Joint, line: Line, word: str) -> None:
         joint.channels = _channels(line)
     else:
         raise TextError(
-            f"{' '.join(line.words)[:80]!r} cannot stand here: a joint has OFFSET and CHANNELS once, and JOINTs or "
-            "an End Site",
+            f"{' '.join(line.words)[:80]!r} cannot stand here: a joint has OFFSET and CHANNELS once, and "
+            "JOINTs or an End Site",
             place=line.place,
         )
 
@@ -151,8 +151,8 @@ def _channels(line: Line) -> tuple[str, ...]:
     count, names = line.words[1:2], line.words[2:]
     if count != [str(len(names))] or len(names) > MOST_CHANNELS:
         raise TextError(
-            f"CHANNELS needs a number from 0 to {MOST_CHANNELS} and as many names; here are {len(names)} names after "
-            f"{' '.join(count)[:20]!r}",
+            f"CHANNELS needs a number from 0 to {MOST_CHANNELS} and as many names; here are {len(names)} "
+            f"names after {' '.join(count)[:20]!r}",
             place=line.place,
         )
     for name in names:

@@ -1,4 +1,4 @@
-"""Reads a BVH file as a Character with one clip: its joints in the order of the file, its units as written."""
+"""Reads a BVH file as a Character with one clip: joints in the order of the file, its units as written."""
 
 from __future__ import annotations
 

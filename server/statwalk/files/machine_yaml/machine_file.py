@@ -240,6 +240,7 @@ def _character_name(root: Node) -> str:
         (".glb", ".gltf", ".yaml", ".yml", ".bvh", ".trc")
     ):
         raise node.refuse(
-            f"{node.text()[:80]!r} is no .glb, .gltf, .yaml, .bvh or .trc file, nor the name of a shipped machine"
+            f"{node.text()[:80]!r} is no .glb, .gltf, .yaml, .bvh or .trc file, nor the name of "
+            "a shipped machine"
         )
     return node.text()

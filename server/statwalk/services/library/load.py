@@ -65,8 +65,8 @@ def load(
     .trc) or a character file (.yaml); loads a Role from a machine folder or a shipped machine's name.
 
     `text`: the text of another version of the machine, as `replay` finds it in a log under `name@2`. For a
-    capture: `position` "replace" (a joint's position channels replace its offset) or "add", and `scale`, which
-    multiplies all lengths; the file's units are kept otherwise.
+    capture: `position` "replace" (a joint's position channels replace its offset) or "add", and `scale`,
+    which multiplies all lengths; the file's units are kept otherwise.
 
     :raises ContentError: when a file is refused.
     :raises UnknownNameError: when no file, folder or shipped machine has this name.

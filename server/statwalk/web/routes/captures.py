@@ -38,8 +38,8 @@ def get_bones(name: str, catalogue: CatalogueDep) -> BonesView:
 
 @router.post("/{name}/clips", status_code=201)
 def add_clip(name: str, new: NewClip, catalogue: CatalogueDep, response: Response) -> NewClipView:
-    """Carries a clip of another character over to this one, and keeps the result as an uploaded character: this
-    one with a clip more, or a new one called `character`.
+    """Carries a clip of another character over to this one, and keeps the result as an uploaded character:
+    this one with a clip more, or a new one called `character`.
     """
     store = model_store_of(catalogue)
     result = _result_name(name, new, catalogue, store)
@@ -65,7 +65,8 @@ def _result_name(name: str, new: NewClip, catalogue: Catalogue, store: ModelStor
     if new.character is None and name not in catalogue.uploads():
         raise Problem(
             409,
-            f"the character {name[:80]!r} belongs to the server and stays as it is; name the new one: character",
+            f"the character {name[:80]!r} belongs to the server and stays as it is; "
+            "name the new one: character",
             field="character",
         )
     check_free(result, catalogue, store)

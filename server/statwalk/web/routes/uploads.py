@@ -139,11 +139,12 @@ async def put_character(
     low_pass: Annotated[float, Query(ge=0, le=HIGHEST_CUTOFF)] = 0.0,
     spikes: bool = False,
 ) -> UploadView:
-    """Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture (.bvh,
-    .trc), as the raw body.
+    """Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture
+    (.bvh, .trc), as the raw body.
 
-    Replaces an uploaded character with the same name. The query is for captures: whether BVH position channels
-    replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of spikes.
+    Replaces an uploaded character with the same name. The query is for captures: whether BVH position
+    channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of
+    spikes.
     """
     how = Reading(position, scale, Filter(low_pass, spikes))
     store = model_store_of(catalogue)

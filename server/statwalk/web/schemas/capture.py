@@ -26,9 +26,9 @@ class NewClip(RequestModel):
     """the new clip's name; empty: the clip's own"""
     character: Name | None = None
     """the name of the character with the clip; by default the uploaded character itself gets it"""
-    bones: Bones = {}
+    bones: Bones = Field(default_factory=dict)
     """the source's joint of a bone whose name does not tell it; an empty joint: none"""
-    target_bones: Bones = {}
+    target_bones: Bones = Field(default_factory=dict)
     """the same for the character"""
     start: Seconds = 0.0
     """the piece that is carried over begins here, in seconds"""
@@ -53,8 +53,8 @@ class NewClipView(ResponseModel):
     """A clip that was carried over, and how.
 
     missing: bones of hips and legs that one of the two lacks. unmapped_source: joints that move, and whose
-    motion no joint takes. unmapped_target: joints that no motion reaches. scale: the character's metres per unit
-    of the source. root: the joint that travels.
+    motion no joint takes. unmapped_target: joints that no motion reaches. scale: the character's metres per
+    unit of the source. root: the joint that travels.
     """
 
     character: str
@@ -70,8 +70,8 @@ class NewClipView(ResponseModel):
 
 
 class BonesView(ResponseModel):
-    """The joint of each bone that the names of a character tell; `needed` are the bones without which no walk is
-    carried over, `known` all names of bones.
+    """The joint of each bone that the names of a character tell; `needed` are the bones without which no walk
+    is carried over, `known` all names of bones.
     """
 
     character: str
