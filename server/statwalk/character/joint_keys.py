@@ -6,14 +6,14 @@ import numpy as np
 
 from statwalk.character.body import Body
 from statwalk.character.body_bones import carrier
-from statwalk.character.plant import Keys
+from statwalk.character.plant import BodyKeys
 from statwalk.maths import quat, transform
 from statwalk.maths.arrays import Floats
 from statwalk.maths.filters import continuous
 from statwalk.motion.clip import Channel
 
 
-def travelling_joint(body: Body, keys: Keys) -> int:
+def travelling_joint(body: Body, keys: BodyKeys) -> int:
     """Returns the joint that travels: the hips, or what carries hips and feet, where feet do not hang on
     legs.
     """
@@ -22,7 +22,7 @@ def travelling_joint(body: Body, keys: Keys) -> int:
     return body.bones["Hips"] if above is None else above
 
 
-def channels_of(body: Body, keys: Keys, times: Floats) -> tuple[Channel, ...]:
+def channels_of(body: Body, keys: BodyKeys, times: Floats) -> tuple[Channel, ...]:
     """Returns the keys of the joints at `times` (F,): rotations of the bones, translations of those that have
     a place. Joints without a bone keep their rest below the nearest joint that turns.
     """
@@ -52,7 +52,7 @@ def channels_of(body: Body, keys: Keys, times: Floats) -> tuple[Channel, ...]:
     return tuple(channels)
 
 
-def _below_hips(body: Body, keys: Keys, joint: int) -> Floats:
+def _below_hips(body: Body, keys: BodyKeys, joint: int) -> Floats:
     """Returns the way (F, 3) of a joint that travels with the hips over the ground, and keeps its height."""
     hips = keys.places["Hips"]
     way: Floats = body.position[joint] + (hips - hips[:1]) * np.array([1.0, 0.0, 1.0])

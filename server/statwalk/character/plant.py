@@ -22,7 +22,7 @@ LONGEST_REACH = 0.998
 Y = np.array([0.0, 1.0, 0.0])
 
 
-class Path(NamedTuple):
+class CapturedPath(NamedTuple):
     """The captured places in the target's space and scale, before the target stands on its own ground.
 
     hips   (F, 3)
@@ -35,7 +35,7 @@ class Path(NamedTuple):
     drop: float
 
 
-class Keys(NamedTuple):
+class BodyKeys(NamedTuple):
     """The target's motion in its own space.
 
     turns    by bone, (F, 4)
@@ -46,7 +46,7 @@ class Keys(NamedTuple):
     places: dict[str, Floats]
 
 
-def planted(body: Body, turns: dict[str, Floats], path: Path) -> Keys:
+def planted(body: Body, turns: dict[str, Floats], path: CapturedPath) -> BodyKeys:
     """Returns the turns of the bones with the legs on the ground, and where the hips are."""
     soles = soles_of(body)
     ground = ground_of(soles)
@@ -58,10 +58,10 @@ def planted(body: Body, turns: dict[str, Floats], path: Path) -> Keys:
             target = _ankle(body, turns, hips, path, leg[2])
             target = _lifted(body, turns, target, (leg[2], soles[leg[2]], ground))
             solved |= _leg(body, turns, hips, target, leg)
-    return Keys(solved, places | _detached(body, solved, places))
+    return BodyKeys(solved, places | _detached(body, solved, places))
 
 
-def _hips(body: Body, path: Path, soles: dict[str, Floats]) -> Floats:
+def _hips(body: Body, path: CapturedPath, soles: dict[str, Floats]) -> Floats:
     """Returns the hips (F, 3): the hip joints as high above the standing ankle as the captured ones,
     in scale.
     """
@@ -76,7 +76,7 @@ def _hips(body: Body, path: Path, soles: dict[str, Floats]) -> Floats:
     return path.hips + Y * (ankle - standing + drop - path.drop)
 
 
-def _ankle(body: Body, turns: dict[str, Floats], hips: Floats, path: Path, foot: str) -> Floats:
+def _ankle(body: Body, turns: dict[str, Floats], hips: Floats, path: CapturedPath, foot: str) -> Floats:
     """Returns where an ankle goes (F, 3): as the captured one, further aside by as much as hips are wider."""
     captured = path.feet[foot]
     standing = float(np.percentile(captured[:, 1], STANDING_SHARE))

@@ -16,10 +16,10 @@ import numpy as np
 
 from statwalk.character.body import Body
 from statwalk.character.body_bones import BODY_BONES, NEEDED, body_bones
-from statwalk.character.carry import Motion, motion_of, rotations, to_world
+from statwalk.character.carry import CapturedMotion, motion_of, rotations, to_world
 from statwalk.character.character import Character
 from statwalk.character.joint_keys import channels_of, travelling_joint
-from statwalk.character.plant import Path, planted
+from statwalk.character.plant import CapturedPath, planted
 from statwalk.errors import ContentError, UnknownNameError
 from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
@@ -163,7 +163,7 @@ def _begins_with_reference(clip: Clip, body: Body, times: Floats) -> bool:
     return bool(angles[0] > JUMP and angles[0] > TIMES_USUAL * angles[1:].max())
 
 
-def _path(source: Body, target: Body, motion: Motion, world: Floats) -> tuple[Path, float]:
+def _path(source: Body, target: Body, motion: CapturedMotion, world: Floats) -> tuple[CapturedPath, float]:
     """Returns the places of hips and ankles in the target's space before they are planted, and the scale."""
     ours, theirs = source.leg(), target.leg()
     scale = theirs / ours if ours > 0 and theirs > 0 else _height(target) / _height(source)
@@ -177,7 +177,7 @@ def _path(source: Body, target: Body, motion: Motion, world: Floats) -> tuple[Pa
         return place
 
     feet = {bone: placed(bone) for bone in ("LeftFoot", "RightFoot") if bone in source.bones}
-    return Path(placed("Hips"), feet, _drop(source, source.up) * scale), scale
+    return CapturedPath(placed("Hips"), feet, _drop(source, source.up) * scale), scale
 
 
 def _height(body: Body) -> float:

@@ -14,7 +14,7 @@ from statwalk.character.capture import CaptureWish, with_capture
 from statwalk.character.character import Character
 from statwalk.character.retarget import Retargeted, Wish
 from statwalk.errors import ContentError
-from statwalk.files.bvh.read import Position
+from statwalk.files.bvh.bvh_file import Position
 from statwalk.files.captures import SUFFIXES, Reading, load_capture
 from statwalk.files.gltf.add_clip import model_with_clip
 from statwalk.motion.filter_clip import Filter
@@ -87,8 +87,11 @@ def convert(
     if out.suffix.lower() != ".glb":
         raise typer.BadParameter(f"the file to write is a .glb, not {out.name}")
     wanted = Filter(low_pass, spikes)
+    how = Reading(position, scale, wanted if onto is None else Filter())
+    if how != Reading() and source.suffix.lower() not in SUFFIXES:
+        raise typer.BadParameter("position, scale, and filters without --onto are for captures (.bvh, .trc)")
     if onto is None:
-        character = _character_of(source, Reading(position, scale, wanted))
+        character = _character_of(source, how)
         out.write_bytes(character.model_glb)
         console.print(
             escape(f"{out}: {len(character.skeleton)} joints, {len(character.clips)} clips"), soft_wrap=True
@@ -99,7 +102,7 @@ def convert(
         raise ContentError("this character has no model to write", file=str(onto))
     carried = Wish(_bones(bone or []), _bones(target_bone or []), start, end)
     wish = CaptureWish(clip, name, carried, wanted)
-    character, added, report = with_capture(target, _character_of(source, Reading(position, scale)), wish)
+    character, added, report = with_capture(target, _character_of(source, how), wish)
     out.write_bytes(
         replace(character, model_glb=model_with_clip(character, character.clips[added])).model_glb
     )

@@ -8,9 +8,9 @@ from pathlib import Path
 from statwalk.character.character import Character
 from statwalk.errors import ContentError
 from statwalk.files.bvh import read_bvh
-from statwalk.files.bvh.read import Position
+from statwalk.files.bvh.bvh_file import Position
 from statwalk.files.gltf import write
-from statwalk.files.trc.read import read_trc
+from statwalk.files.trc.trc_file import read_trc
 from statwalk.motion.filter_clip import Filter, filtered
 
 SUFFIXES = (".bvh", ".trc")

@@ -21,7 +21,7 @@ from statwalk.files.machine_yaml import (
     senses,
     whole_table,
 )
-from statwalk.files.machine_yaml.captures import CaptureLine, read_captures
+from statwalk.files.machine_yaml.capture_lines import CaptureLine, read_captures
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
@@ -47,6 +47,7 @@ KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
     "properties",
+    "captures",
 )
 
 

@@ -6,6 +6,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends, Response
 
+from statwalk.files.machine_yaml.state_names import MEANINGS, proposed
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import UploadedCharacter
 from statwalk.web.bounded_json import BoundedRoute
@@ -14,6 +15,7 @@ from statwalk.web.schemas.character import (
     CharacterView,
     ClipView,
     JointView,
+    MappingView,
     PartView,
     ShippedCharacterView,
     UploadedCharacterView,
@@ -73,3 +75,10 @@ def get_model(name: str, catalogue: CatalogueDep) -> Response:
     """Returns the model as a .glb, which any glTF viewer opens."""
     headers = {"Cache-Control": "no-cache"}
     return Response(catalogue.model_glb(name), media_type="model/gltf-binary", headers=headers)
+
+
+@router.get("/{name}/mapping")
+def get_mapping(name: str, catalogue: CatalogueDep) -> MappingView:
+    """Proposes a state for each clip; change the mapping and post it to /api/machines."""
+    clips = catalogue.character(name).clips
+    return MappingView(character=name, mapping=proposed(clips), meanings=MEANINGS)

@@ -14,9 +14,8 @@ from anyio import CancelScope, CapacityLimiter, to_thread
 from fastapi import APIRouter, Depends, Query, Request, Response
 from starlette.requests import ClientDisconnect
 
-from statwalk.files.bvh.read import SMALLEST_SCALE, Position
+from statwalk.files.bvh.bvh_file import SMALLEST_SCALE, Position
 from statwalk.files.captures import Reading
-from statwalk.files.machine_yaml.state_names import MEANINGS, proposed
 from statwalk.motion.filter_clip import HIGHEST_CUTOFF, Filter
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import NAME, ModelStore, UploadedCharacter
@@ -25,7 +24,7 @@ from statwalk.services.limits import MOST_UPLOADS
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import catalogue_of, token_of
 from statwalk.web.errors import Problem
-from statwalk.web.schemas.character import MappingView, UploadView
+from statwalk.web.schemas.character import UploadView
 from statwalk.web.security import MODEL
 
 router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
@@ -245,10 +244,3 @@ def delete_character(name: str, catalogue: CatalogueDep) -> None:
                 known=machines,
             )
         store.forget(name)
-
-
-@router.get("/{name}/mapping")
-def get_mapping(name: str, catalogue: CatalogueDep) -> MappingView:
-    """Proposes a state for each clip; change the mapping and post it to /api/machines."""
-    clips = catalogue.character(name).clips
-    return MappingView(character=name, mapping=proposed(clips), meanings=MEANINGS)

@@ -16,7 +16,7 @@ from statwalk.character.capture import CaptureWish, with_capture
 from statwalk.character.character import Character
 from statwalk.character.retarget import Wish
 from statwalk.errors import ContentError, MachineError, UnknownNameError
-from statwalk.files.bvh.read import POSITIONS, SMALLEST_SCALE
+from statwalk.files.bvh.bvh_file import POSITIONS, SMALLEST_SCALE
 from statwalk.files.captures import SUFFIXES, Reading, load_capture
 from statwalk.files.yaml.yaml_node import Node
 from statwalk.motion.filter_clip import HIGHEST_CUTOFF, Filter
