@@ -33,7 +33,7 @@ def test_a_captured_walk_is_a_motion_that_travels(tmp_path: Path) -> None:
         tmp_path, "file: walk.bvh, start: 0.2, end: 0.8, loop: true, filter: {low_pass: 6, spikes: true}"
     )
     clip = role.character.clips["stroll"]
-    assert clip.duration == pytest.approx(0.6, abs=0.01)
+    assert clip.duration == pytest.approx(0.6, abs=0.04)
     assert clip.loop
     assert role.travels
 

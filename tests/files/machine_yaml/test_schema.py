@@ -42,7 +42,7 @@ states:
         GUARD | HIT at left
     resume: true
 captures:
-  cmu: {file: walk.bvh, position: add, scale: 0.1, start: 1, end: 2.5, loop: true, filter: {low_pass: 6, spikes: true}}
+  cmu: {file: walk.bvh, position: add, scale: 0.1, end: 2.5, loop: true, filter: {low_pass: 6, spikes: true}}
   wave: {file: wave.trc, bones: {Hips: pelvis}, target_bones: {Head: top}}
 events: {LATE: {buffer: 1}, MORE: }
 table: |

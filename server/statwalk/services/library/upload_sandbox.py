@@ -114,7 +114,7 @@ def refusal(status: int, error_output: bytes) -> ContentError:
     return ContentError("the reader failed on this file; the file is refused")
 
 
-def main(upload: str, out: str, name: str, how: str) -> None:
+def main(upload: str, out: str, name: str, how: str = "{}") -> None:
     """Runs the child: sets its limits, then reads the file."""
     _limit_self()
     answer: dict[str, Any]
@@ -147,7 +147,7 @@ def _limit_self() -> None:
 
 def _reading(text: str) -> captures.Reading:
     members = json.loads(text)
-    return captures.Reading(**{**members, "filter": Filter(**members["filter"])})
+    return captures.Reading(**{**members, "filter": Filter(**members.get("filter", {}))})
 
 
 def read_upload(upload: Path, name: str, how: captures.Reading | None = None) -> Character:
