@@ -79,6 +79,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/characters/{name}/solve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Solve
+         * @description Returns the joints of a chain after its end was brought to the target; nothing on a stage changes.
+         */
+        post: operations["solve_api_characters__name__solve_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/characters/{name}/mapping": {
         parameters: {
             query?: never;
@@ -753,6 +773,7 @@ export interface components {
             position: number[];
             heading_deg: number;
             hash: string;
+            clamped: components["schemas"]["ClampedView"][];
         };
         /**
          * @description An alternative of a cell; `blend` in seconds, `enter` is the phase 0…1 at which the motion begins, or
@@ -839,6 +860,12 @@ export interface components {
             notes: string[];
             model: string;
         };
+        /** @description A joint that its limits changed in this tick: by how many degrees and metres. */
+        ClampedView: {
+            joint: string;
+            angle_deg: number;
+            distance: number;
+        };
         /** @description A clip; `duration` in seconds. */
         ClipView: {
             name: string;
@@ -904,6 +931,7 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
             text: string;
@@ -965,6 +993,13 @@ export interface components {
         /** @description All findings of the verifier about one machine. */
         FindingsView: {
             findings: components["schemas"]["FindingView"][];
+        };
+        /** @description A degree of freedom of a joint: degrees if it is an angle, else metres; null: not limited. */
+        FreedomView: {
+            name: string;
+            is_angle: boolean;
+            minimum: number | null;
+            maximum: number | null;
         };
         /** @description The actor travels to `state` first. */
         GoChange: {
@@ -1030,6 +1065,21 @@ export interface components {
             rows: string[][];
             edges: components["schemas"]["EdgeView"][];
         };
+        /**
+         * @description The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
+         *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+         */
+        LimitView: {
+            joint: string;
+            type: string;
+            form: string;
+            symbol: string;
+            /** @enum {string} */
+            shape: "free" | "hinge" | "cone" | "range" | "axes";
+            frame: number[];
+            rest: number[];
+            freedoms: components["schemas"]["FreedomView"][];
+        };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
         MachineSummary: {
             name: string;
@@ -1076,6 +1126,7 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
             text: string;
@@ -1242,6 +1293,68 @@ export interface components {
             value: number | number[];
             actor?: number | null;
         };
+        /**
+         * @description A chain of joints and its target, in model space, metres; the other members have the defaults of
+         *     `Character.solve`.
+         */
+        NewSolve: {
+            chain: string[];
+            target: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * @default two-bone
+             * @enum {string}
+             */
+            solver?: "two-bone" | "ccd" | "fabrik" | "force" | "look-at";
+            /**
+             * @default {
+             *       "time": 0,
+             *       "rotations": {}
+             *     }
+             */
+            pose?: components["schemas"]["PoseSource"];
+            /** @default 1 */
+            weight?: number;
+            pole?: [
+                number,
+                number,
+                number
+            ] | null;
+            pole_point?: [
+                number,
+                number,
+                number
+            ] | null;
+            rotation?: [
+                number,
+                number,
+                number,
+                number
+            ] | null;
+            /** @default 0 */
+            softening?: number;
+            /** @default 0.0001 */
+            tolerance?: number;
+            iterations?: number | null;
+            sensitivity?: {
+                [key: string]: number;
+            };
+            /**
+             * @default [
+             *       0,
+             *       0,
+             *       1
+             *     ]
+             */
+            forward?: [
+                number,
+                number,
+                number
+            ];
+        };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
         NewStage: {
             seed?: number | null;
@@ -1318,6 +1431,23 @@ export interface components {
             root: components["schemas"]["RootView"];
         };
         /**
+         * @description The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations on
+         *     top.
+         */
+        PoseSource: {
+            clip?: string | null;
+            /** @default 0 */
+            time?: number;
+            rotations?: {
+                [key: string]: [
+                    number,
+                    number,
+                    number,
+                    number
+                ];
+            };
+        };
+        /**
          * @description The answer to a dry run whose text would be refused: what is wrong in words, the places, and the
          *     findings that the text would add (none if it cannot be read).
          */
@@ -1387,6 +1517,28 @@ export interface components {
              * @constant
              */
             uploaded: false;
+        };
+        /** @description The solved chain, from start to end; `distance`: metres from the end to the target. */
+        SolveView: {
+            joints: components["schemas"]["SolvedJointView"][];
+            reached: boolean;
+            distance: number;
+            iterations: number;
+        };
+        /** @description A joint of the chain afterwards: its local rotation x y z w, its place in model space, metres. */
+        SolvedJointView: {
+            name: string;
+            rotation: [
+                number,
+                number,
+                number,
+                number
+            ];
+            position: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description The speed of the clock; 1 is real time. */
         Speed: {
@@ -1941,6 +2093,7 @@ export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
 export type CharacterView = components['schemas']['CharacterView'];
+export type ClampedView = components['schemas']['ClampedView'];
 export type ClipView = components['schemas']['ClipView'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type EdgeView = components['schemas']['EdgeView'];
@@ -1949,6 +2102,7 @@ export type ExplainedView = components['schemas']['ExplainedView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
+export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
@@ -1956,6 +2110,7 @@ export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
 export type LayerView = components['schemas']['LayerView'];
+export type LimitView = components['schemas']['LimitView'];
 export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
 export type MappingView = components['schemas']['MappingView'];
@@ -1969,6 +2124,7 @@ export type NewClipView = components['schemas']['NewClipView'];
 export type NewEvent = components['schemas']['NewEvent'];
 export type NewMachine = components['schemas']['NewMachine'];
 export type NewParameter = components['schemas']['NewParameter'];
+export type NewSolve = components['schemas']['NewSolve'];
 export type NewStage = components['schemas']['NewStage'];
 export type NewText = components['schemas']['NewText'];
 export type NewTravel = components['schemas']['NewTravel'];
@@ -1977,6 +2133,7 @@ export type PartView = components['schemas']['PartView'];
 export type PauseBody = components['schemas']['PauseBody'];
 export type PlanView = components['schemas']['PlanView'];
 export type PoseAnswer = components['schemas']['PoseAnswer'];
+export type PoseSource = components['schemas']['PoseSource'];
 export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
 export type RootView = components['schemas']['RootView'];
@@ -1985,6 +2142,8 @@ export type SeekBody = components['schemas']['SeekBody'];
 export type SendChange = components['schemas']['SendChange'];
 export type SetChange = components['schemas']['SetChange'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
+export type SolveView = components['schemas']['SolveView'];
+export type SolvedJointView = components['schemas']['SolvedJointView'];
 export type Speed = components['schemas']['Speed'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];
@@ -2172,6 +2331,36 @@ export interface operations {
                 };
                 content: {
                     "model/gltf-binary": unknown;
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    solve_api_characters__name__solve_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewSolve"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SolveView"];
                 };
             };
             /** @description Client Error */

@@ -4,6 +4,8 @@ import type { ShippedCharacterView, UploadedCharacterView } from "./api.generate
 
 export type {
   BonesView as Bones,
+  ActorView as ActorFacts,
+  ClampedView as ClampedJoint,
   EventLine,
   HistoryView as StateHistory,
   LogHeader,
