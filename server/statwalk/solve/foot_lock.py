@@ -22,6 +22,7 @@ from statwalk.maths.simd.pose_layout import place_of
 from statwalk.maths.springs import settled
 from statwalk.solve.foot_tables import (
     EAGER,
+    LEAVING,
     LOWEST,
     LOWEST_X,
     LOWEST_Z,
@@ -30,6 +31,7 @@ from statwalk.solve.foot_tables import (
     PIVOT_Z,
     PLANTED,
     SINCE,
+    STANDING,
     TURN,
     TURN_RATE,
     X_RATE,
@@ -159,19 +161,18 @@ def step_foot(
         _begin(f, keep, row, at, low, ankle, root, is_down)
     old = keep[row, at + X], keep[row, at + Z], keep[row, at + TURN], keep[row, at + Y]
     keep[row, at + SINCE] += dt
-    if keep[row, at + PLANTED] > 0.0:
+    if keep[row, at + PLANTED] == LEAVING:
+        _perhaps_leave(f, keep, row, at, low, root)
+    if keep[row, at + PLANTED] >= LEAVING:
         _hold(f, legs, keep, row, at, ankle, root)
-        _perhaps_release(keep, row, at, other, is_down)
         _take_rates(keep, row, at, old, dt)
-    if keep[row, at + PLANTED] == 0.0:
-        if _is_leaving(f, keep, row, at, low, root):
-            _hold(f, legs, keep, row, at, ankle, root)
-            _take_rates(keep, row, at, old, dt)
-        else:
-            _approach(keep, row, at, old, dt)
+        if keep[row, at + PLANTED] == STANDING:
+            _perhaps_release(keep, row, at, other, is_down)
+    else:
+        _approach(keep, row, at, old, dt)
     _raise(f, keep, row, at, low, old[3], root, is_down, speed, dt)
     _perhaps_plant(f, keep, row, at, low, root, is_down, speed)
-    if keep[row, at + PLANTED] > 0.0:
+    if keep[row, at + PLANTED] == STANDING:
         _roll(f, legs, keep, row, at, low, ankle, root)
 
 
@@ -191,7 +192,7 @@ def _speed(f: Any, legs: Any, keep: Any, row: int, at: int, low: Any, root: Any,
 def _begin(f: Any, keep: Any, row: int, at: int, low: Any, ankle: Any, root: Any, is_down: bool) -> None:
     """A new actor: a foot that its motion plants is planted where it is."""
     is_low = low[2] - ground_at(f.ground, low[1], low[3], root[1]) < LOW
-    keep[row, at + PLANTED] = 1.0 if is_down and is_low else 0.0
+    keep[row, at + PLANTED] = STANDING if is_down and is_low else 0.0
     keep[row, at + PIVOT], keep[row, at + PIVOT_X], keep[row, at + PIVOT_Z] = low[0], low[1], low[3]
     keep[row, at + YAW], keep[row, at + SINCE] = ankle[3], 1.0
 
@@ -214,12 +215,12 @@ def _perhaps_release(keep: Any, row: int, at: int, other: int, is_down: bool) ->
     away = math.sqrt(x * x + z * z)
     goes = not is_down or away > FAR or twist > FAR_TWIST or keep[row, at + EAGER] > 0.0
     if not goes and other >= 0 and keep[row, at + SINCE] > SHORTEST_STAND:
-        stands = keep[row, other + PLANTED] > 0.0 and keep[row, other + SINCE] > SHORTEST_STAND
+        stands = keep[row, other + PLANTED] == STANDING and keep[row, other + SINCE] > SHORTEST_STAND
         further = size_of(keep, row, at) >= size_of(keep, row, other)
         goes = stands and further and (away > STEP or twist > TWIST)
     if goes:
-        keep[row, at + PLANTED], keep[row, at + SINCE] = 0.0, 0.0
-        keep[row, at + EAGER] = min(MOST_EAGER, math.sqrt(HARDEST / max(away, 0.01)))
+        keep[row, at + PLANTED], keep[row, at + SINCE] = LEAVING, 0.0
+        keep[row, at + EAGER] = _eagerness(away)
 
 
 @inlined
@@ -230,11 +231,20 @@ def _take_rates(keep: Any, row: int, at: int, old: Any, dt: float) -> None:
 
 
 @inlined
-def _is_leaving(f: Any, keep: Any, row: int, at: int, low: Any, root: Any) -> Any:
-    """Whether a released foot is still on the ground: it rises before it goes."""
-    x, z = low[1] + keep[row, at + X], low[3] + keep[row, at + Z]
-    height = low[2] + keep[row, at + Y] - ground_at(f.ground, x, z, root[1])
-    return keep[row, at + SINCE] < LONGEST_LEAVE and height < CLEAR and keep[row, at + SINCE] >= 0.0
+def _perhaps_leave(f: Any, keep: Any, row: int, at: int, low: Any, root: Any) -> None:
+    """Lets a released foot go to its motion: once it is clear of the ground, or too far behind."""
+    x, z = keep[row, at + X], keep[row, at + Z]
+    height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
+    away = math.sqrt(x * x + z * z)
+    if height > CLEAR or away > FAR or keep[row, at + SINCE] > LONGEST_LEAVE:
+        keep[row, at + PLANTED] = 0.0
+        keep[row, at + EAGER] = _eagerness(away)
+
+
+@inlined
+def _eagerness(away: float) -> Any:
+    """1/s: the further a foot is from its motion, the gentler."""
+    return min(MOST_EAGER, math.sqrt(HARDEST / max(away, 0.01)))
 
 
 @inlined
@@ -255,7 +265,7 @@ def _raise(
     x, z = keep[row, at + X], keep[row, at + Z]
     floor = ground_at(f.ground, low[1] + x, low[3] + z, root[1]) - low[2]
     wanted = floor + low[2] - root[1]  # as high above the ground as in the motion
-    if keep[row, at + PLANTED] > 0.0:
+    if keep[row, at + PLANTED] == STANDING:
         wanted = floor
     elif is_down or -floor < CLEARANCE:
         clear = PER_METRE * math.sqrt(x * x + z * z) + (PER_SPEED * min(speed, 1.0) if is_down else 0.0)
@@ -273,12 +283,12 @@ def _perhaps_plant(
     f: Any, keep: Any, row: int, at: int, low: Any, root: Any, is_down: bool, speed: float
 ) -> None:
     """Plants a foot that has come down where its motion plants it."""
-    if keep[row, at + PLANTED] > 0.0 or not is_down or speed > SLOW or keep[row, at + SINCE] < SHORTEST_STEP:
+    if keep[row, at + PLANTED] != 0.0 or not is_down or speed > SLOW or keep[row, at + SINCE] < SHORTEST_STEP:
         return
     x, z = keep[row, at + X], keep[row, at + Z]
     height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
     if height < LOW:
-        keep[row, at + PLANTED], keep[row, at + SINCE], keep[row, at + PIVOT] = 1.0, 0.0, low[0]
+        keep[row, at + PLANTED], keep[row, at + SINCE], keep[row, at + PIVOT] = STANDING, 0.0, low[0]
         keep[row, at + EAGER] = 0.0
 
 

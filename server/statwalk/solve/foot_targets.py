@@ -23,6 +23,7 @@ from statwalk.solve.foot_tables import (
     OF_ACTOR,
     OF_FOOT,
     PLANTED,
+    STANDING,
     TURN,
     X,
     Y,
@@ -47,7 +48,7 @@ def lower_pelvis(f: Any, legs: Any, keep: Any, row: int, root: Any, dt: float) -
     wanted = 0.0
     for foot in range(f.hip.shape[0]):
         at = memory + OF_ACTOR + foot * OF_FOOT
-        if keep[row, at + PLANTED] > 0.0:
+        if keep[row, at + PLANTED] == STANDING:
             need = _missing(f, legs, keep, row, foot, at, root)
             keep[row, at + EAGER] = 1.0 if need > most else 0.0
             wanted = max(wanted, min(need, most))
