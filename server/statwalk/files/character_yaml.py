@@ -5,6 +5,7 @@
     scale: 0.08                   # metres per unit of the files
     clips:
       walk: {keys: walk.txt, interpolation: slerp, loop: true}
+      wave: {keys: wave.txt, interpolation: {rotation: nurbs, translation: linear}}
 
 Every bone becomes a joint and a rigid tetrahedron (FAQ Q28). A bone at the end of a limb, and a bone with a
 keyed length, gets a second joint, `NAME.end`, at its end point.
@@ -21,7 +22,7 @@ import numpy as np
 from statwalk.character.character import Character
 from statwalk.errors import ContentError, TextError
 from statwalk.files import tetrahedra
-from statwalk.files.faq.key_frame_clip import INTERPOLATIONS, ClipForm, check_names, clip_of, keyed_lengths
+from statwalk.files.faq.key_frame_clip import ClipForm, check_names, clip_of, keyed_lengths
 from statwalk.files.faq.key_frame_text import KeyFrame, read_keys
 from statwalk.files.faq.skeleton_text import SHIPPED, read_skeleton, read_text
 from statwalk.files.gltf import write
@@ -29,6 +30,9 @@ from statwalk.files.yaml.yaml_text import Node, parse
 from statwalk.maths import pose as poses
 from statwalk.maths.arrays import Floats
 from statwalk.motion.clip import Clip
+from statwalk.motion.keys.channel import Path as Property
+from statwalk.motion.keys.channel_table import PATHS
+from statwalk.motion.keys.interpolations import INTERPOLATIONS
 from statwalk.rig.bones import Bones
 from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.primitive import Primitive, Skin
@@ -94,16 +98,28 @@ def _frames(node: Node, bones: Bones, folder: Path) -> tuple[KeyFrame, ...]:
 
 def _clip(name: str, node: Node, form: ClipForm, frames: Sequence[KeyFrame]) -> Clip:
     entries = node.entries(*_CLIP_KEYS)
-    interpolation = entries["interpolation"].text() if "interpolation" in entries else "slerp"
-    if interpolation not in INTERPOLATIONS:
-        raise entries["interpolation"].unknown("interpolation", interpolation, INTERPOLATIONS)
+    how = _interpolations(entries.get("interpolation"))
     loop = "loop" in entries and entries["loop"].truth()
     try:
-        clip = clip_of(name, form, frames, interpolation, loop)
+        clip = clip_of(name, form, frames, how, loop)
         clip.tracks  # noqa: B018 - refuses a B-spline that cannot pass through its keys here, not in a tick
     except ContentError as error:
         raise node.refuse(f"clip {name}: {error.message}") from None
     return clip
+
+
+def _interpolations(node: Node | None) -> dict[Property, str]:
+    """Returns the interpolation of each property: one name for all, or a name for some of them."""
+    if node is None or node.is_mapping:
+        entries = node.entries(*PATHS) if node is not None else {}
+        return {path: _interpolation(entries[path]) if path in entries else "slerp" for path in PATHS}
+    return dict.fromkeys(PATHS, _interpolation(node))
+
+
+def _interpolation(node: Node) -> str:
+    if node.text() not in INTERPOLATIONS:
+        raise node.unknown("interpolation", node.text(), INTERPOLATIONS)
+    return node.text()
 
 
 def _bone_character(
