@@ -35,6 +35,7 @@ class Character:
     materials    glTF material objects, in the order of the parts' indices
     notes        the repairs made when the file was read
     model_glb    the model as a .glb for any viewer
+    made         the names of clips that a machine file made of the model's own clips
     """
 
     name: str
@@ -47,6 +48,7 @@ class Character:
     materials: tuple[Mapping[str, Any], ...] = ()
     notes: tuple[str, ...] = ()
     model_glb: bytes = b""
+    made: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
         lock_fields(self)

@@ -12,6 +12,7 @@ import numpy as np
 
 from statwalk.character.character import Character
 from statwalk.character.colliders import Colliders
+from statwalk.character.made_clips import with_clips
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
 from statwalk.errors import UnknownNameError
@@ -80,6 +81,8 @@ class Role:
         :raises MachineError: when the definition names a clip or joint that the character does not have, or
             cannot be compiled.
         """
+        if before is None or before.character is not character or before.definition.clips != definition.clips:
+            character = with_clips(character, definition.clips, definition.refuse)
         facts = facts_of(character)
         resolved = resolved_tables(definition, facts)
         machine = build(definition, facts, resolved)

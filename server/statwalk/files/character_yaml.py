@@ -20,8 +20,10 @@ from pathlib import Path
 import numpy as np
 
 from statwalk.character.character import Character
+from statwalk.character.made_clips import Refuse, with_clips
+from statwalk.character.made_clips import changed as with_changes
 from statwalk.errors import ContentError, TextError
-from statwalk.files import tetrahedra
+from statwalk.files import clip_changes, tetrahedra
 from statwalk.files.faq.key_frame_clip import ClipForm, check_names, clip_of, keyed_lengths
 from statwalk.files.faq.key_frame_text import KeyFrame, read_keys
 from statwalk.files.faq.skeleton_text import SHIPPED, read_skeleton, read_text
@@ -38,7 +40,7 @@ from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.primitive import Primitive, Skin
 
 _KEYS = ("name", "skeleton", "scale", "clips")
-_CLIP_KEYS = ("keys", "interpolation", "loop")
+_CLIP_KEYS = ("keys", "interpolation", "loop", *clip_changes.CHANGES)
 _SCALES = (1e-6, 1e6)
 
 
@@ -54,15 +56,25 @@ def load_character(path: Path) -> Character:
     bones = _skeleton(entries["skeleton"], path.parent)
     scale = entries["scale"].number(*_SCALES) if "scale" in entries else 1.0
     clips = entries["clips"].entries() if "clips" in entries else {}
-    frames = {name: _frames(node, bones, path.parent) for name, node in clips.items()}
+    made = {name: clip_changes.clip(node) for name, node in clips.items() if "of" in node.entries()}
+    keyed = {name: node for name, node in clips.items() if name not in made}
+    frames = {name: _frames(node, bones, path.parent) for name, node in keyed.items()}
     name = entries["name"].text() if "name" in entries else path.stem
     character, form = _bone_character(
         name, bones, scale, [frame for clip_frames in frames.values() for frame in clip_frames]
     )
-    animated = replace(
-        character, clips={name: _clip(name, node, form, frames[name]) for name, node in clips.items()}
-    )
+    own = {name: _clip(name, node, form, frames[name]) for name, node in keyed.items()}
+    changed = {
+        name: with_changes(character, clip, clip_changes.changes(keyed[name].entries()), _refuser(root))
+        for name, clip in own.items()
+    }
+    animated = with_clips(replace(character, clips=changed), made, _refuser(root))
+    animated = replace(animated, made=frozenset())  # the model carries them as its own
     return replace(animated, model_glb=write.model_glb(animated))
+
+
+def _refuser(root: Node) -> Refuse:
+    return lambda message, line: root.refuse(message, line)
 
 
 def _beside(node: Node, folder: Path) -> Path:

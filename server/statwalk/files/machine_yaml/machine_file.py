@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
+from statwalk.files import clip_changes
 from statwalk.files.machine_yaml import fields, flock_part, inputs, layers, levels, senses, whole_table
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
@@ -38,6 +39,7 @@ KEYS = (
     "title",
     "description",
     "character",
+    "clips",
     "root",
     "initial",
     "idle",
@@ -156,6 +158,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         senses=sense_events,
         colliders=colliders,
         flock=flock_part.flock(entries.get("flock"), parameters),
+        clips=clip_changes.clips(entries.get("clips")),
         properties=tuple(inputs.properties(entries.get("properties"))),
         rows=base.top.table.rows,
         title=entries["title"].text() if "title" in entries else "",

@@ -9,6 +9,7 @@ from typing import Literal
 from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
+from statwalk.machine.definition.clip_definition import ClipDefinition
 from statwalk.machine.definition.flock_definition import FlockDefinition
 
 END = "END"
@@ -205,6 +206,8 @@ class MachineDefinition:
     flock: FlockDefinition | None = None
     """all actors of the role fly as one flock"""
     properties: tuple[PropertyDefinition, ...] = ()
+    clips: Mapping[str, ClipDefinition] = field(default_factory=dict)
+    """the clips that the file makes of the character's own"""
     rows: tuple[tuple[str, ...], ...] = ()
     """the table as written, the header first"""
     title: str = ""
