@@ -45,9 +45,7 @@ def with_clips(character: Character, made: Mapping[str, ClipDefinition], refuse:
     clips = dict(own)
     for name, definition in made.items():
         if name in clips:
-            raise refuse(
-                f"the character has a clip {name} already; give the new one another name", definition.line
-            )
+            raise refuse(f"the character has a clip {name} already; choose another name", definition.line)
         if definition.of not in clips:
             raise refuse(str(UnknownNameError("clip", definition.of, clips)), definition.line)
         clip = changed(character, clips[definition.of], definition.changes, refuse)

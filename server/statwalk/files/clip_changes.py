@@ -3,7 +3,8 @@
 clips:
   march: {of: walk, seconds: 0.8, exaggerate: 1.3}
   salute-left: {of: salute, mirror: true, ease: ease-in-out}
-  spring: {of: jump, anticipate: {amount: 0.3, seconds: 0.25}, squash: {joint: hips, stretch: {0: 1, 0.2: 0.8}}}
+  leap: {of: jump, anticipate: {amount: 0.3, seconds: 0.25}}
+  drop: {of: land, squash: {joint: hips, stretch: {0: 1, 0.1: 0.7, 0.4: 1}}}
 """
 
 from __future__ import annotations
