@@ -44,21 +44,9 @@ SCHEMA_PATH = Path(__file__).with_name("machine.schema.json")
 SEMANTICS = "1"
 SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
-    *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
-    *(
-        "clips",
-        "states",
-        "events",
-        "table",
-        "cells",
-        "layers",
-        "keys",
-        "parameters",
-        "senses",
-        "colliders",
-        "flock",
-    ),
-    "properties",
+    *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
+    *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
+    *("colliders", "flock", "properties"),
 )
 
 

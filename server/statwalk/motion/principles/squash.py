@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -54,9 +55,14 @@ def _check(clip: Clip, joint: int, stretch: Mapping[float, float], axis: str) ->
 
 
 def _fine(stretch: Mapping[float, float]) -> tuple[Floats, Floats]:
-    """Times and factors, closer together where the factor changes much."""
-    times, factors = np.array(sorted(stretch)), np.array([stretch[time] for time in sorted(stretch)])
-    parts = np.maximum(1, np.ceil(np.abs(np.diff(np.log(factors))) / _LONGEST_STEP)).astype(int)
-    fine = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(times, times[1:], parts, strict=False)]
-    every = np.concatenate([*fine, times[-1:]])
-    return every, np.interp(every, times, factors)
+    """Times and factors (K,), so close together that no factor differs much from the next."""
+    keys = sorted(stretch.items())
+    times, factors = [keys[0][0]], [keys[0][1]]
+    for (start, small), (end, large) in pairwise(keys):
+        parts = max(1, int(np.ceil(abs(np.log(large / small)) / _LONGEST_STEP)))
+        way = np.arange(1, parts + 1) / parts
+        between = small * (large / small) ** way
+        part = (between - small) / (large - small) if large != small else way
+        times += (start + (end - start) * part).tolist()
+        factors += between.tolist()
+    return np.array(times), np.array(factors)
