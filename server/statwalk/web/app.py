@@ -22,6 +22,7 @@ from statwalk.web.long_work import LongWork
 from statwalk.web.routes import (
     actors,
     characters,
+    curves,
     edits,
     explain,
     history,
@@ -49,6 +50,7 @@ ROUTES = (
     history,
     actors,
     explain,
+    curves,
     stream,
 )
 
