@@ -14,7 +14,7 @@ from statwalk.maths import curves, quat
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.motion.keys.channel import Channel, Interpolation, Path
 
-_DENSE_PER_SECOND, _DENSE_MOST = 60, 32
+_DENSE_PER_SECOND, _DENSE_MOST = 60, 64
 INTERPOLATIONS: Mapping[str, Interpolation] = {
     "hold": "STEP",  # holds a value until the next key
     "step": "STEP",  # switches half-way between two keys (RTCA Listing 2)

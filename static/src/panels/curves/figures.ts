@@ -6,7 +6,7 @@ import type { CurveView } from "../../net/types/api.generated";
 import { token } from "../../ui/dom";
 import { METHODS } from "./methods";
 
-const WIDTH = 2.6;
+const WIDTH = 2.15;
 const HAND = new THREE.Vector3(0, 1, 0);
 
 function arm(colour: string): THREE.Group {
@@ -31,6 +31,7 @@ export class Figures {
     ({ colour }) =>
       new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: colour })),
   );
+  private readonly stands: THREE.Group[] = [];
   private turns: THREE.Quaternion[][] = [];
 
   constructor(private readonly canvas: HTMLCanvasElement) {
@@ -43,12 +44,12 @@ export class Figures {
     this.scene.add(sun, new THREE.HemisphereLight(0xffffff, 0x777777, 1.6));
     for (const [at, figure] of this.arms.entries()) {
       const stand = new THREE.Group();
-      stand.position.x = (at - (METHODS.length - 1) / 2) * WIDTH;
       const foot = new THREE.Mesh(
         new THREE.SphereGeometry(0.12, 24, 16),
         new THREE.MeshStandardMaterial({ color: token("--edge") }),
       );
       stand.add(foot, figure, this.paths[at]!);
+      this.stands.push(stand);
       this.scene.add(stand);
     }
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement ?? canvas);
@@ -83,6 +84,8 @@ export class Figures {
     const half = (METHODS.length * WIDTH) / 2;
     const high = Math.max(1.45, (half * box.height) / Math.max(1, box.width));
     const wide = Math.max(half, (high * box.width) / Math.max(1, box.height));
+    for (const [at, stand] of this.stands.entries())
+      stand.position.x = ((at + 0.5) / METHODS.length - 0.5) * 2 * wide;
     this.camera.left = -wide;
     this.camera.right = wide;
     this.camera.top = high;

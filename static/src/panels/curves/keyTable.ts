@@ -30,16 +30,16 @@ const key = (time: number, x_deg: number, y_deg: number, z_deg: number, weight =
 export const EXAMPLES: Readonly<Record<string, readonly Key[]>> = {
   "a wave": [
     key(0, 0, 0, 0),
-    key(0.5, 0, 0, 55),
-    key(1.2, 0, 0, -35),
-    key(1.6, 0, 0, 45, 3),
+    key(0.6, 0, 0, 40),
+    key(1.2, 0, 0, -15),
+    key(1.8, 0, 0, 35, 4),
     key(3, 0, 0, 0),
   ],
   "about all axes": [
     key(0, 0, 0, 0),
-    key(1, 40, 30, 0),
-    key(2, -20, 55, 40),
-    key(3, 30, 10, 60),
+    key(1, 25, 20, 0),
+    key(2, -10, 35, 30),
+    key(3, 20, 5, 45),
     key(4, 0, 0, 0),
   ],
   "far apart": [key(0, 0, 0, 0), key(2, 80, 80, 80)],

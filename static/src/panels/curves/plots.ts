@@ -13,7 +13,7 @@ const PLOTS: readonly { name: Quantity; words: string }[] = [
   { name: "speed_deg", words: "angular speed, °/s" },
   { name: "acceleration_deg", words: "angular acceleration, °/s²" },
 ];
-const HEIGHT = 170;
+const HEIGHT = 140;
 const SPIKES = 0.98;
 
 /** Returns the value that a part of all values does not exceed, with room above: a jump of speed at a key is
