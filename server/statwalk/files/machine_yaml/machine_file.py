@@ -14,6 +14,7 @@ from pathlib import Path
 from statwalk.errors import MachineError
 from statwalk.files import clip_changes
 from statwalk.files.machine_yaml import (
+    budgets,
     fields,
     flock_part,
     inputs,
@@ -46,7 +47,7 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
     *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
-    *("colliders", "flock", "properties"),
+    *("colliders", "flock", "properties", "budgets"),
 )
 
 
@@ -151,6 +152,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         flock=flock_part.flock(entries.get("flock"), parameters),
         clips=clip_changes.clips(entries.get("clips")),
         properties=tuple(inputs.properties(entries.get("properties"))),
+        budgets=budgets.budgets(entries.get("budgets")),
         rows=base.top.table.rows,
         title=entries["title"].text() if "title" in entries else "",
         description=entries["description"].text() if "description" in entries else "",

@@ -8,6 +8,7 @@ from typing import Literal
 
 from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
+from statwalk.machine.definition.budgets_definition import BudgetDefinition
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
 from statwalk.machine.definition.clip_definition import ClipDefinition
 from statwalk.machine.definition.flock_definition import FlockDefinition
@@ -197,6 +198,8 @@ class MachineDefinition:
     properties: tuple[PropertyDefinition, ...] = ()
     clips: Mapping[str, ClipDefinition] = field(default_factory=dict)
     """the clips that the file makes of the character's own"""
+    budgets: Mapping[str, BudgetDefinition] = field(default_factory=dict)
+    """the largest figures that measuring may give, by figure"""
     rows: tuple[tuple[str, ...], ...] = ()
     """the table as written, the header first"""
     title: str = ""
