@@ -16,6 +16,7 @@ from statwalk.character.made_clips import with_clips
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
 from statwalk.character.solver_memory import SolverMemory
+from statwalk.character.springs import springs_on
 from statwalk.errors import UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine, MotionFacts, build
 from statwalk.machine.compile.program import PROGRAM, Program
@@ -30,6 +31,7 @@ from statwalk.motion.blend_space import BlendSpace, Motion
 from statwalk.motion.layer_lanes import MASKS, LayerMasks
 from statwalk.motion.layers import Mask
 from statwalk.motion.tables.motion_tables import MotionTables
+from statwalk.solve.springs import KEPT, Spring, Springs, springs_of
 
 
 class PackedRole(NamedTuple):
@@ -102,6 +104,7 @@ class Role:
             root,
             stock,
         )
+        role.swinging  # noqa: B018 - made now, as the colliders
         role.colliders  # noqa: B018 - made now, so that an unknown joint is an error now and not in a tick
         return role
 
@@ -131,7 +134,22 @@ class Role:
         colliders, as arrays.
         """
         joints = self.colliders.joints
-        return pose_tables(self.machine.layers, self.plays, self.root, self.root_frame, joints)
+        return pose_tables(self.machine.layers, self.plays, self.root, self.root_frame, joints, self.springs)
+
+    @cached_property
+    def springs(self) -> Springs:
+        """Returns the joints that swing, as arrays."""
+        springs, memory = self.swinging, self.solver_memory
+        columns = {joint: memory.first(self._spring_name(joint)) for joint in springs}
+        return springs_of(springs, columns, self.character.skeleton.parent)
+
+    @cached_property
+    def swinging(self) -> dict[int, Spring]:
+        """Returns the spring of each joint that has one, by its row."""
+        return springs_on(self.character, self.definition)
+
+    def _spring_name(self, joint: int) -> str:
+        return f"spring {self.character.skeleton.names[joint]}"
 
     @cached_property
     def layer_masks(self) -> LayerMasks:
@@ -163,7 +181,7 @@ class Role:
     @cached_property
     def solver_memory(self) -> SolverMemory:
         """Returns what the solvers of the role keep from tick to tick."""
-        return SolverMemory({})
+        return SolverMemory({self._spring_name(joint): (0.0,) * KEPT for joint in self.swinging})
 
     @cached_property
     def measures(self) -> bool:

@@ -26,6 +26,7 @@ from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.layer_lanes import MASKS
 from statwalk.motion.tables.motion_tables import MOTIONS
 from statwalk.rig.hierarchy import model_block
+from statwalk.solve.spring_lanes import swing_block
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
 from statwalk.stage.steps._kernels import (
@@ -136,7 +137,10 @@ def _pose_blocks(
             hashes[row] = hash_actor(hashes[row], s, o, position, heading, root_delta, solver_memory, row)
         add_block(o, masks, mem.coming, 0, block, 0.0, mem.scratch)
         release_slots(o, block)
-        # 5 express, 6 limit: not yet; they will change `mem.coming` here
+        # 5 express: joints with springs lag behind, and settle (expressions: not yet); 6 limit: not yet
+        if t.column.shape[0] > 0:
+            first, end = first_row(block), end_row(block, s.state.shape[0])
+            swing_block(t, solver_memory, root_delta, mem.coming, first, end, dt, mem.springs)
         keep_block(mem.coming, previous, block)
         # 7 world: the joints that colliders ride on, in model space, once for all readers
         # (`Cast.model`: touches, flocks); the matrices of all joints are computed when they are read

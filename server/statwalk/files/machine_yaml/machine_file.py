@@ -21,6 +21,7 @@ from statwalk.files.machine_yaml import (
     layers,
     levels,
     senses,
+    springs_part,
     whole_table,
 )
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
@@ -47,7 +48,7 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
     *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
-    *("colliders", "flock", "properties", "budgets"),
+    *("colliders", "flock", "springs", "properties", "budgets"),
 )
 
 
@@ -151,6 +152,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         colliders=colliders,
         flock=flock_part.flock(entries.get("flock"), parameters),
         clips=clip_changes.clips(entries.get("clips")),
+        springs=springs_part.springs(entries.get("springs")),
         properties=tuple(inputs.properties(entries.get("properties"))),
         budgets=budgets.budgets(entries.get("budgets")),
         rows=base.top.table.rows,

@@ -24,6 +24,7 @@ from statwalk.maths.simd.aligned import zeros
 from statwalk.maths.simd.lanes import LANES
 from statwalk.maths.simd.pose_layout import zero_blocks
 from statwalk.rig.model_buffer import ModelBuffer
+from statwalk.solve.spring_lanes import spring_scratch
 from statwalk.stage.state.pose_offsets import OFFSETS, PoseOffsets
 from statwalk.stage.steps.offset_lanes import scratch_size
 
@@ -45,6 +46,8 @@ class PoseMemory(NamedTuple):
     """weights of the clips of a blend space"""
     scratch: Annotated[NDArray[np.float32], "row, lane"]
     """working rows of pose offsets"""
+    springs: Annotated[NDArray[np.float32], "number"]
+    """working rows of springs"""
     layer_weight: Annotated[NDArray[np.float64], "actor, layer"]
     ahead: Annotated[NDArray[np.float64], "actor, layer"]
     """seconds into the motions a tick later"""
@@ -122,6 +125,7 @@ def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> Po
         rows=zeros(motions.memory),
         weights=np.zeros(motions.most_members),
         scratch=zeros(scratch_size(layers) * LANES).reshape(-1, LANES),
+        springs=zeros(spring_scratch(len(role.springs.joint))),
         layer_weight=np.zeros((actors, layers)),
         ahead=np.zeros((actors, layers)),
         old_state=np.zeros((actors, layers), np.int64),
