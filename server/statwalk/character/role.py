@@ -16,7 +16,7 @@ from statwalk.character.made_clips import with_clips
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
 from statwalk.character.solver_memory import SolverMemory
-from statwalk.character.springs import springs_on
+from statwalk.character.solvers import Solvers, solvers_of
 from statwalk.errors import UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine, MotionFacts, build
 from statwalk.machine.compile.program import PROGRAM, Program
@@ -26,12 +26,14 @@ from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.verify import verify
 from statwalk.maths.arrays import Bools, Floats
+from statwalk.maths.clamp_table import CLAMP_TABLE, ClampTable
 from statwalk.maths.packed import PackedColumns, packed
 from statwalk.motion.blend_space import BlendSpace, Motion
 from statwalk.motion.layer_lanes import MASKS, LayerMasks
 from statwalk.motion.layers import Mask
 from statwalk.motion.tables.motion_tables import MotionTables
-from statwalk.solve.springs import KEPT, Spring, Springs, springs_of
+from statwalk.solve.chains import CHAINS, Chains
+from statwalk.solve.foot_tables import FEET, FootTables
 
 
 class PackedRole(NamedTuple):
@@ -41,6 +43,14 @@ class PackedRole(NamedTuple):
     motions: PackedColumns[MotionTables]
     poses: PackedColumns[PoseTables]
     masks: PackedColumns[LayerMasks]
+    feet: PackedColumns[FootTables]
+    chains: PackedColumns[Chains]
+    clamps: PackedColumns[ClampTable]
+
+    @property
+    def solvers(self) -> tuple[Any, Any, Any]:
+        """Returns the tables of the solvers as arguments of kernels."""
+        return self.feet.argument, self.chains.argument, self.clamps.argument
 
     @property
     def arguments(self) -> tuple[Any, Any, Any, Any]:
@@ -104,8 +114,7 @@ class Role:
             root,
             stock,
         )
-        role.swinging  # noqa: B018 - made now, as the colliders
-        role.colliders  # noqa: B018 - made now, so that an unknown joint is an error now and not in a tick
+        role.colliders, role.solvers  # noqa: B018 - made now: an unknown joint is an error now, not in a tick
         return role
 
     @cached_property
@@ -134,22 +143,9 @@ class Role:
         colliders, as arrays.
         """
         joints = self.colliders.joints
-        return pose_tables(self.machine.layers, self.plays, self.root, self.root_frame, joints, self.springs)
-
-    @cached_property
-    def springs(self) -> Springs:
-        """Returns the joints that swing, as arrays."""
-        springs, memory = self.swinging, self.solver_memory
-        columns = {joint: memory.first(self._spring_name(joint)) for joint in springs}
-        return springs_of(springs, columns, self.character.skeleton.parent)
-
-    @cached_property
-    def swinging(self) -> dict[int, Spring]:
-        """Returns the spring of each joint that has one, by its row."""
-        return springs_on(self.character, self.definition)
-
-    def _spring_name(self, joint: int) -> str:
-        return f"spring {self.character.skeleton.names[joint]}"
+        return pose_tables(
+            self.machine.layers, self.plays, self.root, self.root_frame, joints, self.solvers.springs
+        )
 
     @cached_property
     def layer_masks(self) -> LayerMasks:
@@ -162,7 +158,16 @@ class Role:
     def packed(self) -> PackedRole:
         """Returns the arrays of the role as arguments of kernels."""
         program, motions = packed(self.machine.program, PROGRAM), self.stock.tables(self.motions)
-        return PackedRole(program, motions, packed(self.pose_tables, POSES), packed(self.layer_masks, MASKS))
+        poses, masks, solvers = self.pose_tables, self.layer_masks, self.solvers
+        return PackedRole(
+            program,
+            motions,
+            packed(poses, POSES),
+            packed(masks, MASKS),
+            packed(solvers.legs, FEET),
+            packed(solvers.chains, CHAINS),
+            packed(solvers.clamps, CLAMP_TABLE),
+        )
 
     @cached_property
     def colliders(self) -> Colliders:
@@ -179,23 +184,25 @@ class Role:
         return frozenset(touched) | frozenset(flock.avoid if flock else ())
 
     @cached_property
+    def solvers(self) -> Solvers:
+        """Returns what the solvers of the role read."""
+        return solvers_of(self.character, self.machine, self.definition, self.motions)
+
+    @property
     def solver_memory(self) -> SolverMemory:
         """Returns what the solvers of the role keep from tick to tick."""
-        return SolverMemory({self._spring_name(joint): (0.0,) * KEPT for joint in self.swinging})
+        return self.solvers.memory
 
     @cached_property
     def measures(self) -> bool:
-        """Returns whether a tick of its machine needs measurements of an actor, or the pace of a blend of
-        clips.
-        """
+        """Returns whether a tick needs measurements of an actor, or the pace of a blend of clips."""
         return self.blends or bool((self.machine.program.variable_kind >= 0).any())
 
     @cached_property
     def travels(self) -> bool:
         """Returns whether any motion of the base moves the root."""
-        return any(
-            motion is not None and motion.travels for motion in self.motions[: len(self.machine.rows(0))]
-        )
+        base = self.motions[: len(self.machine.rows(0))]
+        return any(motion is not None and motion.travels for motion in base)
 
     @cached_property
     def blends(self) -> bool:

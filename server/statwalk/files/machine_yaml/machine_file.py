@@ -24,6 +24,8 @@ from statwalk.files.machine_yaml import (
     springs_part,
     whole_table,
 )
+from statwalk.files.machine_yaml.ground import foot_lock as read_foot_lock
+from statwalk.files.machine_yaml.ground import ground as read_ground
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
@@ -48,15 +50,13 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
     *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
-    *("colliders", "flock", "springs", "properties", "budgets"),
+    *("colliders", "flock", "springs", "properties", "budgets", "foot_lock", "ground"),
 )
 
 
 @dataclass(frozen=True, eq=False)
 class MachineFile:
-    """A machine folder as read; the horizontal motion and the turn of the joint `root_joint` move the
-    character through the world.
-    """
+    """A machine folder as read; the motion of `root_joint` moves the character through the world."""
 
     definition: MachineDefinition
     character_path: Path
@@ -150,6 +150,8 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         parameters=parameters,
         senses=sense_events,
         colliders=colliders,
+        foot_lock=read_foot_lock(entries.get("foot_lock"), parameters),
+        ground=read_ground(entries.get("ground")),
         flock=flock_part.flock(entries.get("flock"), parameters),
         clips=clip_changes.clips(entries.get("clips")),
         springs=springs_part.springs(entries.get("springs")),
