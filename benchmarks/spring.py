@@ -59,7 +59,8 @@ def main() -> None:
         seconds = least({name: crowd(role).step for name, role in roles.items()}, ROUNDS)
         for name, role in roles.items():
             added = (seconds[name] / seconds["statwalk"] - 1) * 100
-            each = (seconds[name] - seconds["statwalk"]) / ACTORS / max(len(role.solvers.springs.column), 1) * 1e9
+            springs = ACTORS * max(len(role.solvers.springs.column), 1)
+            each = (seconds[name] - seconds["statwalk"]) / springs * 1e9
             print(f"{name}: {added:+.0f} % of a tick, {each:.0f} ns a spring")
         show(f"tick of {ACTORS} actors of {len(plain.character.skeleton)} joints", seconds)
 
