@@ -8,10 +8,11 @@ import machine
 import morph
 import pose
 import skin
+import spring
 import tick
 import whynot
 import world
 
-for table in (tick, crowd, pose, lanes, skin, morph, load, frame, world, machine, whynot):
+for table in (tick, spring, crowd, pose, lanes, skin, morph, load, frame, world, machine, whynot):
     table.main()
     print()

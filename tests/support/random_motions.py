@@ -12,7 +12,7 @@ from statwalk.motion.single import Single
 
 JOINTS, WEIGHTS, ACTORS = 23, 5, 37
 REST = rest(JOINTS, WEIGHTS)
-KINDS = ("STEP", "LINEAR", "CUBICSPLINE", "BSPLINE", "BSPLINE_THROUGH")
+KINDS = ("STEP", "LINEAR", "CUBICSPLINE", "BSPLINE", "BSPLINE_THROUGH", "NURBS")
 MARKS = ((("a", 0.1), ("b", 0.6)), (("a", 0.3), ("b", 0.7)), (("a", 0.9), ("b", 0.5)))
 PLANE, LINE = np.array([[0.0, 0], [1, 0], [0.3, 1]]), np.array([[3.0], [1], [2]])
 

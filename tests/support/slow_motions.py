@@ -8,7 +8,16 @@ import numpy as np
 from statwalk.maths import curves, quat
 from statwalk.maths.pose import Pose
 from statwalk.motion.blend_space import BlendSpace
-from statwalk.motion.keys.segment_kinds import ARC, CUBIC, CUBIC_TURN, HOLD, LINE, SPLINE_TURN
+from statwalk.motion.keys.segment_kinds import (
+    ARC,
+    CUBIC,
+    CUBIC_TURN,
+    HOLD,
+    LINE,
+    RATIONAL,
+    RATIONAL_TURN,
+    SPLINE_TURN,
+)
 from statwalk.motion.root import compose, relative
 
 ROUNDS = 4
@@ -26,12 +35,28 @@ def line(rows, fractions):
     return rows[..., :width] + rows[..., width:] * fractions[..., None]
 
 
+def rational(rows, fractions):
+    width = rows.shape[-1] // 2
+    return cubic(rows[..., :width], fractions) / cubic(rows[..., width:], fractions)
+
+
+def rational_turn(rows, fractions):
+    below, *above = (cubic(rows[..., at : at + 4], fractions) for at in (13, 17, 21, 25))
+    turned = rows[..., :4]
+    for k, part in enumerate(above):
+        vector = rows[..., 4 + 3 * k : 7 + 3 * k] * (part / below)
+        turned = quat.mul(turned, quat.from_rotation_vector(vector))
+    return quat.normalize(turned)
+
+
 EVALUATE = {
     HOLD: lambda rows, _: rows,
     LINE: line,
     ARC: lambda rows, f: quat.slerp(rows[..., :4], rows[..., 4:], f),
     CUBIC: cubic,
     CUBIC_TURN: lambda rows, f: quat.normalize(cubic(rows, f)),
+    RATIONAL: rational,
+    RATIONAL_TURN: rational_turn,
     SPLINE_TURN: lambda rows, f: curves.bspline_turn(
         rows[..., :4], rows[..., 4:].reshape(*rows.shape[:-1], 3, 3), f
     ),

@@ -38,6 +38,7 @@ class Character:
     limits       the limits of joints, by name (SK5, SK6)
     notes        the repairs made when the file was read
     model_glb    the model as a .glb for any viewer
+    made         the names of clips that a machine file made of the model's own clips
     """
 
     name: str
@@ -51,6 +52,7 @@ class Character:
     limits: Mapping[str, JointLimit] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     model_glb: bytes = b""
+    made: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
         lock_fields(self)

@@ -13,6 +13,7 @@ from statwalk.machine.compile.alternatives import Layer
 from statwalk.maths.arrays import Floats
 from statwalk.maths.columns import columns, locked
 from statwalk.rig.model_buffer import JointList
+from statwalk.solve.springs import Springs
 
 
 class PoseTables(NamedTuple):
@@ -32,6 +33,12 @@ class PoseTables(NamedTuple):
     """the joints that colliders ride on, and their ancestors, parents first"""
     model_parents: Annotated[NDArray[np.int32], "joint"]
     """the index of each joint's parent in `model_joints`, -1 a root"""
+    joint: Annotated[NDArray[np.int32], "joint"]
+    """the joints with springs and their ancestors; `solve.springs.Springs` explains this and the following"""
+    parent: Annotated[NDArray[np.int32], "joint"]
+    row: Annotated[NDArray[np.int32], "joint"]
+    numbers: Annotated[NDArray[np.float64], "spring, 6"]
+    column: Annotated[NDArray[np.int64], "spring"]
 
 
 def pose_tables(
@@ -40,6 +47,7 @@ def pose_tables(
     root: int,
     root_frame: Floats | None,
     model_joints: JointList,
+    springs: Springs,
 ) -> PoseTables:
     """Returns the tables of a role; `root_frame` None: the root joint has no parent."""
     return locked(
@@ -52,6 +60,7 @@ def pose_tables(
             root_frame=np.eye(4)[:3] if root_frame is None else np.asarray(root_frame, np.float64),
             model_joints=model_joints.joints,
             model_parents=model_joints.parents,
+            **springs._asdict(),
         )
     )
 

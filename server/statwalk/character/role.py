@@ -14,6 +14,7 @@ import numpy as np
 from statwalk.character.character import Character
 from statwalk.character.colliders import Colliders
 from statwalk.character.joint_limits import limits_of
+from statwalk.character.made_clips import with_clips
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
 from statwalk.character.solver_memory import SolverMemory
@@ -95,6 +96,8 @@ class Role:
         :raises MachineError: when the definition names a clip or joint that the character does not have, or
             cannot be compiled.
         """
+        if before is None or before.character is not character or before.definition.clips != definition.clips:
+            character = with_clips(character, definition.clips, definition.refuse)
         facts = facts_of(character)
         resolved = resolved_tables(definition, facts)
         machine = build(definition, facts, resolved)
@@ -142,7 +145,9 @@ class Role:
         colliders, as arrays.
         """
         joints = self.colliders.joints
-        return pose_tables(self.machine.layers, self.plays, self.root, self.root_frame, joints)
+        return pose_tables(
+            self.machine.layers, self.plays, self.root, self.root_frame, joints, self.solvers.springs
+        )
 
     @cached_property
     def layer_masks(self) -> LayerMasks:
@@ -192,17 +197,14 @@ class Role:
 
     @cached_property
     def measures(self) -> bool:
-        """Returns whether a tick of its machine needs measurements of an actor, or the pace of a blend of
-        clips.
-        """
+        """Returns whether a tick needs measurements of an actor, or the pace of a blend of clips."""
         return self.blends or bool((self.machine.program.variable_kind >= 0).any())
 
     @cached_property
     def travels(self) -> bool:
         """Returns whether any motion of the base moves the root."""
-        return any(
-            motion is not None and motion.travels for motion in self.motions[: len(self.machine.rows(0))]
-        )
+        base = self.motions[: len(self.machine.rows(0))]
+        return any(motion is not None and motion.travels for motion in base)
 
     @cached_property
     def blends(self) -> bool:

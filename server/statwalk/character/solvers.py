@@ -13,6 +13,7 @@ from statwalk.character.foot_contacts import contacts_of
 from statwalk.character.joint_limits import limits_of
 from statwalk.character.leg_tables import foot_memory, has_leg, leg_chain, leg_tables
 from statwalk.character.solver_memory import SolverMemory
+from statwalk.character.springs import springs_on
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.machine.settings import parameter_indices
@@ -20,6 +21,7 @@ from statwalk.maths.clamp_table import ClampTable, clamp_table
 from statwalk.motion.blend_space import Motion
 from statwalk.solve.chains import Chains, chain_tables
 from statwalk.solve.foot_tables import FootTables
+from statwalk.solve.springs import KEPT, Springs, springs_of
 
 FOOT_LOCK = "foot lock"
 """name of the foot lock in the solvers' memory"""
@@ -28,6 +30,7 @@ FOOT_LOCK = "foot lock"
 class Solvers(NamedTuple):
     """What the solvers of a role read; chain k is the leg of foot k."""
 
+    springs: Springs
     legs: FootTables
     chains: Chains
     clamps: ClampTable
@@ -39,8 +42,8 @@ def solvers_of(
 ) -> Solvers:
     """Returns the solvers that a machine file asks for.
 
-    :raises MachineError: when it asks for a foot lock, and the character has no feet with legs; when it limits a
-        joint that the character does not have.
+    :raises MachineError: when it asks for a foot lock, and the character has no feet with legs; when it
+        limits a joint that the character does not have; when a spring's joint does not exist or has no bone.
     """
     every = feet_of(character) if definition.foot_lock else ()
     feet = tuple(foot for foot in every if has_leg(character, foot))
@@ -48,12 +51,17 @@ def solvers_of(
         raise definition.refuse("foot_lock: the character has no feet with legs; name them under `feet`", 0)
     clamps = clamp_table(limits_of(character, definition), character.bind_pose)
     chains = [leg_chain(character, foot) for foot in feet]
-    memory = SolverMemory({FOOT_LOCK: foot_memory(len(feet))} if feet else {})
+    swinging = springs_on(character, definition)
+    names = {joint: f"spring {character.skeleton.names[joint]}" for joint in swinging}
+    feet_memory = {FOOT_LOCK: foot_memory(len(feet))} if feet else {}
+    memory = SolverMemory(feet_memory | dict.fromkeys(names.values(), (0.0,) * KEPT))
+    columns = {joint: memory.first(name) for joint, name in names.items()}
+    springs = springs_of(swinging, columns, character.skeleton.parent)
     contacts = contacts_of(character, every) if feet else {}
     ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
     weight = _weight(machine, definition.foot_lock)
     legs = leg_tables(character, feet, contacts, motions, weight, ground)
-    return Solvers(legs, chain_tables(character.skeleton.parent, chains, clamps), clamps, memory)
+    return Solvers(springs, legs, chain_tables(character.skeleton.parent, chains, clamps), clamps, memory)
 
 
 def _weight(machine: Machine, written: float | str) -> tuple[float, int]:

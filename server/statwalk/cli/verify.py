@@ -12,6 +12,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
+from statwalk.character.made_clips import with_clips
 from statwalk.character.role import facts_of
 from statwalk.errors import UnknownNameError
 from statwalk.files.machine_yaml.machine_file import load_machine
@@ -48,7 +49,8 @@ def _findings_of(folder: Path) -> list[Finding]:
     file = load_machine(folder)
     character = load_character_file(character_path(file))
     file.check_root(character.skeleton.names)
-    return find(file.definition, facts_of(character))
+    whole = with_clips(character, file.definition.clips, file.definition.refuse)
+    return find(file.definition, facts_of(whole))
 
 
 def shown(findings: list[Finding]) -> Table:

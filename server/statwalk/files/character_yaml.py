@@ -5,6 +5,7 @@
     scale: 0.08                   # metres per unit of the files
     clips:
       walk: {keys: walk.txt, interpolation: slerp, loop: true}
+      wave: {keys: wave.txt, interpolation: {rotation: nurbs, translation: linear}}
 
 Every bone becomes a joint and a rigid tetrahedron (FAQ Q28). A bone at the end of a limb, and a bone with a
 keyed length, gets a second joint, `NAME.end`, at its end point.
@@ -19,9 +20,11 @@ from pathlib import Path
 import numpy as np
 
 from statwalk.character.character import Character
+from statwalk.character.made_clips import Refuse, with_clips
+from statwalk.character.made_clips import changed as with_changes
 from statwalk.errors import ContentError, TextError, UnknownNameError
-from statwalk.files import tetrahedra
-from statwalk.files.faq.key_frame_clip import INTERPOLATIONS, ClipForm, check_names, clip_of, keyed_lengths
+from statwalk.files import clip_changes, tetrahedra
+from statwalk.files.faq.key_frame_clip import ClipForm, check_names, clip_of, keyed_lengths
 from statwalk.files.faq.key_frame_text import KeyFrame, read_keys
 from statwalk.files.faq.skeleton_text import SHIPPED, read_skeleton, read_text
 from statwalk.files.gltf import write
@@ -32,12 +35,15 @@ from statwalk.maths import pose as poses
 from statwalk.maths.arrays import Floats
 from statwalk.maths.clamp_table import JointLimit
 from statwalk.motion.clip import Clip
+from statwalk.motion.keys.channel import Path as Property
+from statwalk.motion.keys.channel_table import PATHS
+from statwalk.motion.keys.interpolations import INTERPOLATIONS
 from statwalk.rig.bones import Bones
 from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.primitive import Primitive, Skin
 
 _KEYS = ("name", "skeleton", "scale", "joints", "limits", "clips")
-_CLIP_KEYS = ("keys", "interpolation", "loop")
+_CLIP_KEYS = ("keys", "interpolation", "loop", *clip_changes.CHANGES)
 _SCALES = (1e-6, 1e6)
 
 
@@ -53,17 +59,26 @@ def load_character(path: Path) -> Character:
     bones = _skeleton(entries["skeleton"], path.parent)
     scale = entries["scale"].number(*_SCALES) if "scale" in entries else 1.0
     clips = entries["clips"].entries() if "clips" in entries else {}
-    frames = {name: _frames(node, bones, path.parent) for name, node in clips.items()}
+    made = {name: clip_changes.clip(node) for name, node in clips.items() if "of" in node.entries()}
+    keyed = {name: node for name, node in clips.items() if name not in made}
+    frames = {name: _frames(node, bones, path.parent) for name, node in keyed.items()}
     name = entries["name"].text() if "name" in entries else path.stem
     character, form = _bone_character(
         name, bones, scale, [frame for clip_frames in frames.values() for frame in clip_frames]
     )
-    animated = replace(
-        character,
-        clips={name: _clip(name, node, form, frames[name]) for name, node in clips.items()},
-        limits=_limits(root, character.skeleton, scale, path.parent),
-    )
+    own = {name: _clip(name, node, form, frames[name]) for name, node in keyed.items()}
+    changed = {
+        name: with_changes(character, clip, clip_changes.changes(keyed[name].entries()), _refuser(root))
+        for name, clip in own.items()
+    }
+    animated = with_clips(replace(character, clips=changed), made, _refuser(root))
+    animated = replace(animated, made=frozenset())  # the model carries them as its own
+    animated = replace(animated, limits=_limits(root, character.skeleton, scale, path.parent))
     return replace(animated, model_glb=write.model_glb(animated))
+
+
+def _refuser(root: Node) -> Refuse:
+    return lambda message, line: root.refuse(message, line)
 
 
 def _beside(node: Node, folder: Path) -> Path:
@@ -124,16 +139,28 @@ def _frames(node: Node, bones: Bones, folder: Path) -> tuple[KeyFrame, ...]:
 
 def _clip(name: str, node: Node, form: ClipForm, frames: Sequence[KeyFrame]) -> Clip:
     entries = node.entries(*_CLIP_KEYS)
-    interpolation = entries["interpolation"].text() if "interpolation" in entries else "slerp"
-    if interpolation not in INTERPOLATIONS:
-        raise entries["interpolation"].unknown("interpolation", interpolation, INTERPOLATIONS)
+    how = _interpolations(entries.get("interpolation"))
     loop = "loop" in entries and entries["loop"].truth()
     try:
-        clip = clip_of(name, form, frames, interpolation, loop)
+        clip = clip_of(name, form, frames, how, loop)
         clip.tracks  # noqa: B018 - refuses a B-spline that cannot pass through its keys here, not in a tick
     except ContentError as error:
         raise node.refuse(f"clip {name}: {error.message}") from None
     return clip
+
+
+def _interpolations(node: Node | None) -> dict[Property, str]:
+    """Returns the interpolation of each property: one name for all, or a name for some of them."""
+    if node is None or node.is_mapping:
+        entries = node.entries(*PATHS) if node is not None else {}
+        return {path: _interpolation(entries[path]) if path in entries else "slerp" for path in PATHS}
+    return dict.fromkeys(PATHS, _interpolation(node))
+
+
+def _interpolation(node: Node) -> str:
+    if node.text() not in INTERPOLATIONS:
+        raise node.unknown("interpolation", node.text(), INTERPOLATIONS)
+    return node.text()
 
 
 def _bone_character(

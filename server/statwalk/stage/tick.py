@@ -30,6 +30,7 @@ from statwalk.rig.hierarchy import model_block
 from statwalk.rig.limit_lanes import limit_block
 from statwalk.solve.chains import CHAINS
 from statwalk.solve.foot_tables import FEET
+from statwalk.solve.spring_lanes import swing_block
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
 from statwalk.stage.steps._kernels import (
@@ -153,7 +154,10 @@ def _pose_blocks(
             hashes[row] = hash_actor(hashes[row], s, o, position, heading, root_delta, solver_memory, row)
         add_block(o, masks, mem.coming, 0, block, 0.0, mem.scratch)
         release_slots(o, block)
-        # 5 express: not yet; it will change `mem.coming` here
+        # 5 express: joints with springs lag behind, and settle (expressions: not yet)
+        if t.column.shape[0] > 0:
+            first, end = first_row(block), end_row(block, s.state.shape[0])
+            swing_block(t, solver_memory, root_delta, mem.coming, first, end, dt, mem.springs)
         # 6 limit: joints with limits are clamped, SK6
         limit_block(clamps, mem.coming, 0)
         keep_block(mem.coming, previous, block)

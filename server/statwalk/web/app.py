@@ -23,6 +23,7 @@ from statwalk.web.routes import (
     actors,
     captures,
     characters,
+    curves,
     edits,
     explain,
     history,
@@ -51,6 +52,7 @@ ROUTES = (
     actors,
     captures,
     explain,
+    curves,
     stream,
 )
 

@@ -1,6 +1,7 @@
 /** Calls the REST interface; a refusal becomes an ApiError with the server's words. */
 
 import type { Finding, LogHeader, LogLine, NewCell, NewClip, Problem } from "./protocol";
+import type { NewCurves } from "./types/api.generated";
 import type { Answer, Extras, Method, Places, Route } from "./types/routes";
 
 export class ApiError extends Error {
@@ -82,6 +83,8 @@ export function parseLog(text: string): LogLine[] {
   return values.filter((value) => "kind" in value);
 }
 
+/** Interpolates key rotations by several interpolations. */
+export const compareCurves = (body: NewCurves) => ask("post", "/api/curves", {}, { body });
 export const machines = () => ask("get", "/api/machines", {});
 export const scenes = () => ask("get", "/api/scenes", {});
 export const machine = (name: string) => ask("get", "/api/machines/{name}", { name });

@@ -7,7 +7,9 @@ import { Signal } from "../state/signal";
 import { token } from "../ui/dom";
 import type { PosedModel } from "./posedModel";
 import { ActorView } from "./actorView";
+import { framed, type Framing } from "./framing";
 import { GlbStage } from "./glbStage";
+import { MotionPath } from "./motionPath";
 import { type Model, Models } from "./model";
 import type { Scene } from "./scene";
 import { showSkin, wireColour } from "./skinMode";
@@ -29,6 +31,11 @@ export class StageView {
   /** True while the watched actor is drawn. */
   readonly ready = new Signal(false);
   readonly loading = new Signal<string>("");
+  /** How much the camera shows. */
+  readonly framing = new Signal<Framing>("whole");
+  /** The joint whose path is drawn; empty: none. */
+  readonly traced = new Signal<string>("");
+  readonly path = new MotionPath();
   private readonly models = new Models();
   private readonly glb: GlbStage;
   private readonly terrain = new Terrain();
@@ -45,7 +52,7 @@ export class StageView {
     private readonly session: Session,
   ) {
     this.glb = new GlbStage(scene.quality === "high", (index, name) => this.materialFor(index, name));
-    scene.world.add(this.glb.root);
+    scene.world.add(this.glb.root, this.path.object);
     session.hello.on((hello) => hello && void this.cast(hello));
     session.frames.on(() => this.switchStream());
     this.modes.on(() => this.restyle());
@@ -56,6 +63,11 @@ export class StageView {
       scene.invalidate();
     });
     session.actor.on(() => this.limit());
+    this.framing.on(() => this.frame());
+    this.traced.on(() => {
+      this.path.clear();
+      scene.invalidate();
+    });
   }
 
   /** Loads the models of a hello and puts its actors on the stage. */
@@ -134,8 +146,22 @@ export class StageView {
     const actor = this.actor;
     if (actor) this.scene.follow(actor.view.root.position, actor.heading);
     if (actor && this.framed !== actor.key) this.frame();
+    if (actor) this.trace(actor);
     this.scene.invalidate();
     this.ready.set(actor !== null);
+  }
+
+  /** Adds the place of the traced joint to its path. */
+  private trace(actor: ActorView): void {
+    const joint = actor.view.joints.findIndex((object) => object?.name === this.traced.value);
+    if (!this.traced.value || joint < 0) return;
+    const e = actor.view.jointWorld(joint);
+    this.path.add(`${actor.key} ${joint}`, this.posed, [e[12]!, e[13]!, e[14]!]);
+  }
+
+  /** The names of the watched actor's joints. */
+  jointNames(): string[] {
+    return (this.actor?.view.joints ?? []).flatMap((joint) => (joint?.name ? [joint.name] : []));
   }
 
   private get actor(): ActorView | null {
@@ -152,7 +178,7 @@ export class StageView {
     this.scene.fit(Math.max(height, 0.5 * span));
     for (const other of this.actors.values()) other.shade(Math.max(0.2 * height, 0.32 * span));
     const company = this.actors.size > 1;
-    this.scene.view.subject(company ? this.around(actor, box) : box);
+    this.scene.view.subject(framed(company ? this.around(actor, box) : box, this.framing.value));
     this.scene.view.frame(company);
     this.framed = actor.key;
     this.scene.invalidate();
@@ -217,6 +243,7 @@ export class StageView {
     const colours = { ink: token("--ink"), accent: token("--accent"), bone: token("--bone") };
     for (const actor of this.actors.values()) actor.colour(colours);
     wireColour(token("--ink"));
+    this.path.colour(colours.accent);
     this.scene.ground.colour(token("--grid"), Number(token("--grid-strength")) || 1);
     this.scene.invalidate();
   }

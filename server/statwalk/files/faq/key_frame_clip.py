@@ -1,6 +1,6 @@
 """Builds clips from key frames: the channels of each bone, and how they are interpolated (FAQ Q17).
 
-KF3, KF4, KF5, KF7.
+KF3, KF4, KF5, KF6, KF7.
 """
 
 from __future__ import annotations
@@ -16,20 +16,12 @@ from statwalk.maths import quat, vector
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Clip
-from statwalk.motion.keys.channel import Channel, Interpolation, Path
+from statwalk.motion.keys.channel import Channel, Path
+from statwalk.motion.keys.interpolations import TimedKeys, channel_of, rotation_channel
 from statwalk.rig.bones import Bones
 
-_DENSE_PER_SECOND, _DENSE_MOST = 60, 32
-INTERPOLATIONS: Mapping[str, Interpolation] = {
-    "hold": "STEP",  # holds a value until the next key
-    "step": "STEP",  # switches half-way between two keys (RTCA Listing 2)
-    "linear": "LINEAR",  # rotations: normalised linear interpolation (nlerp)
-    "slerp": "LINEAR",
-    "squad": "LINEAR",
-    "euler linear": "LINEAR",  # the FAQ's own: interpolates each of the three angles
-    "b-spline": "BSPLINE",
-    "b-spline through": "BSPLINE_THROUGH",
-}
+Interpolations = Mapping[Path, str]
+"""the name of the interpolation of each property"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,12 +35,6 @@ class ClipForm:
     """metres per unit of the files"""
     ends: Mapping[int, int]
     rest: Pose
-
-
-@dataclass(frozen=True, eq=False)
-class _Keys:
-    times: Floats
-    values: Floats
 
 
 def check_names(bones: Bones, frames: Sequence[KeyFrame]) -> None:
@@ -74,33 +60,27 @@ def keyed_lengths(bones: Bones, frames: Sequence[KeyFrame]) -> dict[int, float]:
     return longest_lengths
 
 
-def clip_of(name: str, form: ClipForm, frames: Sequence[KeyFrame], interpolation: str, loop: bool) -> Clip:
+def clip_of(name: str, form: ClipForm, frames: Sequence[KeyFrame], how: Interpolations, loop: bool) -> Clip:
     """Builds the clip of a list of poses. A bone has a key at each time that names the bone, and rests if no
     pose names it.
     """
     channels: list[Channel] = []
     for bone, bone_name in enumerate(form.bones.skeleton.names):
         keys = [(frame.time, frame.bones[bone_name]) for frame in frames if bone_name in frame.bones]
-        channels += _rotation(bone, keys, interpolation)
+        channels += _rotation(bone, keys, how["rotation"])
         channels += _translation(
-            form, bone, keys, _lengths(form, int(form.bones.skeleton.parent[bone]), frames), interpolation
+            form,
+            bone,
+            keys,
+            _lengths(form, int(form.bones.skeleton.parent[bone]), frames),
+            how["translation"],
         )
-        channels += _scale(bone, keys, interpolation)
+        channels += _scale(bone, keys, how["scale"])
         if bone in form.ends:
-            channels += _translation(form, form.ends[bone], [], _lengths(form, bone, frames), interpolation)
+            channels += _translation(
+                form, form.ends[bone], [], _lengths(form, bone, frames), how["translation"]
+            )
     return Clip(name, tuple(channels), frames[-1].time, form.rest, loop=loop)
-
-
-def _channel(joint: int, path: Path, keys: _Keys, interpolation: str) -> list[Channel]:
-    times, values = keys.times.astype(np.float32), keys.values.astype(np.float32)
-    if interpolation == "step":
-        switch_times = (times[:-1] + times[1:]) * np.float32(0.5)
-        times, values = (
-            np.concatenate([times[:1], switch_times, times[-1:]]),
-            np.concatenate([values, values[-1:]]),
-        )
-        times, values = (times[1:], values[1:]) if len(times) == 2 else (times, values)
-    return [Channel(joint, path, times, values, INTERPOLATIONS[interpolation])]
 
 
 def _rotation(bone: int, keys: Sequence[tuple[float, BoneKey]], interpolation: str) -> list[Channel]:
@@ -110,49 +90,11 @@ def _rotation(bone: int, keys: Sequence[tuple[float, BoneKey]], interpolation: s
     ]
     if not rotation_keys:
         return []
-    times = np.array([time for time, _ in rotation_keys])
     quaternions = np.stack([_quaternion(key) for _, key in rotation_keys])
-    if interpolation not in ("linear", "squad", "euler linear") or len(times) == 1:
-        return _channel(bone, "rotation", _Keys(times, quaternions), interpolation)
-    index, part, dense = _dense(times)
-    if interpolation == "euler linear":
-        angles = np.stack(
-            [_angles(key, turn) for (_, key), turn in zip(rotation_keys, quaternions, strict=True)]
-        )
-        values = quat.from_euler_xyz(angles[index] * (1 - part)[:, None] + angles[index + 1] * part[:, None])
-    elif interpolation == "linear":
-        values = quat.nlerp(quaternions[index], quaternions[index + 1], part)
-    else:
-        values = _squad(quaternions, index, part)
-    return _channel(bone, "rotation", _Keys(dense, values), interpolation)
-
-
-def _dense(times: Floats) -> tuple[np.ndarray[tuple[int, ...], np.dtype[np.int64]], Floats, Floats]:
-    """Returns times close together between keys, to sample a curve that clips do not have: (key before, part
-    of the way 0…1, time).
-    """
-    counts = np.clip(np.ceil(np.diff(times) * _DENSE_PER_SECOND), 1, _DENSE_MOST).astype(np.int64)
-    key_before = np.repeat(np.arange(len(counts)), counts)
-    part = np.concatenate([np.arange(count) / count for count in counts])
-    key_before, part = np.append(key_before, len(counts) - 1), np.append(part, 1.0)
-    return key_before, part, times[key_before] * (1 - part) + times[key_before + 1] * part
-
-
-def _squad(keys: Floats, key_before: np.ndarray[tuple[int, ...], np.dtype[np.int64]], part: Floats) -> Floats:
-    """Returns the spherical cubic through the keys; at the first and the last key, the key itself stands in
-    for the missing neighbour.
-    """
-    aligned = keys.copy()
-    for row in range(1, len(keys)):
-        aligned[row] = quat.align(aligned[row - 1], aligned[row])
-    before, after = (
-        aligned[np.maximum(np.arange(len(keys)) - 1, 0)],
-        aligned[np.minimum(np.arange(len(keys)) + 1, len(keys) - 1)],
-    )
-    tangents = quat.squad_tangent(before, aligned, after)
-    return quat.squad(
-        aligned[key_before], tangents[key_before], tangents[key_before + 1], aligned[key_before + 1], part
-    )
+    angles = np.stack([_angles(key, turn) for (_, key), turn in zip(rotation_keys, quaternions, strict=True)])
+    times = np.array([time for time, _ in rotation_keys])
+    weights = np.array([key.weight for _, key in rotation_keys])
+    return [rotation_channel(bone, TimedKeys(times, quaternions, weights), angles, interpolation)]
 
 
 def _angles(key: BoneKey, rotation: Floats) -> Floats:
@@ -166,7 +108,7 @@ def _quaternion(key: BoneKey) -> Floats:
     return quat.from_matrix(key.matrix[:, :3] / vector.length(key.matrix[:, :3].T))
 
 
-def _lengths(form: ClipForm, bone: int, frames: Sequence[KeyFrame]) -> _Keys:
+def _lengths(form: ClipForm, bone: int, frames: Sequence[KeyFrame]) -> TimedKeys:
     """Returns the times and lengths (K,), in metres, of the keys of a bone's length."""
     name = form.bones.skeleton.names[bone] if bone >= 0 else ""
     length_keys = [
@@ -174,7 +116,7 @@ def _lengths(form: ClipForm, bone: int, frames: Sequence[KeyFrame]) -> _Keys:
         for frame in frames
         if (key := frame.bones.get(name)) is not None and key.length is not None
     ]
-    return _Keys(
+    return TimedKeys(
         np.array([time for time, _ in length_keys]),
         np.array([length for _, length in length_keys]) * form.scale,
     )
@@ -184,7 +126,7 @@ def _translation(
     form: ClipForm,
     joint: int,
     keys: Sequence[tuple[float, BoneKey]],
-    parent_length: _Keys,
+    parent_length: TimedKeys,
     interpolation: str,
 ) -> list[Channel]:
     """Builds the translation channel of a joint: its parent's direction times its parent's length, plus its
@@ -212,7 +154,8 @@ def _translation(
         positions = positions + np.stack(
             [np.interp(times, own_times, own_offsets[:, axis]) for axis in range(3)], -1
         )
-    return _channel(joint, "translation", _Keys(times, positions), interpolation)
+    weights = np.interp(times, [time for time, _ in keys], [key.weight for _, key in keys]) if keys else None
+    return [channel_of(joint, "translation", TimedKeys(times, positions, weights), interpolation)]
 
 
 def _offset(key: BoneKey) -> Floats:
@@ -225,4 +168,6 @@ def _scale(bone: int, keys: Sequence[tuple[float, BoneKey]], interpolation: str)
     values = np.array([scale for _, scale in scale_keys])
     if not scale_keys or bool((np.abs(values - 1) < 1e-6).all()):
         return []
-    return _channel(bone, "scale", _Keys(np.array([time for time, _ in scale_keys]), values), interpolation)
+    times = np.array([time for time, _ in scale_keys])
+    weights = np.array([key.weight for _, key in keys if key.matrix is not None])
+    return [channel_of(bone, "scale", TimedKeys(times, values, weights), interpolation)]

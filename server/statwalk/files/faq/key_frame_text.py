@@ -5,6 +5,7 @@
     #translate Left.upperleg 0 0.3 0         off the parent's end
     #length    Left.upperleg 3
     #matrix    Left.upperleg                 or all of rotation and translation as four rows
+    #weight    Left.upperleg 2               how strongly a NURBS is drawn to this key (1 without this line)
 
 `#time`, in seconds, begins the next pose of a clip (statwalk's extension: the FAQ has one pose a file); a
 file without it is one pose at 0 s. Lines that begin with `# ` are comments.
@@ -21,6 +22,7 @@ from numpy.typing import NDArray
 
 from statwalk.errors import TextError
 from statwalk.files.faq.skeleton_text import lines_of, number_text, numbers, numbers_text
+from statwalk.motion.keys.channel import WEIGHT_RANGE
 
 Triple = tuple[float, float, float]
 _MOST_KEYS = 1_000_000
@@ -37,6 +39,8 @@ class BoneKey:
     length: float | None = None
     matrix: NDArray[np.float64] | None = None
     """(3, 4) rows [R | t]"""
+    weight: float = 1.0
+    """how strongly a NURBS is drawn to the key"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,6 +102,8 @@ def _key_lines(name: str, key: BoneKey) -> Iterator[str]:
         yield f"#translate {name} {numbers_text(key.translate)}"
     if key.length is not None:
         yield f"#length {name} {number_text(key.length)}"
+    if key.weight != 1:
+        yield f"#weight {name} {number_text(key.weight)}"
 
 
 def _time(reader: _Reader, words: list[str], place: str) -> None:
@@ -124,6 +130,20 @@ def _length(reader: _Reader, words: list[str], place: str) -> None:
     if length < 0:
         raise TextError(f"the length of {words[0]} should not be negative, it is {words[1]}", place=place)
     _put(reader, words[0], place, "length", length)
+
+
+def _weight(reader: _Reader, words: list[str], place: str) -> None:
+    _expect(words, 2, "#weight BONE weight", place)
+    name, (weight,) = words[0], numbers(words[1:], f"#weight {words[0]}", place)
+    least, most = WEIGHT_RANGE
+    if not least <= weight <= most:
+        raise TextError(
+            f"the weight of {name} should be {least:g} to {most:g}, it is {words[1]}", place=place
+        )
+    if not reader.frames or name not in reader.frames[-1].bones:
+        raise TextError(f"#weight {name} should follow the key of {name} in this pose", place=place)
+    bones = reader.frames[-1].bones
+    bones[name] = replace(bones[name], weight=weight)
 
 
 def _matrix(reader: _Reader, words: list[str], place: str) -> None:
@@ -210,4 +230,5 @@ _COMMANDS: dict[str, Callable[[_Reader, list[str], str], None]] = {
     "#translate": _translate,
     "#length": _length,
     "#matrix": _matrix,
+    "#weight": _weight,
 }

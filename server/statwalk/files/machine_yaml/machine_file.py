@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
+from statwalk.files import clip_changes
 from statwalk.files.joint_limits import joint_limits
 from statwalk.files.machine_yaml import (
     budgets,
@@ -21,6 +22,7 @@ from statwalk.files.machine_yaml import (
     layers,
     levels,
     senses,
+    springs_part,
     whole_table,
 )
 from statwalk.files.machine_yaml.capture_lines import CaptureLine, read_captures
@@ -48,18 +50,16 @@ SCHEMA_PATH = Path(__file__).with_name("machine.schema.json")
 SEMANTICS = "1"
 SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
-    *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
-    *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
-    "captures",
-    *("joints", "limits", "properties", "budgets", "foot_lock", "ground"),
+    *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
+    *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
+    *("colliders", "flock", "springs", "captures", "joints", "limits", "properties", "budgets"),
+    *("foot_lock", "ground"),
 )
 
 
 @dataclass(frozen=True, eq=False)
 class MachineFile:
-    """A machine folder as read; the horizontal motion and the turn of the joint `root_joint` move the
-    character through the world.
-    """
+    """A machine folder as read; the motion of `root_joint` moves the character through the world."""
 
     definition: MachineDefinition
     character_path: Path
@@ -160,6 +160,8 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         foot_lock=read_foot_lock(entries.get("foot_lock"), parameters),
         ground=read_ground(entries.get("ground")),
         flock=flock_part.flock(entries.get("flock"), parameters),
+        clips=clip_changes.clips(entries.get("clips")),
+        springs=springs_part.springs(entries.get("springs")),
         properties=tuple(inputs.properties(entries.get("properties"))),
         budgets=budgets.budgets(entries.get("budgets")),
         rows=base.top.table.rows,

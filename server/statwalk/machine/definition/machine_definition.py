@@ -10,10 +10,12 @@ from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
 from statwalk.machine.definition.budgets_definition import BudgetDefinition
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
+from statwalk.machine.definition.clip_definition import ClipDefinition
 from statwalk.machine.definition.flock_definition import FlockDefinition
 from statwalk.machine.definition.ground_definition import GroundDefinition
 from statwalk.machine.definition.limit_definition import LimitDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
+from statwalk.machine.definition.spring_definition import SpringDefinition
 
 END = "END"
 """the event that a motion raises when it ends; always the last column"""
@@ -203,6 +205,10 @@ class MachineDefinition:
     flock: FlockDefinition | None = None
     """all actors of the role fly as one flock"""
     properties: tuple[PropertyDefinition, ...] = ()
+    clips: Mapping[str, ClipDefinition] = field(default_factory=dict)
+    """the clips that the file makes of the character's own"""
+    springs: Mapping[str, SpringDefinition] = field(default_factory=dict)
+    """by the joint on which each begins"""
     budgets: Mapping[str, BudgetDefinition] = field(default_factory=dict)
     """the largest figures that measuring may give, by figure"""
     rows: tuple[tuple[str, ...], ...] = ()

@@ -10,8 +10,12 @@ from statwalk.errors import ContentError
 from statwalk.maths.arrays import Floats
 
 Path = Literal["translation", "rotation", "scale", "weights"]
-Interpolation = Literal["STEP", "LINEAR", "CUBICSPLINE", "BSPLINE", "BSPLINE_THROUGH"]
+Interpolation = Literal[
+    "STEP", "LINEAR", "CUBICSPLINE", "BSPLINE", "BSPLINE_THROUGH", "NURBS", "NURBS_THROUGH"
+]
 
+WEIGHT_RANGE = (1e-3, 1e3)
+"""of the keys of a NURBS curve"""
 WIDTHS = {"translation": 3, "rotation": 4, "scale": 3}
 
 
@@ -41,6 +45,8 @@ class Channel:
     interpolation: Interpolation = "LINEAR"
     weight_first: int = 0
     """for weights: the column of the pose's weights for the first value"""
+    key_weights: Floats | None = None
+    """(K,) for NURBS: how strongly each key pulls, > 0; None: all alike"""
 
     def __post_init__(self) -> None:
         if self.times.ndim != 1 or not len(self.times) or (self.times[1:] <= self.times[:-1]).any():
@@ -51,6 +57,15 @@ class Channel:
             raise ContentError(
                 f"joint {self.joint}'s {self.path} needs values of shape {(*expected, width)}, not "
                 f"{self.values.shape}"
+            )
+        if self.key_weights is not None:
+            self._check_weights(self.key_weights)
+
+    def _check_weights(self, weights: Floats) -> None:
+        least, most = WEIGHT_RANGE
+        if weights.shape != self.times.shape or not ((weights >= least) & (weights <= most)).all():
+            raise ContentError(
+                f"joint {self.joint}'s {self.path} needs a weight of {least:g} to {most:g} for each key"
             )
 
     @classmethod

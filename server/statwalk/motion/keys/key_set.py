@@ -27,6 +27,7 @@ class KeySet:
     times                 the distinct key times
     timing                (C,) the row of each channel's key times
     values                (S, …) the values of all keys, one channel after the other
+    key_weights           (S,) the weights of all keys of NURBS, None for other curves
     """
 
     path: Path
@@ -35,6 +36,7 @@ class KeySet:
     times: KeyTimes
     timing: Ints
     values: Floats
+    key_weights: Floats | None = None
 
     @cached_property
     def counts(self) -> Ints:
@@ -73,8 +75,10 @@ class KeySet:
 
     def taken(self, rows: Ints) -> KeySet:
         """Returns the key set of some channels."""
-        values = self.values[spans(self.starts[rows], self.counts[rows])]
-        return KeySet(self.path, self.interpolation, self.target[rows], self.times, self.timing[rows], values)
+        keys = spans(self.starts[rows], self.counts[rows])
+        weights = None if self.key_weights is None else self.key_weights[keys]
+        target, timing = self.target[rows], self.timing[rows]
+        return KeySet(self.path, self.interpolation, target, self.times, timing, self.values[keys], weights)
 
     def lay(self, pose: Pose, first: int = 0, last: int | None = None) -> None:
         """Writes the values of the constant channels among first…last into an unbatched pose."""
@@ -120,6 +124,7 @@ def _single_weights(channel: Channel) -> list[Channel]:
             channel.values[..., i : i + 1],
             channel.interpolation,
             channel.weight_first + i,
+            channel.key_weights,
         )
         for i in range(count)
     ]
@@ -135,6 +140,12 @@ def key_set_of(channels: Sequence[Channel]) -> KeySet:
     target = [channel.weight_first if channel.path == "weights" else channel.joint for channel in channels]
     values = np.concatenate([channel.values for channel in channels])
     times = KeyTimes([np.frombuffer(key) for key in distinct_times])
-    return KeySet(
-        channels[0].path, channels[0].interpolation, np.array(target), times, np.array(timing), values
+    path, interpolation = channels[0].path, channels[0].interpolation
+    weights = (
+        np.concatenate([_weights(channel) for channel in channels]) if "NURBS" in interpolation else None
     )
+    return KeySet(path, interpolation, np.array(target), times, np.array(timing), values, weights)
+
+
+def _weights(channel: Channel) -> Floats:
+    return np.ones(len(channel.times)) if channel.key_weights is None else channel.key_weights

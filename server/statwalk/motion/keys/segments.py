@@ -12,17 +12,29 @@ next key (0…1, and 0 in the last row):
     CUBIC_TURN   the same                             CUBICSPLINE on rotations: the cubic of the components,
                  normalised
     SPLINE_TURN  Q0, the turns to three others        the cumulative quaternion B-spline. KF5
+    RATIONAL     c0 … c3, d0 … d3                     NURBS: one cubic divided by another. KF6
+    RATIONAL_TURN  Q0, three turns, d0 … d3, and      the cumulative quaternion NURBS: each turn times its
+                 c0 … c3 of each turn                 cubic divided by d. KF6
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from statwalk.maths import curves, quat
+from statwalk.maths import curves, nurbs, quat
 from statwalk.maths.arrays import Floats
 from statwalk.motion.keys import _kernels
 from statwalk.motion.keys.key_set import KeySet
-from statwalk.motion.keys.segment_kinds import ARC, CUBIC, CUBIC_TURN, HOLD, LINE, SPLINE_TURN
+from statwalk.motion.keys.segment_kinds import (
+    ARC,
+    CUBIC,
+    CUBIC_TURN,
+    HOLD,
+    LINE,
+    RATIONAL,
+    RATIONAL_TURN,
+    SPLINE_TURN,
+)
 
 
 def pack(key_set: KeySet, loop: bool) -> tuple[int, Floats]:
@@ -34,11 +46,7 @@ def pack(key_set: KeySet, loop: bool) -> tuple[int, Floats]:
     if key_set.interpolation == "LINEAR":
         return _straight(key_set)
     ends = zip(key_set.starts, key_set.ends, key_set.timing, strict=True)
-    parts = [
-        (key_set.times[timing].astype(np.float64), key_set.values[first:last].astype(np.float64))
-        for first, last, timing in ends
-    ]
-    rows = [_curve(key_set, times, values, loop) for times, values in parts]
+    rows = [_rows(key_set, first, last, key_set.times[timing], loop) for first, last, timing in ends]
     return KINDS[key_set.interpolation, key_set.path == "rotation"], np.concatenate(rows).astype(np.float32)
 
 
@@ -80,14 +88,18 @@ def _lines(key_set: KeySet) -> Floats:
     return rows
 
 
-def _curve(key_set: KeySet, times: Floats, values: Floats, loop: bool) -> Floats:
-    """The rows (K, m) of one channel of splines, from its times and values (float64)."""
+def _rows(key_set: KeySet, first: int, last: int, key_times: Floats, loop: bool) -> Floats:
+    """The rows (K, m) of one channel of splines, from the keys first…last."""
+    times, values = key_times.astype(np.float64), key_set.values[first:last].astype(np.float64)
     if key_set.interpolation == "CUBICSPLINE":
         return _hermite(times, values)
-    is_turn, through = key_set.path == "rotation", key_set.interpolation == "BSPLINE_THROUGH"
+    is_turn, through = key_set.path == "rotation", key_set.interpolation.endswith("THROUGH")
     # A closed curve continues into the next lap: its ends meet, or it is root motion, whose next lap starts
     # where this one ends.
     closed = loop and (key_set.path == "translation" or bool((values[0] == values[-1]).all()))
+    if key_set.key_weights is not None:
+        weights = key_set.key_weights[first:last].astype(np.float64)
+        return _rational(times, values, weights, closed and bool(weights[0] == weights[-1]), is_turn, through)
     return (
         _turn_windows(quat.normalize(values), through, closed)
         if is_turn
@@ -128,6 +140,22 @@ def _turn_windows(values: Floats, through: bool, closed: bool) -> Floats:
     return np.concatenate([windows[:, 0], curves.turns_between(windows).reshape(len(windows), 9)], -1)
 
 
+def _rational(
+    times: Floats, values: Floats, weights: Floats, closed: bool, is_turn: bool, through: bool
+) -> Floats:
+    """The rows (K, m) of a NURBS curve."""
+    if is_turn:
+        curve = nurbs.rotations_through if through else nurbs.rotations_near
+        segments = curve(times, quat.normalize(values), weights, closed)
+        turns = curves.turns_between(segments.controls).reshape(-1, 9)
+        later = segments.basis[:, ::-1].cumsum(1)[:, ::-1]  # all four, the last three, two, one
+        return np.concatenate([segments.controls[:, 0], turns, later.reshape(-1, 16)], -1)
+    segments = (nurbs.through if through else nurbs.near)(times, values, weights, closed)
+    above = (segments.basis[..., None] * segments.controls[:, :, None]).sum(1)
+    below = segments.basis.sum(1)[..., None].repeat(values.shape[-1], -1)
+    return np.concatenate([above, below], 1).reshape(len(values), -1)
+
+
 def _windows(controls: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     """The four controls (K, n) of each of K segments; in the last segment, where f stays 0, the fourth has no
     effect.
@@ -142,5 +170,9 @@ KINDS = {
     ("BSPLINE", True): SPLINE_TURN,
     ("BSPLINE_THROUGH", False): CUBIC,
     ("BSPLINE_THROUGH", True): SPLINE_TURN,
+    ("NURBS", False): RATIONAL,
+    ("NURBS", True): RATIONAL_TURN,
+    ("NURBS_THROUGH", False): RATIONAL,
+    ("NURBS_THROUGH", True): RATIONAL_TURN,
 }
 """by interpolation and whether the channel is a rotation"""

@@ -18,7 +18,18 @@ from statwalk.maths.simd.lanes import LANES, broadcast, load, store
 from statwalk.maths.simd.pose_lanes import load4, store4
 from statwalk.maths.simd.pose_layout import index_at
 from statwalk.maths.simd.transpose import store_columns
-from statwalk.motion.keys.segment_kinds import ARC, CUBIC, CUBIC_TURN, HOLD, LINE, LOOSE, OWN_CLOCKS, VECTORS
+from statwalk.motion.keys.segment_kinds import (
+    ARC,
+    CUBIC,
+    CUBIC_TURN,
+    HOLD,
+    LINE,
+    LOOSE,
+    OWN_CLOCKS,
+    RATIONAL,
+    SPLINE_TURN,
+    VECTORS,
+)
 from statwalk.motion.sampling.blend import edges_before, member_phase, weigh
 from statwalk.motion.sampling.segment_lanes import (
     arc,
@@ -27,6 +38,8 @@ from statwalk.motion.sampling.segment_lanes import (
     fraction,
     line,
     put_some,
+    rational,
+    rational_turn,
     spline_turn,
     unit,
 )
@@ -42,13 +55,17 @@ def _evaluate(motions: Any, group: int, values: Any, row: int, part: Any, out: A
         store(out, to, load(values, row))
     elif kind == CUBIC:
         store(out, to, cubic(values, row, part, LANES))
+    elif kind == RATIONAL:
+        store(out, to, rational(values, row, part))
     else:
         if kind == ARC:
             rotation = arc(values, row, part)
         elif kind == CUBIC_TURN:
             rotation = cubic_turn(values, row, part)
-        else:
+        elif kind == SPLINE_TURN:
             rotation = spline_turn(values, row, part)
+        else:
+            rotation = rational_turn(values, row, part)
         if mask < 0:
             store4(out, to, rotation)
         else:

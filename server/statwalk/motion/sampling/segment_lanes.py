@@ -124,6 +124,25 @@ def spline_turn(values: Any, row: int, part: Any) -> Any:
 
 
 @inlined
+def rational(values: Any, row: int, part: Any) -> Any:
+    """Returns one cubic divided by another."""
+    return cubic(values, row, part, LANES) / cubic(values, row + 4 * LANES, part, LANES)
+
+
+@inlined
+def rational_turn(values: Any, row: int, part: Any) -> Any:
+    """Returns the cumulative quaternion NURBS: its first control, then the turns to the other three."""
+    whole = broadcast(ONE) / cubic(values, row + 13 * LANES, part, LANES)
+    first = cubic(values, row + 17 * LANES, part, LANES) * whole
+    second = cubic(values, row + 21 * LANES, part, LANES) * whole
+    third = cubic(values, row + 25 * LANES, part, LANES) * whole
+    turned = product(load4(values, row), turn(values, row + 4 * LANES, first))
+    turned = product(turned, turn(values, row + 7 * LANES, second))
+    x, y, z, w = product(turned, turn(values, row + 10 * LANES, third))
+    return unit(x, y, z, w)
+
+
+@inlined
 def put_some(out: Any, at: int, turned: Any, mask: Any) -> None:
     """Writes sixteen rotations into a packed row, in the lanes whose mask is not 0."""
     x, y, z, w = turned

@@ -17,7 +17,7 @@ from statwalk.maths.arrays import Bools, Floats, Ints
 from statwalk.maths.simd.pose_layout import first_channels
 from statwalk.motion.keys.channel import WIDTHS
 from statwalk.motion.keys.packed_keys import Track
-from statwalk.motion.keys.segment_kinds import ARC, HOLD, VECTORS
+from statwalk.motion.keys.segment_kinds import ARC, DIVISOR, HOLD, VECTORS
 
 _MOST_EDGES = 1 << 32
 
@@ -97,6 +97,8 @@ def scalar_rows(kind: int, channels: Ints, lanes: LaneRows) -> tuple[Floats, Flo
     rows = np.zeros((len(lanes.edges) + 1, VECTORS[kind], len(channels)))
     clocks = np.zeros((len(rows), 2, len(channels)))
     rows[:, 0] = lanes.base[channels]
+    if kind in DIVISOR:
+        rows[:, DIVISOR[kind]] = 1
     for track, ours, at, column in lanes._by_track(channels):
         own = track.kind
         segment, component = track.segment[at, column], lanes.owner.component[channels[ours]]
@@ -117,6 +119,8 @@ def rotation_rows(kind: int, channels: Ints, lanes: LaneRows) -> tuple[Floats, F
     turns[:, :, :4] = lanes.base[channels[:, None] + np.arange(4)]
     if kind == ARC:
         turns[:, :, 4:] = turns[:, :, :4]
+    elif kind in DIVISOR:
+        turns[:, :, DIVISOR[kind]] = 1
     for track, ours, at, column in lanes._by_track(channels):
         own, segments = track.kind, track.rows[track.segment[at, column]]
         if own == kind:

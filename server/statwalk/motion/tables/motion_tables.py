@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from statwalk.maths.columns import columns
 from statwalk.maths.simd.lanes import LANES
+from statwalk.motion.keys.segment_kinds import VECTORS
 
 
 class MotionTables(NamedTuple):
@@ -83,7 +84,7 @@ class MotionTables(NamedTuple):
     @property
     def memory(self) -> int:
         """Returns the float32 numbers of memory needed to sample a block."""
-        return (LANES + 1) * (self.width + LANES)
+        return (LANES + 1) * self.width + LANES * (max(VECTORS) + 1)
 
     @property
     def most_members(self) -> int:

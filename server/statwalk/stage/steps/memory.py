@@ -27,6 +27,7 @@ from statwalk.rig.hierarchy import MATRIX
 from statwalk.rig.model_buffer import ModelBuffer
 from statwalk.solve.chain_lanes import scratch_floats
 from statwalk.solve.chains import input_rows
+from statwalk.solve.spring_lanes import spring_scratch
 from statwalk.stage.state.pose_offsets import OFFSETS, PoseOffsets
 from statwalk.stage.steps.offset_lanes import scratch_size
 
@@ -48,6 +49,8 @@ class PoseMemory(NamedTuple):
     """weights of the clips of a blend space"""
     scratch: Annotated[NDArray[np.float32], "row, lane"]
     """working rows of pose offsets"""
+    springs: Annotated[NDArray[np.float32], "number"]
+    """working rows of springs"""
     layer_weight: Annotated[NDArray[np.float64], "actor, layer"]
     ahead: Annotated[NDArray[np.float64], "actor, layer"]
     """seconds into the motions a tick later"""
@@ -131,6 +134,7 @@ def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> Po
         rows=zeros(motions.memory),
         weights=np.zeros(motions.most_members),
         scratch=zeros(scratch_size(layers) * LANES).reshape(-1, LANES),
+        springs=zeros(spring_scratch(len(role.solvers.springs.joint))),
         layer_weight=np.zeros((actors, layers)),
         ahead=np.zeros((actors, layers)),
         legs=zeros(blocks(actors) * len(role.solvers.legs.joints) * MATRIX * LANES).reshape(

@@ -749,6 +749,67 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/curves": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Compare
+         * @description Interpolates key rotations by each of the named interpolations, and samples the curves as a tick
+         *     does.
+         */
+        post: operations["compare_api_curves_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/twinning": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Twinning
+         * @description Returns how alike left and right move at the same moment of a clip.
+         */
+        get: operations["get_twinning_api_characters__name__twinning_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/path": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Path
+         * @description Returns the path (arc) of a joint through a clip.
+         */
+        get: operations["get_path_api_characters__name__path_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
 export type webhooks = Record<string, never>;
 export interface components {
@@ -888,6 +949,31 @@ export interface components {
                 number,
                 number
             ];
+        };
+        /**
+         * @description One interpolation of the keys; `rotations` are quaternions x y z w. `refused` says why there is no
+         *     curve; the lists are empty then.
+         */
+        CurveView: {
+            interpolation: string;
+            rotations: [
+                number,
+                number,
+                number,
+                number
+            ][];
+            /** @description how far it has turned from the first key */
+            angle_deg: number[];
+            /** @description angular speed, degrees per second */
+            speed_deg: number[];
+            /** @description angular acceleration, degrees per second squared */
+            acceleration_deg: number[];
+            refused: string | null;
+        };
+        /** @description The curves over the same `times` in seconds. */
+        CurvesView: {
+            times: number[];
+            curves: components["schemas"]["CurveView"][];
         };
         /** @description An edge of the state graph, and the events that take it. */
         EdgeView: {
@@ -1169,6 +1255,17 @@ export interface components {
             kind: "moment";
             tick: number;
         };
+        /** @description The path of a joint through a clip, in the character's space: its `positions` in metres at `times`. */
+        MotionPathView: {
+            clip: string;
+            joint: string;
+            times: number[];
+            positions: [
+                number,
+                number,
+                number
+            ][];
+        };
         /** @description A joint, and how far a transition moves it. */
         MovedView: {
             joint: string;
@@ -1271,6 +1368,12 @@ export interface components {
             unmapped_target: string[];
             scale: number;
             notes: string[];
+        /** @description Keys whose times rise, the names of interpolations, and how many samples of each to return. */
+        NewCurves: {
+            keys: components["schemas"]["NewKey"][];
+            interpolations: string[];
+            /** @default 241 */
+            samples?: number;
         };
         /** @description An event for one actor, or (null) for all actors of the stage. */
         NewEvent: {
@@ -1281,6 +1384,15 @@ export interface components {
              * @enum {string}
              */
             kind?: "press" | "hold" | "release";
+        };
+        /** @description A key: `time` in seconds, angles about X, then Y, then Z in degrees, and its weight in a NURBS. */
+        NewKey: {
+            time: number;
+            x_deg: number;
+            y_deg: number;
+            z_deg: number;
+            /** @default 1 */
+            weight?: number;
         };
         /**
          * @description A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
@@ -1624,6 +1736,26 @@ export interface components {
             ];
             /** @enum {string} */
             on: "enter" | "stay" | "leave";
+        };
+        /**
+         * @description How alike two partners move at the same moment: 1 the same, 0 nothing in common, -1 opposite;
+         *     `swing_deg` is how far they move.
+         */
+        TwinView: {
+            left: string;
+            right: string;
+            alike: number;
+            twinned: boolean;
+            swing_deg: number;
+        };
+        /**
+         * @description A clip's pairs of joints that move, the most alike first; `alone` are the joints with a side and no
+         *     partner.
+         */
+        TwinningView: {
+            clip: string;
+            pairs: components["schemas"]["TwinView"][];
+            alone: string[];
         };
         /**
          * @description An uploaded character: its numbers of joints, clips, skins and vertices, and the address of
@@ -2107,6 +2239,8 @@ export type CharacterView = components['schemas']['CharacterView'];
 export type ClampedView = components['schemas']['ClampedView'];
 export type ClipView = components['schemas']['ClipView'];
 export type ColliderView = components['schemas']['ColliderView'];
+export type CurveView = components['schemas']['CurveView'];
+export type CurvesView = components['schemas']['CurvesView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
@@ -2128,12 +2262,15 @@ export type MachineView = components['schemas']['MachineView'];
 export type MappingView = components['schemas']['MappingView'];
 export type MarkerView = components['schemas']['MarkerView'];
 export type MomentChange = components['schemas']['MomentChange'];
+export type MotionPathView = components['schemas']['MotionPathView'];
 export type MovedView = components['schemas']['MovedView'];
 export type NewActor = components['schemas']['NewActor'];
 export type NewCell = components['schemas']['NewCell'];
 export type NewClip = components['schemas']['NewClip'];
 export type NewClipView = components['schemas']['NewClipView'];
+export type NewCurves = components['schemas']['NewCurves'];
 export type NewEvent = components['schemas']['NewEvent'];
+export type NewKey = components['schemas']['NewKey'];
 export type NewMachine = components['schemas']['NewMachine'];
 export type NewParameter = components['schemas']['NewParameter'];
 export type NewSolve = components['schemas']['NewSolve'];
@@ -2164,6 +2301,8 @@ export type StepBody = components['schemas']['StepBody'];
 export type StepView = components['schemas']['StepView'];
 export type ThresholdView = components['schemas']['ThresholdView'];
 export type TouchView = components['schemas']['TouchView'];
+export type TwinView = components['schemas']['TwinView'];
+export type TwinningView = components['schemas']['TwinningView'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
 export type VersionView = components['schemas']['VersionView'];
@@ -3421,6 +3560,91 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    compare_api_curves_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewCurves"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CurvesView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    get_twinning_api_characters__name__twinning_get: {
+        parameters: {
+            query: {
+                clip: string;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TwinningView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    get_path_api_characters__name__path_get: {
+        parameters: {
+            query: {
+                clip: string;
+                joint: string;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MotionPathView"];
+                };
             };
             /** @description Client Error */
             "4XX": components["responses"]["Problem"];

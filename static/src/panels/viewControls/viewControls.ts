@@ -3,6 +3,7 @@
 import "./viewControls.css";
 import type { Session } from "../../state/session";
 import type { Modes, StageView } from "../../view/stageView";
+import { FRAMINGS, type Framing } from "../../view/framing";
 import { el, say } from "../../ui/dom";
 import { icon } from "../../ui/icons";
 
@@ -24,6 +25,31 @@ function modeButton(stageView: StageView, [mode, key, title]: (typeof MODES)[num
   made.addEventListener("click", () => toggleMode(stageView, mode));
   stageView.modes.on((modes) => made.setAttribute("aria-pressed", String(modes[mode])));
   return made;
+}
+
+/** Makes the choice of how much the camera shows. */
+function framingChoice(stageView: StageView): HTMLSelectElement {
+  const options = FRAMINGS.map((framing) => el("option", { value: framing }, framing));
+  const select = el("select", { "aria-label": "framing", title: "how much the camera shows" }, ...options);
+  select.addEventListener("change", () => stageView.framing.set(select.value as Framing));
+  stageView.framing.on((framing) => (select.value = framing));
+  return select;
+}
+
+/** Makes the choice of the joint whose path is drawn. */
+function pathChoice(stageView: StageView): HTMLSelectElement {
+  const none = el("option", { value: "" }, "no path");
+  const select = el("select", { "aria-label": "path of a joint", title: "draw a joint's path (arc)" }, none);
+  const fill = (): void => {
+    const names = stageView.jointNames().map((name) => el("option", { value: name }, name));
+    select.replaceChildren(none, ...names);
+    select.value = stageView.traced.value;
+  };
+  select.addEventListener("pointerdown", fill);
+  select.addEventListener("focus", fill);
+  select.addEventListener("change", () => stageView.traced.set(select.value));
+  stageView.ready.on(fill);
+  return select;
 }
 
 /** Makes the bar of buttons at the foot of the stage view. */
@@ -55,7 +81,14 @@ export function modeBar(host: HTMLElement, session: Session, stageView: StageVie
   );
   frame.addEventListener("click", () => stageView.frame());
   const stream = el("div", { class: "group choice", role: "group", "aria-label": "stream" }, ...streams);
-  host.append(skin, el("span", { class: "space" }), stream, el("div", { class: "group" }, frame));
+  const staging = el(
+    "div",
+    { class: "group staging" },
+    pathChoice(stageView),
+    framingChoice(stageView),
+    frame,
+  );
+  host.append(skin, el("span", { class: "space" }), stream, staging);
 }
 
 /** Shows the live state's name and phase. */

@@ -1,0 +1,102 @@
+"""The interpolations that a file or a request names, and the channels that they make of keys (FAQ Q17).
+
+KF3, KF4, KF5, KF6, KF7.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from statwalk.maths import curves, quat
+from statwalk.maths.arrays import Floats, Ints
+from statwalk.motion.keys.channel import Channel, Interpolation, Path
+
+_DENSE_PER_SECOND, _DENSE_MOST = 60, 64
+INTERPOLATIONS: Mapping[str, Interpolation] = {
+    "hold": "STEP",  # holds a value until the next key
+    "step": "STEP",  # switches half-way between two keys (RTCA Listing 2)
+    "linear": "LINEAR",  # rotations: normalised linear interpolation (nlerp)
+    "slerp": "LINEAR",
+    "squad": "LINEAR",
+    "euler linear": "LINEAR",  # the FAQ's own: interpolates each of the three angles
+    "b-spline": "BSPLINE",
+    "b-spline through": "BSPLINE_THROUGH",
+    "nurbs": "NURBS",
+    "nurbs through": "NURBS_THROUGH",
+}
+_DENSE = ("linear", "squad", "euler linear")
+
+
+class TimedKeys(NamedTuple):
+    """K keys: times (K,) in seconds, rising; values (K, n); weights (K,), how strongly each key of a NURBS
+    pulls.
+    """
+
+    times: Floats
+    values: Floats
+    weights: Floats | None = None
+
+
+def channel_of(joint: int, path: Path, keys: TimedKeys, interpolation: str) -> Channel:
+    """Returns the channel of keys with one of the INTERPOLATIONS.
+
+    :raises ContentError: when the times do not rise, or the values or weights do not fit them.
+    """
+    times, values = keys.times.astype(np.float32), keys.values.astype(np.float32)
+    if interpolation == "step" and len(times) > 1:
+        half = np.full(len(times) - 1, 0.5)
+        times = np.concatenate([times[:1], (times[:-1] + times[1:]) * np.float32(0.5), times[-1:]])
+        values = np.concatenate([values[:1], curves.step(values[:-1], values[1:], half), values[-1:]])
+    weights = keys.weights if interpolation.startswith("nurbs") else None
+    return Channel(joint, path, times, values, INTERPOLATIONS[interpolation], key_weights=weights)
+
+
+def rotation_channel(joint: int, keys: TimedKeys, angles: Floats, interpolation: str) -> Channel:
+    """Returns the rotation channel of key quaternions (K, 4); `angles` (K, 3) are the same keys as Euler XYZ
+    angles in radians, for `euler linear`.
+
+    Clips have no channel for nlerp, squad and angles: keys close together stand for their curve.
+
+    :raises ContentError: as `channel_of`.
+    """
+    if interpolation not in _DENSE or len(keys.times) == 1:
+        return channel_of(joint, "rotation", keys, interpolation)
+    before, part, times = _dense(keys.times)
+    if interpolation == "euler linear":
+        values = quat.from_euler_xyz(
+            angles[before] * (1 - part)[:, None] + angles[before + 1] * part[:, None]
+        )
+    elif interpolation == "linear":
+        values = quat.nlerp(keys.values[before], keys.values[before + 1], part)
+    else:
+        values = _squad(keys.values, before, part)
+    return channel_of(joint, "rotation", TimedKeys(times, values), interpolation)
+
+
+def _dense(times: Floats) -> tuple[Ints, Floats, Floats]:
+    """Times close together between keys: (key before, part of the way 0…1, time)."""
+    counts = np.clip(np.ceil(np.diff(times) * _DENSE_PER_SECOND), 1, _DENSE_MOST).astype(np.int64)
+    key_before = np.repeat(np.arange(len(counts)), counts)
+    part = np.concatenate([np.arange(count) / count for count in counts])
+    key_before, part = np.append(key_before, len(counts) - 1), np.append(part, 1.0)
+    return key_before, part, times[key_before] * (1 - part) + times[key_before + 1] * part
+
+
+def _squad(keys: Floats, key_before: Ints, part: Floats) -> Floats:
+    """The spherical cubic through the keys; at the first and the last key, the key itself stands in for the
+    missing neighbour.
+    """
+    aligned = keys.copy()
+    for row in range(1, len(keys)):
+        aligned[row] = quat.align(aligned[row - 1], aligned[row])
+    before, after = (
+        aligned[np.maximum(np.arange(len(keys)) - 1, 0)],
+        aligned[np.minimum(np.arange(len(keys)) + 1, len(keys) - 1)],
+    )
+    tangents = quat.squad_tangent(before, aligned, after)
+    return quat.squad(
+        aligned[key_before], tangents[key_before], tangents[key_before + 1], aligned[key_before + 1], part
+    )

@@ -1,0 +1,123 @@
+/** Puts the page together that compares interpolations: keys on the left, figures above, plots below. */
+
+import "./style/tokens.css";
+import "./style/base.css";
+import "./style/components.css";
+import "./style/layout.css";
+import "./panels/curves/curves.css";
+import { compareCurves } from "./net/api";
+import type { CurvesView } from "./net/types/api.generated";
+import { Figures } from "./panels/curves/figures";
+import { fault, KeyTable, type Key } from "./panels/curves/keyTable";
+import { METHODS } from "./panels/curves/methods";
+import { Plots } from "./panels/curves/plots";
+import { byId, el, reducedMotion, say } from "./ui/dom";
+
+const SAMPLES = 361;
+const ASK_MS = 120;
+
+class Clock {
+  playing = !reducedMotion();
+  time = 0;
+  private first = 0;
+  private last = 1;
+  private readonly slider = el("input", { type: "range", min: 0, max: 1, step: "any", "aria-label": "time" });
+  private readonly button = el("button", { type: "button" }, "pause");
+  private readonly shown = el("output", {});
+
+  constructor(root: HTMLElement) {
+    root.append(this.button, this.slider, this.shown);
+    this.button.addEventListener("click", () => (this.playing = !this.playing));
+    this.slider.addEventListener("input", () => {
+      this.playing = false;
+      this.time = this.first + this.slider.valueAsNumber * (this.last - this.first);
+    });
+  }
+
+  /** The fraction 0…1 of the time that has passed. */
+  get part(): number {
+    return (this.time - this.first) / (this.last - this.first);
+  }
+
+  span(first: number, last: number): void {
+    [this.first, this.last] = [first, last];
+    this.time = Math.min(last, Math.max(first, this.time));
+  }
+
+  advance(seconds: number): void {
+    if (this.playing) {
+      this.time += seconds;
+      if (this.time > this.last) this.time = this.first;
+    }
+    this.slider.valueAsNumber = this.part;
+    say(this.button, this.playing ? "pause" : "play");
+    say(this.shown, `${this.time.toFixed(2)} s`);
+  }
+}
+
+/** Asks the server for the curves, once the keys have rested for a moment; an old answer is dropped. */
+class Asker {
+  private timer = 0;
+  private asked = 0;
+
+  constructor(private readonly take: (curves: CurvesView) => void) {}
+
+  ask(keys: readonly Key[]): void {
+    window.clearTimeout(this.timer);
+    const wrong = fault(keys);
+    say(byId("refused"), wrong);
+    if (!wrong) this.timer = window.setTimeout(() => void this.send(keys), ASK_MS);
+  }
+
+  private async send(keys: readonly Key[]): Promise<void> {
+    const number = ++this.asked;
+    const interpolations = METHODS.map(({ name }) => name);
+    try {
+      const curves = await compareCurves({
+        keys: keys.map((key) => ({ ...key })),
+        interpolations,
+        samples: SAMPLES,
+      });
+      if (number === this.asked) this.take(curves);
+    } catch (error) {
+      say(byId("refused"), error instanceof Error ? error.message : String(error));
+    }
+  }
+}
+
+function nameButtons(plots: Plots): void {
+  for (const [row, { words, colour }] of METHODS.entries()) {
+    const swatch = el("span", { class: "swatch" });
+    swatch.style.background = colour;
+    const button = el("button", { type: "button", "aria-pressed": "true" }, swatch, words);
+    button.addEventListener("click", () => {
+      const shown = button.getAttribute("aria-pressed") !== "true";
+      button.setAttribute("aria-pressed", String(shown));
+      plots.toggle(row, shown);
+    });
+    byId("names").append(el("li", {}, button));
+  }
+}
+
+const figures = new Figures(byId<HTMLCanvasElement>("figures"));
+const plots = new Plots(byId("plots"));
+const clock = new Clock(byId("clock"));
+const asker = new Asker((curves) => {
+  figures.show(curves.curves);
+  plots.show(curves);
+  clock.span(curves.times[0] ?? 0, curves.times.at(-1) ?? 1);
+  const refused = curves.curves.find((curve) => curve.refused);
+  say(byId("refused"), refused ? `${refused.interpolation}: ${refused.refused}` : "");
+  document.body.dataset["curves"] = String(curves.curves.length);
+});
+nameButtons(plots);
+new KeyTable(byId("keys"), byId("examples"), (keys) => asker.ask(keys));
+let last = performance.now();
+const loop = (now: number): void => {
+  clock.advance(Math.min(0.1, Math.max(0, (now - last) / 1000)));
+  last = now;
+  figures.draw(clock.part);
+  plots.point(clock.time);
+  requestAnimationFrame(loop);
+};
+requestAnimationFrame(loop);

@@ -1,0 +1,21 @@
+/** Staging: how much of the character, or of what is around it, the camera shows. */
+
+import * as THREE from "three";
+
+export type Framing = "whole" | "upper body" | "face" | "wide";
+
+export const FRAMINGS: readonly Framing[] = ["whole", "upper body", "face", "wide"];
+/** The part of the height, from the top, that a framing shows. */
+const PART: Readonly<Record<Framing, number>> = { whole: 1, "upper body": 0.5, face: 0.2, wide: 1 };
+const WIDE = 2.5;
+
+/** Returns the box to frame, of the box of the character around its root. */
+export function framed(box: THREE.Box3, framing: Framing): THREE.Box3 {
+  const size = box.getSize(new THREE.Vector3());
+  if (framing === "wide") return box.clone().expandByVector(size.multiplyScalar((WIDE - 1) / 2));
+  if (framing === "whole") return box.clone();
+  const high = size.y * PART[framing];
+  const centre = box.getCenter(new THREE.Vector3()).setY(box.max.y - high / 2);
+  const wide = Math.min(Math.max(size.x, size.z), 1.2 * high);
+  return new THREE.Box3().setFromCenterAndSize(centre, new THREE.Vector3(wide, high, wide));
+}
