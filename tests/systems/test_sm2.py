@@ -47,7 +47,7 @@ def test_up_held_walks_and_released_stops(walker, stage):
     stage.send(actor, "STOP")
     stage.step(1)
     assert actor.state == "CSTP"
-    stage.step(ticks(walker, "CSTP"))
+    stage.step(RATE)
     assert actor.state == "STAT"
 
 
@@ -57,7 +57,7 @@ def test_a_tap_turns_once_the_way_the_key_says(walker, stage, event, state, sign
     stage.hold(actor, event)
     stage.step(5)
     stage.release(actor, event)
-    stage.step(ticks(walker, state) - 5)
+    stage.step(RATE - 5)  # on the spot it takes a second
     assert actor.state == state
     stage.step(2)
     assert actor.state == "STAT"

@@ -10,7 +10,7 @@ from moves.stand import FOOT_X, FOOT_Z, TOES_OUT, stand_plant
 from moves.start import FIRST_STEP, START, start_body, start_feet
 from moves.walk import CYCLE, OFF, walk_body, walk_feet, walk_plant
 
-STOP = 1.0
+STOP = 59 / 60  # seconds: with a tick that the blend of two may cost, a second
 LONGEST = 0.45  # of a cycle: the earliest that the last step is shortened
 SHORTER = 0.21  # metres: by how much at the most
 QUICKER = 0.13  # the share of its time that the last step saves at the most
