@@ -12,6 +12,7 @@ import { ImportDialog } from "./panels/importDialog/importDialog";
 import { Picker } from "./panels/picker/picker";
 import { byId, el, onTheme, reducedMotion } from "./ui/dom";
 import { dropZone } from "./panels/importDialog/dropZone";
+import { clampedPanel } from "./panels/clamped/clamped";
 import { EventsPanel } from "./panels/events/events";
 import { GraphPanel } from "./panels/graph/graph";
 import { HelpDialog } from "./panels/help/help";
@@ -31,7 +32,7 @@ import { Player } from "./state/player";
 import { Session } from "./state/session";
 import { exposeForTests } from "./testHook";
 import { Travel } from "./state/travel";
-import { StageView } from "./view/stageView";
+import { type Modes, StageView } from "./view/stageView";
 import { chooseQuality, rendererName } from "./view/quality";
 import { Scene } from "./view/scene";
 import "./style/panels.css";
@@ -45,7 +46,7 @@ function viewerKeys(
   transport: Transport,
   help: () => void,
 ): Shortcut[] {
-  const mode = (key: string, name: "skin" | "wire" | "bones" | "tetra"): Shortcut => ({
+  const mode = (key: string, name: keyof Modes): Shortcut => ({
     keys: [key],
     words: `show ${name}`,
     act: () => toggleMode(stageView, name),
@@ -60,6 +61,7 @@ function viewerKeys(
     mode("2", "wire"),
     mode("3", "bones"),
     mode("4", "tetra"),
+    mode("5", "limits"),
     {
       keys: ["g"],
       words: "pose stream, glb stream",
@@ -144,6 +146,7 @@ function start(name: string): void {
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
   const badge = new StateBadge(byId("badge"), session, stageView);
   new ParametersPanel(byId("parameters"), session);
+  clampedPanel(byId("clamped"), session);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
   layerTabs(byId("layers"), session);

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from statwalk.character.solve_pose import SolveAnswer, SolverOptions, solve_pose
 from statwalk.errors import UnknownNameError
 from statwalk.maths import transform
+from statwalk.maths.clamp_table import JointLimit
 from statwalk.maths.columns import lock_fields
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Clip
@@ -34,6 +35,7 @@ class Character:
     bind_pose    the pose at rest, unbatched, float32
     clips        by name, in the order of the file; unnamed and repeated names are made unique
     materials    glTF material objects, in the order of the parts' indices
+    limits       the limits of joints, by name (SK5, SK6)
     notes        the repairs made when the file was read
     model_glb    the model as a .glb for any viewer
     """
@@ -46,6 +48,7 @@ class Character:
     skins: tuple[Skin, ...] = ()
     parts: tuple[Primitive, ...] = ()
     materials: tuple[Mapping[str, Any], ...] = ()
+    limits: Mapping[str, JointLimit] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     model_glb: bytes = b""
 
@@ -86,14 +89,14 @@ class Character:
 
         All is in model space: `target` (…, 3) and `pole_point` (…, 3) metres, the direction `pole` (…, 3) in
         which the middle joint bends (two-bone), the end's `rotation` (…, 4). `weight` (…) 0 keeps the pose, 1
-        is the solution. `options` are those of `SolverOptions`.
+        is the solution. `options` are those of `SolverOptions`; `limits` are the character's unless given.
 
         :raises ContentError: when a value has the wrong shape or is out of its range.
         :raises UnknownNameError: when there is no such joint or solver.
         :raises TypeError: when there is no such option.
         """
         goal = weight, pole, pole_point, rotation
-        made = SolverOptions(solver, **options)
+        made = SolverOptions(solver, **{"limits": self.limits} | options)
         return solve_pose(self.skeleton, self.bind_pose, pose, chain, made, target, *goal)
 
     def vertices(self, pose: Pose) -> list[Part]:

@@ -17,13 +17,14 @@ export interface Modes {
   wire: boolean;
   bones: boolean;
   tetra: boolean;
+  limits: boolean;
 }
 
 /** Actors within this distance, in sizes of the watched actor, are framed with it. */
 const COMPANY_REACH = 3;
 
 export class StageView {
-  readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false });
+  readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false, limits: true });
   /** True while the watched actor is drawn. */
   readonly ready = new Signal(false);
   readonly loading = new Signal<string>("");
@@ -46,6 +47,8 @@ export class StageView {
     session.hello.on((hello) => hello && void this.cast(hello));
     session.frames.on(() => this.switchStream());
     this.modes.on(() => this.restyle());
+    session.machine.on(() => this.limit());
+    session.actor.on(() => this.limit());
   }
 
   /** Loads the models of a hello and puts its actors on the stage. */
@@ -182,11 +185,23 @@ export class StageView {
     return undefined;
   }
 
+  /** Draws the limits of the watched actor's joints. */
+  private limit(): void {
+    const limits = this.session.machine.value?.limits ?? [];
+    for (const actor of this.actors.values()) actor.limits.show(false);
+    const actor = this.actor;
+    if (!actor || this.session.cast?.machine !== this.session.machine.value?.name) return;
+    actor.limits.take(limits);
+    actor.limits.show(this.modes.value.limits);
+    this.scene.invalidate();
+  }
+
   private restyle(): void {
     const { skin, wire, bones, tetra } = this.modes.value;
     const look = { skin, wire, ghost: skin && tetra };
     for (const actor of this.actors.values()) actor.show(look, bones, tetra);
     showSkin(this.glb.meshes, look);
+    this.limit();
     this.scene.invalidate();
   }
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
+from statwalk.files.joint_limits import joint_limits
 from statwalk.files.machine_yaml import (
     budgets,
     fields,
@@ -48,7 +49,7 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
-    *("properties", "budgets", "foot_lock", "ground"),
+    *("joints", "limits", "properties", "budgets", "foot_lock", "ground"),
 )
 
 
@@ -150,6 +151,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         parameters=parameters,
         senses=sense_events,
         colliders=colliders,
+        limits=joint_limits(entries.get("joints"), entries.get("limits")),
         foot_lock=read_foot_lock(entries.get("foot_lock"), parameters),
         ground=read_ground(entries.get("ground")),
         flock=flock_part.flock(entries.get("flock"), parameters),

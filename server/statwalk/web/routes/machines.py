@@ -26,6 +26,7 @@ from statwalk.services.hosting.registry import Registry
 from statwalk.services.library.catalogue import Catalogue, Entry
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, catalogue_of, registry_of
+from statwalk.web.routes.limit_views import limit_views
 from statwalk.web.schemas.base import ResponseModel
 from statwalk.web.schemas.finding import FindingsView, finding_views
 from statwalk.web.schemas.machine import MachineSummary, MachineView
@@ -140,6 +141,7 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
         "colliders": {
             name: ColliderView.model_validate(collider) for name, collider in definition.colliders.items()
         },
+        "limits": limit_views(role),
         "layers": layers,
         "text": version.text,
         **{name: getattr(layers[0], name) for name in ("states", "table", "rows", "edges")},

@@ -63,6 +63,30 @@ class MachineSummary(ResponseModel):
     events: list[str]
 
 
+class FreedomView(ResponseModel):
+    """A degree of freedom of a joint: degrees if it is an angle, else metres; null: not limited."""
+
+    name: str
+    is_angle: bool
+    minimum: float | None
+    maximum: float | None
+
+
+class LimitView(ResponseModel):
+    """The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
+    into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+    """
+
+    joint: str
+    type: str
+    form: str
+    symbol: str
+    shape: Literal["free", "hinge", "cone", "range", "axes"]
+    frame: list[float]
+    rest: list[float]
+    freedoms: list[FreedomView]
+
+
 class MachineView(ResponseModel):
     """A machine; `states`, `table`, `rows` and `edges` belong to its base, the first layer."""
 
@@ -87,6 +111,7 @@ class MachineView(ResponseModel):
     variables: list[str]
     senses: dict[str, SenseView]
     colliders: dict[str, ColliderView]
+    limits: list[LimitView]
     layers: list[LayerView]
     text: str
     """the machine file"""

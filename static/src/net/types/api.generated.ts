@@ -731,6 +731,7 @@ export interface components {
             position: number[];
             heading_deg: number;
             hash: string;
+            clamped: components["schemas"]["ClampedView"][];
         };
         /**
          * @description An alternative of a cell; `blend` in seconds, `enter` is the phase 0…1 at which the motion begins, or
@@ -805,6 +806,12 @@ export interface components {
             notes: string[];
             model: string;
         };
+        /** @description A joint that its limits changed in this tick: by how many degrees and metres. */
+        ClampedView: {
+            joint: string;
+            angle_deg: number;
+            distance: number;
+        };
         /** @description A clip; `duration` in seconds. */
         ClipView: {
             name: string;
@@ -870,6 +877,7 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
             text: string;
@@ -932,6 +940,13 @@ export interface components {
         FindingsView: {
             findings: components["schemas"]["FindingView"][];
         };
+        /** @description A degree of freedom of a joint: degrees if it is an angle, else metres; null: not limited. */
+        FreedomView: {
+            name: string;
+            is_angle: boolean;
+            minimum: number | null;
+            maximum: number | null;
+        };
         /** @description The actor travels to `state` first. */
         GoChange: {
             /**
@@ -991,6 +1006,21 @@ export interface components {
             rows: string[][];
             edges: components["schemas"]["EdgeView"][];
         };
+        /**
+         * @description The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
+         *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+         */
+        LimitView: {
+            joint: string;
+            type: string;
+            form: string;
+            symbol: string;
+            /** @enum {string} */
+            shape: "free" | "hinge" | "cone" | "range" | "axes";
+            frame: number[];
+            rest: number[];
+            freedoms: components["schemas"]["FreedomView"][];
+        };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
         MachineSummary: {
             name: string;
@@ -1037,6 +1067,7 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
             text: string;
@@ -1926,6 +1957,7 @@ export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
 export type CharacterView = components['schemas']['CharacterView'];
+export type ClampedView = components['schemas']['ClampedView'];
 export type ClipView = components['schemas']['ClipView'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type EdgeView = components['schemas']['EdgeView'];
@@ -1934,12 +1966,14 @@ export type ExplainedView = components['schemas']['ExplainedView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
+export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
 export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
 export type LayerView = components['schemas']['LayerView'];
+export type LimitView = components['schemas']['LimitView'];
 export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
 export type MappingView = components['schemas']['MappingView'];

@@ -3,6 +3,8 @@
 import type { ShippedCharacterView, UploadedCharacterView } from "./api.generated";
 
 export type {
+  ActorView as ActorFacts,
+  ClampedView as ClampedJoint,
   EventLine,
   HistoryView as StateHistory,
   LogHeader,
