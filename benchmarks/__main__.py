@@ -2,6 +2,7 @@
 
 import crowd
 import frame
+import ik
 import lanes
 import load
 import machine
@@ -12,6 +13,6 @@ import tick
 import whynot
 import world
 
-for table in (tick, crowd, pose, lanes, skin, morph, load, frame, world, machine, whynot):
+for table in (tick, crowd, pose, lanes, skin, morph, load, frame, ik, world, machine, whynot):
     table.main()
     print()
