@@ -96,10 +96,25 @@ function freeFocus(): void {
 }
 
 /** Imports your own character: dropped on the page, or chosen as a file. */
-function importOwn(picker: Picker): void {
-  const dialog = new ImportDialog((machine) => picker.open(machine));
+function importOwn(picker: Picker, session: Session, travel: Travel): void {
+  const made = async (machine: string, state = ""): Promise<void> => {
+    await picker.open(machine);
+    if (state) playOnce(session, machine, () => void travel.go(state));
+  };
+  const dialog = new ImportDialog(made, () => session.machine.value?.character ?? null);
   dropZone((files) => dialog.take(files));
   byId("add").addEventListener("click", () => dialog.choose());
+}
+
+/** Calls `then` as soon as the page knows the machine that it has begun to watch. */
+function playOnce(session: Session, machine: string, then: () => void): void {
+  let done = false;
+  const forget = session.machine.on((known) => {
+    if (done || known?.name !== machine || session.cast?.machine !== machine) return;
+    done = true;
+    queueMicrotask(() => forget());
+    then();
+  });
 }
 
 /** Makes the why panel; you can try its remedies in the table and on the stage. */
@@ -151,7 +166,7 @@ function start(name: string): void {
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
   layerTabs(byId("layers"), session);
   routeBar(byId("route"), session, travel);
-  importOwn(new Picker(byId("picker"), session, stages));
+  importOwn(new Picker(byId("picker"), session, stages), session, travel);
   modeBar(byId("modes"), session, stageView);
   new ActionCounter(byId("action-counter"), session);
   notices(byId("notices"), session);

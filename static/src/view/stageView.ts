@@ -11,6 +11,7 @@ import { GlbStage } from "./glbStage";
 import { type Model, Models } from "./model";
 import type { Scene } from "./scene";
 import { showSkin, wireColour } from "./skinMode";
+import { Terrain } from "./terrain";
 
 export interface Modes {
   skin: boolean;
@@ -30,6 +31,7 @@ export class StageView {
   readonly loading = new Signal<string>("");
   private readonly models = new Models();
   private readonly glb: GlbStage;
+  private readonly terrain = new Terrain();
   private actors = new Map<number, ActorView>();
   private generation = 0;
   /** Tick and stream of the drawn frame. */
@@ -47,7 +49,12 @@ export class StageView {
     session.hello.on((hello) => hello && void this.cast(hello));
     session.frames.on(() => this.switchStream());
     this.modes.on(() => this.restyle());
-    session.machine.on(() => this.limit());
+    scene.world.add(this.terrain.mesh);
+    session.machine.on((machine) => {
+      this.limit();
+      this.terrain.show(machine?.ground ?? []);
+      scene.invalidate();
+    });
     session.actor.on(() => this.limit());
   }
 

@@ -23,6 +23,7 @@ from statwalk.files.machine_yaml import (
     senses,
     whole_table,
 )
+from statwalk.files.machine_yaml.capture_lines import CaptureLine, read_captures
 from statwalk.files.machine_yaml.ground import foot_lock as read_foot_lock
 from statwalk.files.machine_yaml.ground import ground as read_ground
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
@@ -49,6 +50,7 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
+    "captures",
     *("joints", "limits", "properties", "budgets", "foot_lock", "ground"),
 )
 
@@ -65,6 +67,8 @@ class MachineFile:
     root_line: int
     text: str
     table_text: str
+    captures: tuple[CaptureLine, ...] = ()
+    """the captured motions that the character gets as clips"""
 
     def check_root(self, joints: Sequence[str]) -> None:
         """Checks that the root joint is one of the character's `joints`.
@@ -107,6 +111,7 @@ def machine_of(text: str, folder: Path, file: str = "") -> MachineFile:
         root_line=root.key_lines.get("root", 0),
         text=text,
         table_text=table_text,
+        captures=read_captures(entries.get("captures")),
     )
 
 
@@ -241,9 +246,10 @@ def _character_name(root: Node) -> str:
     """Returns the path of the character's file, or the name of the shipped machine whose character it is."""
     node = fields.required(root, "character")
     if not SHIPPED.fullmatch(node.text()) and not node.text().lower().endswith(
-        (".glb", ".gltf", ".yaml", ".yml")
+        (".glb", ".gltf", ".yaml", ".yml", ".bvh", ".trc")
     ):
         raise node.refuse(
-            f"{node.text()[:80]!r} is no .glb, .gltf or .yaml file, nor the name of a shipped machine"
+            f"{node.text()[:80]!r} is no .glb, .gltf, .yaml, .bvh or .trc file, nor the name of "
+            "a shipped machine"
         )
     return node.text()

@@ -36,6 +36,7 @@ from statwalk.web.schemas.table import (
     KeyView,
     LayerView,
     MarkerView,
+    GroundView,
     ParameterView,
     SenseView,
     StateView,
@@ -141,6 +142,10 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
         "colliders": {
             name: ColliderView.model_validate(collider) for name, collider in definition.colliders.items()
         },
+        "ground": [
+            GroundView(corner=list(piece.corner), opposite=list(piece.opposite), heights=piece.heights)
+            for piece in definition.ground
+        ],
         "limits": limit_views(role),
         "layers": layers,
         "text": version.text,

@@ -17,6 +17,7 @@ from statwalk.web.schemas.table import (
     EdgeView,
     KeyView,
     LayerView,
+    GroundView,
     ParameterView,
     SenseView,
     StateView,
@@ -28,12 +29,13 @@ NewState = Annotated[str, StringConstraints(max_length=80)]
 
 class NewMachine(RequestModel):
     """A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-    left out), by default the proposed mapping.
+    left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
     """
 
     name: Name
     character: Name
     mapping: Annotated[dict[str, NewState | None], Field(max_length=1_000)] | None = None
+    root: Annotated[str, StringConstraints(max_length=200)] = ""
 
 
 class NewText(RequestModel):
@@ -111,6 +113,7 @@ class MachineView(ResponseModel):
     variables: list[str]
     senses: dict[str, SenseView]
     colliders: dict[str, ColliderView]
+    ground: list[GroundView]
     limits: list[LimitView]
     layers: list[LayerView]
     text: str

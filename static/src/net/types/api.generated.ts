@@ -39,10 +39,11 @@ export interface paths {
         get: operations["get_character_api_characters__name__get"];
         /**
          * Put Character
-         * @description Uploads a character: a .glb, a self-contained .gltf, or a zip of a .gltf with its files, as
-         *     the raw body.
+         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture (.bvh,
+         *     .trc), as the raw body.
          *
-         *     Replaces an uploaded character with the same name.
+         *     Replaces an uploaded character with the same name. The query is for captures: whether BVH position channels
+         *     replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of spikes.
          */
         put: operations["put_character_api_characters__name__put"];
         post?: never;
@@ -639,6 +640,47 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/characters/{name}/bones": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Bones
+         * @description Returns which joint is which bone of a body, as far as the joints' names tell.
+         */
+        get: operations["get_bones_api_characters__name__bones_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/clips": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Clip
+         * @description Carries a clip of another character over to this one, and keeps the result as an uploaded character: this
+         *     one with a clip more, or a new one called `character`.
+         */
+        post: operations["add_clip_api_characters__name__clips_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/stages/{stage_id}/actors/{actor_id}/why": {
         parameters: {
             query?: never;
@@ -747,6 +789,18 @@ export interface components {
             enter: number | "match";
             restart: boolean;
             action: string | null;
+        };
+        /**
+         * @description The joint of each bone that the names of a character tell; `needed` are the bones without which no walk is
+         *     carried over, `known` all names of bones.
+         */
+        BonesView: {
+            character: string;
+            bones: {
+                [key: string]: string;
+            };
+            needed: string[];
+            known: string[];
         };
         /** @description The event stays in the queue longer, for `seconds`. */
         BufferChange: {
@@ -877,6 +931,7 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
@@ -957,6 +1012,15 @@ export interface components {
             state: string;
             steps: components["schemas"]["StepView"][];
         };
+        /**
+         * @description A rectangle of uneven ground between two corners x z, metres; `heights`: at x0 z0, x1 z0, x1 z1,
+         *     x0 z1.
+         */
+        GroundView: {
+            corner: number[];
+            opposite: number[];
+            heights: number[];
+        };
         /** @description The changes of state up to `head`, oldest first. */
         HistoryView: {
             head: number;
@@ -970,6 +1034,11 @@ export interface components {
              */
             kind: "hold" | "release";
             event: string;
+        };
+        /** @description The joints that are one bone; `source` is empty where the spine turns as a whole. */
+        JointPair: {
+            source: string;
+            target: string;
         };
         /** @description A joint; `parent` -1: a root; `node` is its node in the model. */
         JointView: {
@@ -1067,6 +1136,7 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
@@ -1128,6 +1198,80 @@ export interface components {
             /** @default base */
             layer?: string;
         };
+        /** @description A clip of another character, to be carried over. */
+        NewClip: {
+            /** @description the character that has the clip: an uploaded .bvh or .trc, or any other */
+            source: string;
+            /**
+             * @description empty: the source's first clip
+             * @default
+             */
+            clip?: string;
+            /**
+             * @description the new clip's name; empty: the clip's own
+             * @default
+             */
+            name?: string;
+            /** @description the name of the character with the clip; by default the uploaded character itself gets it */
+            character?: string | null;
+            /**
+             * @description the source's joint of a bone whose name does not tell it; an empty joint: none
+             * @default {}
+             */
+            bones?: {
+                [key: string]: string;
+            };
+            /**
+             * @description the same for the character
+             * @default {}
+             */
+            target_bones?: {
+                [key: string]: string;
+            };
+            /**
+             * @description the piece that is carried over begins here, in seconds
+             * @default 0
+             */
+            start?: number;
+            /** @description and ends here; null: at the clip's end */
+            end?: number | null;
+            /**
+             * @description Hz: what moves faster is taken out, without a delay; 0: nothing
+             * @default 0
+             */
+            low_pass?: number;
+            /**
+             * @description whether single wild samples are replaced
+             * @default false
+             */
+            spikes?: boolean;
+            /**
+             * @description whether the clip repeats
+             * @default false
+             */
+            loop?: boolean;
+        };
+        /**
+         * @description A clip that was carried over, and how.
+         *
+         *     missing: bones of hips and legs that one of the two lacks. unmapped_source: joints that move, and whose
+         *     motion no joint takes. unmapped_target: joints that no motion reaches. scale: the character's metres per unit
+         *     of the source. root: the joint that travels.
+         */
+        NewClipView: {
+            character: string;
+            clip: string;
+            duration: number;
+            root: string;
+            bones: {
+                [key: string]: components["schemas"]["JointPair"];
+            };
+            missing: string[];
+            unmapped_source: string[];
+            unmapped_target: string[];
+            scale: number;
+            notes: string[];
+        };
         /** @description An event for one actor, or (null) for all actors of the stage. */
         NewEvent: {
             event: string;
@@ -1140,7 +1284,7 @@ export interface components {
         };
         /**
          * @description A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-         *     left out), by default the proposed mapping.
+         *     left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
          */
         NewMachine: {
             name: string;
@@ -1148,6 +1292,8 @@ export interface components {
             mapping?: {
                 [key: string]: string | null;
             } | null;
+            /** @default  */
+            root?: string;
         };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
@@ -1953,6 +2099,7 @@ export interface components {
 export type Accepted = components['schemas']['Accepted'];
 export type ActorView = components['schemas']['ActorView'];
 export type AlternativeView = components['schemas']['AlternativeView'];
+export type BonesView = components['schemas']['BonesView'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
@@ -1968,8 +2115,10 @@ export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
 export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
+export type GroundView = components['schemas']['GroundView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
+export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
 export type LayerView = components['schemas']['LayerView'];
@@ -1982,6 +2131,8 @@ export type MomentChange = components['schemas']['MomentChange'];
 export type MovedView = components['schemas']['MovedView'];
 export type NewActor = components['schemas']['NewActor'];
 export type NewCell = components['schemas']['NewCell'];
+export type NewClip = components['schemas']['NewClip'];
+export type NewClipView = components['schemas']['NewClipView'];
 export type NewEvent = components['schemas']['NewEvent'];
 export type NewMachine = components['schemas']['NewMachine'];
 export type NewParameter = components['schemas']['NewParameter'];
@@ -2102,7 +2253,12 @@ export interface operations {
     };
     put_character_api_characters__name__put: {
         parameters: {
-            query?: never;
+            query?: {
+                position?: "replace" | "add";
+                scale?: number;
+                low_pass?: number;
+                spikes?: boolean;
+            };
             header?: never;
             path: {
                 name: string;
@@ -2116,6 +2272,8 @@ export interface operations {
                 "application/zip": string;
                 "application/x-zip-compressed": string;
                 "application/octet-stream": string;
+                "model/bvh": string;
+                "text/plain": string;
             };
         };
         responses: {
@@ -3091,6 +3249,62 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Accepted"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    get_bones_api_characters__name__bones_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BonesView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    add_clip_api_characters__name__clips_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewClip"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["NewClipView"];
                 };
             };
             /** @description Client Error */

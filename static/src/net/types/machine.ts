@@ -6,6 +6,7 @@ export type {
   EdgeView as Edge,
   EditedMachine as Edited,
   FindingView as Finding,
+  GroundView as GroundPiece,
   KeyView as KeyBinding,
   LayerView as LayerInfo,
   LimitView as JointLimit,

@@ -3,6 +3,7 @@
 import type { ShippedCharacterView, UploadedCharacterView } from "./api.generated";
 
 export type {
+  BonesView as Bones,
   ActorView as ActorFacts,
   ClampedView as ClampedJoint,
   EventLine,
@@ -11,6 +12,8 @@ export type {
   LogLine,
   MachineSummary,
   MappingView as Mapping,
+  NewClip,
+  NewClipView as CarriedClip,
   NewCell,
   ProblemView as Problem,
   SceneView as SceneSummary,
