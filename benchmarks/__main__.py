@@ -2,6 +2,7 @@
 
 import crowd
 import frame
+import ik
 import lanes
 import load
 import machine
@@ -13,6 +14,6 @@ import tick
 import whynot
 import world
 
-for table in (tick, spring, crowd, pose, lanes, skin, morph, load, frame, world, machine, whynot):
+for table in (tick, spring, crowd, pose, lanes, skin, morph, load, frame, ik, world, machine, whynot):
     table.main()
     print()

@@ -1,5 +1,7 @@
 """IK14 chains, weights, limits: limits hold in every iteration; the best pose is kept; names make a chain."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import statwalk
@@ -108,6 +110,17 @@ def test_a_straight_chain_in_line_with_its_target_bends(solver, distance):
     poses, outcome = solved(straight, (0, distance, 0), solver, iterations=3000)
     assert np.isfinite(poses.rotation).all()
     assert outcome.distance[0] == pytest.approx(max(distance - 5, 0), abs=5e-3 * max(1, distance / 5))
+
+
+def test_the_limits_of_a_character_hold_unless_others_are_given():
+    walker = statwalk.load("faq-walker").character
+    limited = replace(walker, limits={"Right.lowerarm": JointLimit(HINGE, twist=(0.0, 0.0))})
+    elbow, chain = walker.skeleton.index("Right.lowerarm"), ("Right.upperarm", "Right.hand")
+    asked = (walker.bind_pose, chain, (-0.3, 1.2, 0.25), "ccd")
+    straight, bent = limited.solve(*asked), limited.solve(*asked, limits={})
+    np.testing.assert_allclose(straight.pose.rotation[elbow], walker.bind_pose.rotation[elbow], atol=1e-6)
+    assert bent.pose.rotation[elbow].tobytes() == walker.solve(*asked).pose.rotation[elbow].tobytes()
+    assert (bent.reached, straight.reached) == (True, False)
 
 
 KNIGHT_LIKE = ("Right.upperarm", "Right.hand")

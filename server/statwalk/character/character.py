@@ -91,14 +91,14 @@ class Character:
 
         All is in model space: `target` (…, 3) and `pole_point` (…, 3) metres, the direction `pole` (…, 3) in
         which the middle joint bends (two-bone), the end's `rotation` (…, 4). `weight` (…) 0 keeps the pose, 1
-        is the solution. `options` are those of `SolverOptions`.
+        is the solution. `options` are those of `SolverOptions`; `limits` are the character's unless given.
 
         :raises ContentError: when a value has the wrong shape or is out of its range.
         :raises UnknownNameError: when there is no such joint or solver.
         :raises TypeError: when there is no such option.
         """
         goal = weight, pole, pole_point, rotation
-        made = SolverOptions(solver, **options)
+        made = SolverOptions(solver, **{"limits": self.limits} | options)
         return solve_pose(self.skeleton, self.bind_pose, pose, chain, made, target, *goal)
 
     def vertices(self, pose: Pose) -> list[Part]:
