@@ -22,6 +22,7 @@ from statwalk.web.long_work import LongWork
 from statwalk.web.routes import (
     actors,
     characters,
+    deduce,
     edits,
     explain,
     history,
@@ -40,6 +41,7 @@ MOST_PAST_WORK = 4
 DESCRIPTION = "Animates characters from state tables. Errors are application/problem+json (RFC 9457)."
 ROUTES = (
     characters,
+    deduce,
     uploads,
     machines,
     new_machines,
