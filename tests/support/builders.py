@@ -8,9 +8,9 @@ from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
 from statwalk.machine.definition.machine_definition import (
     EventDefinition,
     MachineDefinition,
-    ParameterDefinition,
     StateDefinition,
 )
+from statwalk.machine.definition.parameter_definition import ParameterDefinition
 from statwalk.machine.definition.state_table import read_table
 from statwalk.maths.pose import rest
 from statwalk.motion.clip import Channel, Clip
@@ -79,13 +79,16 @@ def definition(table=TABLE, cells=None, **options):
         )
         for name, line in read.states.items()
     }
-    options = {"initial": "STAND", "defaults": Defaults(blend=0.2, buffer=0.3)} | options
+    options = {
+        "initial": "STAND",
+        "defaults": Defaults(blend=0.2, buffer=0.3),
+        "parameters": {"pace": ParameterDefinition(1.0, 0.5, 2.0, 1)},
+    } | options
     return MachineDefinition(
         name="tiny",
         states=states,
         events={name: EventDefinition(line) for name, line in read.events.items() if name != "END"},
         cells=read.cells | (cells or {}),
-        parameters={"pace": ParameterDefinition(1.0, 0.5, 2.0, 1)},
         **options,
     )
 

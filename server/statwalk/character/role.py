@@ -14,6 +14,7 @@ from statwalk.character.character import Character
 from statwalk.character.colliders import Colliders
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
+from statwalk.character.solver_memory import SolverMemory
 from statwalk.errors import UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine, MotionFacts, build
 from statwalk.machine.compile.program import PROGRAM, Program
@@ -157,6 +158,11 @@ class Role:
         return frozenset(touched) | frozenset(flock.avoid if flock else ())
 
     @cached_property
+    def solver_memory(self) -> SolverMemory:
+        """Returns what the solvers of the role keep from tick to tick."""
+        return SolverMemory({})
+
+    @cached_property
     def measures(self) -> bool:
         """Returns whether a tick of its machine needs measurements of an actor, or the pace of a blend of
         clips.
@@ -205,17 +211,6 @@ class Role:
         names = [self.machine.states[row] for row in self.machine.rows(0)]
         if name not in names:
             raise UnknownNameError("state", name, names)
-        return names.index(name)
-
-    def parameter(self, name: str) -> int:
-        """Returns the index of a parameter.
-
-        :raises UnknownNameError: when the machine has no parameter of that name; the error lists the
-            parameters.
-        """
-        names = [parameter.name for parameter in self.machine.parameters]
-        if name not in names:
-            raise UnknownNameError("parameter", name, names)
         return names.index(name)
 
 

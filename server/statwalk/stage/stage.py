@@ -11,6 +11,7 @@ from math import isfinite
 
 from statwalk.character.role import Role
 from statwalk.errors import StageError, UnknownNameError
+from statwalk.machine.settings import settings
 from statwalk.machine.travel import Plan, plan, reachable
 from statwalk.stage.actor import Actor, Found
 from statwalk.stage.history.timeline import LONGEST_HISTORY, Timeline
@@ -149,16 +150,16 @@ class Stage(Timeline):
         """Releases an event that is held."""
         return self._input(Release, actor, event)
 
-    def set(self, actor: Actor | int, parameter: str, value: float) -> LogEntry:
-        """Sets a parameter of the machine, from the next tick on.
+    def set(self, actor: Actor | int, parameter: str, value: float | Sequence[float]) -> LogEntry:
+        """Sets a parameter of the machine, from the next tick on; a point, direction or rotation to a list of
+        numbers, logged one by one. Returns the last entry.
 
-        :raises StageError: when the value is out of range.
+        :raises UnknownNameError: when the machine has no parameter of that name.
+        :raises StageError: when the value is out of range, or does not fit the kind of the parameter.
         """
-        cast = self._find(self._id_of(actor)).cast
-        bounds = cast.role.machine.parameters[cast.role.parameter(parameter)]
-        if not bounds.minimum <= value <= bounds.maximum:
-            raise StageError(f"{parameter} must lie in {bounds.minimum} … {bounds.maximum}, not at {value}")
-        return self.keep(self.tick + 1, Set(self._id_of(actor), parameter, float(value)))
+        actor_id = self._id_of(actor)
+        numbers = settings(self._find(actor_id).cast.role.machine, parameter, value)
+        return [self.keep(self.tick + 1, Set(actor_id, name, number)) for name, number in numbers][-1]
 
     def travel(self, actor: Actor | int, state: str) -> Plan:
         """Makes the actor travel to a state of its base layer, by the events that lead there soonest; other

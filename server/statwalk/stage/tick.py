@@ -92,7 +92,7 @@ def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: boo
     """
     offsets = cast.offsets.with_room(changed) if len(changed) else cast.offsets
     work = memory.offsets(offsets).argument, memory.effects.argument, memory.poses.argument
-    places = cast.position, cast.heading, cast.root_delta, cast.hash
+    places = cast.position, cast.heading, cast.root_delta, cast.solver_memory, cast.hash
     buffers, machine = (cast.previous.values, cast.shown.values), memory.machine(cast.machine).argument
     _pose_blocks(
         *cast.role.packed.arguments, machine, *work, *buffers, *places, cast.shown.used, dt, is_looked_at
@@ -105,13 +105,14 @@ def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: boo
 
 @kernel(
     ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, write(FLOAT, 3),
-    write(FLOAT, 3), write(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 2), write(types.uint64, 1), LONG,
+    write(FLOAT, 3), write(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 2), write(DOUBLE, 2),
+    write(types.uint64, 1), LONG,
     DOUBLE, types.boolean,
 )  # fmt: skip
 def _pose_blocks(
     program: Any, motions: Any, poses: Any, moved: Any, machine: Any, offsets: Any, effects: Any, memory: Any,
-    previous: Any, shown: Any, position: Any, heading: Any, root_delta: Any, hashes: Any, used: int,
-    dt: float, is_looked_at: bool,
+    previous: Any, shown: Any, position: Any, heading: Any, root_delta: Any, solver_memory: Any,
+    hashes: Any, used: int, dt: float, is_looked_at: bool,
 ) -> None:  # fmt: skip
     """Writes the poses of all blocks into `previous`; `offsets` has room for all transitions that begin."""
     p, m, t, masks = _program(program), _motions(motions), _poses(poses), _masks(moved)
@@ -132,7 +133,7 @@ def _pose_blocks(
             blend_root_delta(o, row, root_delta)
             move_root(position, heading, root_delta, row)
             # a running hash of everything that can influence a later tick
-            hashes[row] = hash_actor(hashes[row], s, o, position, heading, root_delta, row)
+            hashes[row] = hash_actor(hashes[row], s, o, position, heading, root_delta, solver_memory, row)
         add_block(o, masks, mem.coming, 0, block, 0.0, mem.scratch)
         release_slots(o, block)
         # 5 express, 6 limit: not yet; they will change `mem.coming` here

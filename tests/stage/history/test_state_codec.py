@@ -85,8 +85,8 @@ def test_bytes_that_are_cut_off_are_refused(cut):
 
 def test_another_version_of_the_format_is_refused():
     stage = wild_stage(1)
-    with pytest.raises(StageError, match="version 7; this build reads version 2"):
-        from_bytes(to_bytes(stage.state).replace(b'"version":2', b'"version":7'), stage.roles)
+    with pytest.raises(StageError, match="version 7; this build reads version 3"):
+        from_bytes(to_bytes(stage.state).replace(b'"version":3', b'"version":7'), stage.roles)
 
 
 def test_a_role_that_is_not_here_is_named():

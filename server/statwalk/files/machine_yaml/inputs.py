@@ -1,4 +1,4 @@
-"""Reads the inputs of a machine file: events, keys, parameters; also the defaults and the properties of its
+"""Reads the inputs of a machine file: events and keys; also the defaults and the properties of its
 table.
 """
 
@@ -13,15 +13,10 @@ from statwalk.machine.definition.machine_definition import (
     END,
     EventDefinition,
     KeyDefinition,
-    ParameterDefinition,
     PropertyDefinition,
 )
 
 MOST_EVENTS = 4_096
-LARGEST = 1e9
-"""largest bound of a parameter"""
-RESERVED = ("and", "or", "not", "true", "false", "pi", "if")
-"""words of the condition language, which cannot be names of parameters"""
 
 
 def events(node: Node | None) -> dict[str, EventDefinition]:
@@ -67,37 +62,6 @@ def key(node: Node, inputs: Collection[str]) -> KeyDefinition:
     if ("press" in sent) == ("hold" in sent):
         raise node.refuse("a key needs either `press: EVENT` (once) or `hold: EVENT` (as long as it is down)")
     return KeyDefinition(sent.get("hold") or sent["press"], sent.get("release"), "hold" in sent, node.line)
-
-
-def parameters(node: Node | None) -> dict[str, ParameterDefinition]:
-    """Reads `{pace: {default: 1, min: 0.5, max: 2, smooth: 0.25}}`; conditions use the names of
-    parameters.
-    """
-    definitions = {}
-    for name, entry in fields.named(node, "parameter").items():
-        if not name.isidentifier() or name in RESERVED:
-            raise entry.refuse(
-                f"{name[:40]!r} is no name for a parameter; use letters, digits and _, and no word of the "
-                "condition language"
-            )
-        definitions[name] = parameter(entry)
-    return definitions
-
-
-def parameter(node: Node) -> ParameterDefinition:
-    """Reads `{default: 1, min: 0.5, max: 2}`, and perhaps `smooth`: the seconds in which a new value is
-    reached.
-
-    :raises MachineError: when a field is missing, or `min` is more than `max`.
-    """
-    entries = node.entries("default", "min", "max", "smooth")
-    if not {"default", "min", "max"} <= set(entries):
-        raise node.refuse("a parameter needs `default`, `min` and `max`")
-    lowest, highest = entries["min"].number(-LARGEST, LARGEST), entries["max"].number(-LARGEST, LARGEST)
-    if lowest > highest:
-        raise node.refuse(f"min {lowest:g} is more than max {highest:g}")
-    smooth = fields.seconds(entries["smooth"]) if "smooth" in entries else 0.0
-    return ParameterDefinition(entries["default"].number(lowest, highest), lowest, highest, node.line, smooth)
 
 
 def properties(node: Node | None) -> Iterator[PropertyDefinition]:

@@ -11,7 +11,8 @@ from typing import Literal
 
 from statwalk.files.machine_yaml import fields, levels
 from statwalk.files.yaml.yaml_text import Node
-from statwalk.machine.definition.machine_definition import BASE, NO_MOTION, ParameterDefinition
+from statwalk.machine.definition.machine_definition import BASE, NO_MOTION
+from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
 LAYER_KEYS = (*levels.LEVEL_KEYS, "mask", "mode", "weight")
 MOST_LAYERS = 16

@@ -13,9 +13,9 @@ from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.definition.machine_definition import (
     ANY,
     CompositeDefinition,
-    ParameterDefinition,
     StateDefinition,
 )
+from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
 LEVEL_KEYS = ("initial", "states", "table", "cells")
 COMPOSITE_KEYS = ("machine", "resume", "final")

@@ -12,7 +12,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml import fields, flock_part, inputs, layers, levels, senses, whole_table
+from statwalk.files.machine_yaml import (
+    fields,
+    flock_part,
+    inputs,
+    layers,
+    levels,
+    senses,
+    whole_table,
+)
+from statwalk.files.machine_yaml.parameters import parameters as read_parameters
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import (
@@ -34,25 +43,8 @@ SCHEMA_PATH = Path(__file__).with_name("machine.schema.json")
 SEMANTICS = "1"
 SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
-    "semantics",
-    "title",
-    "description",
-    "character",
-    "root",
-    "initial",
-    "idle",
-    "fallback",
-    "defaults",
-    "states",
-    "events",
-    "table",
-    "cells",
-    "layers",
-    "keys",
-    "parameters",
-    "senses",
-    "colliders",
-    "flock",
+    *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
+    *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
     "properties",
 )
 
@@ -125,7 +117,7 @@ def read_machine(text: str, name: str = "machine", file: str = FILE_NAME) -> Mac
 def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefinition, str]:
     """Returns the machine's definition, all of its names checked, and the text of its table."""
     entries = _checked_keys(root)
-    parameters = inputs.parameters(entries.get("parameters"))
+    parameters = read_parameters(entries.get("parameters"))
     colliders, variables = (
         senses.colliders(entries.get("colliders")),
         variables_of(parameters),

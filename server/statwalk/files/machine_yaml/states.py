@@ -10,9 +10,9 @@ from statwalk.machine.compile.compile_machine import LARGEST_SPEED
 from statwalk.machine.definition.machine_definition import (
     NO_MOTION,
     BlendDefinition,
-    ParameterDefinition,
     StateDefinition,
 )
+from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
 STATE_KEYS = ("motion", "loop", "speed", "markers", "final")
 NONE = "none"

@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
+from statwalk.machine.definition.parameter_definition import Kind
 from statwalk.maths.formula.postfix import Formula
 
 BLANK, OFF, UNDEFINED, MIXED = -1, -2, -3, -4
@@ -53,6 +54,9 @@ class Parameter:
     minimum: float
     maximum: float
     smooth: float = 0.0
+    kind: Kind = "number"
+    vector: str = ""
+    """the parameter that this number is a component of; empty: none"""
 
 
 @dataclass(frozen=True)

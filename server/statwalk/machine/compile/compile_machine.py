@@ -82,8 +82,8 @@ def build(
         buffer=buffers(definition),
         keys={name: Key(key.press, key.release, key.hold) for name, key in definition.keys.items()},
         parameters=tuple(
-            Parameter(name, written.default, written.minimum, written.maximum, written.smooth)
-            for name, written in definition.parameters.items()
+            Parameter(name, put.default, put.minimum, put.maximum, put.smooth, put.kind, put.vector)
+            for name, put in definition.parameters.items()
         ),
         variables=variables,
         colliders=tuple(

@@ -10,6 +10,7 @@ from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
 from statwalk.machine.definition.flock_definition import FlockDefinition
+from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
 END = "END"
 """the event that a motion raises when it ends; always the last column"""
@@ -81,18 +82,6 @@ class EventDefinition:
     line: int
     buffer: float | None = None
     """seconds that the event waits in a blank cell; None: the default"""
-
-
-@dataclass(frozen=True)
-class ParameterDefinition:
-    """A named number that you set from outside."""
-
-    default: float
-    minimum: float
-    maximum: float
-    line: int
-    smooth: float = 0.0
-    """seconds in which a new value is reached, without a jump in value or rate; 0: immediately"""
 
 
 @dataclass(frozen=True)

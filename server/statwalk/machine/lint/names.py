@@ -111,9 +111,13 @@ def parameters(definition: MachineDefinition, contexts: Contexts) -> Iterator[Fi
             )
     if definition.flock:
         used.update(definition.flock.sets.values())
+    used |= {definition.parameters[name].vector for name in used if name in definition.parameters}
+    seen = set[str]()
     for name, parameter in definition.parameters.items():
-        if name not in used:
-            yield Finding("unused parameter", "warning", f"the parameter {name} is unused", parameter.line)
+        whole = parameter.vector or name
+        if name not in used and whole not in used | seen:
+            seen.add(whole)
+            yield Finding("unused parameter", "warning", f"the parameter {whole} is unused", parameter.line)
 
 
 def _parameter_uses(

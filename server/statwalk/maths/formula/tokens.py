@@ -9,7 +9,7 @@ from typing import Literal
 LONGEST = 500
 LONGEST_NUMBER = 30
 WORD = re.compile(
-    r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign><=|>=|==|!=|[-+*/%<>(),]))"
+    r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)|(?P<name>[A-Za-z_][A-Za-z0-9_]*(?:\.[A-Za-z_][A-Za-z0-9_]*)?)|(?P<sign><=|>=|==|!=|[-+*/%<>(),]))"
 )
 HINTS = {
     "=": "`==` compares",
@@ -17,7 +17,7 @@ HINTS = {
     "|": "write `or`",
     "!": "write `not`",
     "^": "write pow(a, b)",
-    ".": "a name has no parts",
+    ".": "a name has at most one dot, between letters: reach.x",
 }
 
 DOTTED = re.compile(

@@ -9,6 +9,7 @@ from itertools import groupby
 
 from statwalk.character.role import Role
 from statwalk.errors import ConflictError, LimitError, UnknownNameError
+from statwalk.machine.settings import parameter_indices
 from statwalk.machine.travel import Plan
 from statwalk.services.hosting.actor_facts import columns_of, facts_in
 from statwalk.services.hosting.commands import (
@@ -64,7 +65,7 @@ def _apply_command(stage: Stage, command: Command) -> Iterator[Outcome]:
             actors = _actors(stage, command.actor)
             for actor in _actors_with(actors, "parameter", parameter, _parameter_names):
                 stage.set(actor, parameter, command.value)
-                yield None
+                yield from (None for _ in parameter_indices(actor.role.machine, parameter))
         case TravelTo(state=""):
             stage.cancel_travel(stage.actor(command.actor))
             yield None
@@ -104,7 +105,8 @@ def _event_names(actor: Actor) -> Iterable[str]:
 
 
 def _parameter_names(actor: Actor) -> Iterable[str]:
-    return [parameter.name for parameter in actor.role.machine.parameters]
+    parameters = actor.role.machine.parameters
+    return dict.fromkeys(name for part in parameters for name in (part.vector, part.name) if name)
 
 
 def _actors_with(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -41,7 +42,8 @@ class SetParameter:
     """Sets a parameter of one actor, or (None) of all actors whose machines have the parameter."""
 
     parameter: str
-    value: float
+    value: float | Sequence[float]
+    """a list for a point, direction or rotation"""
     actor: int | None = None
 
 

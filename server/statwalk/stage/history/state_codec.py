@@ -25,7 +25,7 @@ from statwalk.stage.state.pending_events import NOTICE_REASONS, Notice, PendingE
 from statwalk.stage.state.stage_state import StageState
 from statwalk.world.collide import Bodies
 
-MAGIC, VERSION = b"statwalk", 2
+MAGIC, VERSION = b"statwalk", 3
 KIND = re.compile(r"[<|][biuf][1248]")
 COUNTERS = {"tick": 0, "next_id": 1, "action_count": 0}
 """whole numbers of the header, and the least that each can be"""

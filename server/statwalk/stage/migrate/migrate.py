@@ -47,7 +47,8 @@ def edited(cast: Cast, role: Role, dt: float) -> tuple[Cast, list[Notice]]:
     new, following = (poses_ahead(role, migrated.state, ticks * dt) for ticks in (1, 2))
     rows = np.union1d(_differing(poses_ahead(cast.role, cast.machine, dt), new), lost)
     seconds = role.definition.defaults.blend
-    after = replace(cast, role=role, machine=migrated.state, offsets=offsets)
+    kept = role.solver_memory.migrated(cast.role.solver_memory, cast.solver_memory)
+    after = replace(cast, role=role, machine=migrated.state, offsets=offsets, solver_memory=kept)
     if len(rows) and seconds > 0:
         after = replace(after, offsets=_begun(after, rows, seconds, (new, following), dt))
     return after, _notices(cast, after, migrated)

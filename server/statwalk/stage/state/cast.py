@@ -43,6 +43,8 @@ class CastState:
     """(N,) radians about +Y"""
     root_delta: Floats
     """(N, 3) root motion of this tick in the actor's frame: x, z (metres), yaw (radians)"""
+    solver_memory: Floats
+    """(N, K) what the role's solvers keep from tick to tick: locked feet, springs (`Role.solver_memory`)"""
     hash: Words
     """(N,) hash over all states since the actor was added"""
 
@@ -89,8 +91,9 @@ class CastState:
         )
         offsets = PoseOffsets.none(0, machine.state.shape[1], size)
         nowhere, words = np.zeros((0, 3)), np.zeros(0, np.uint64)
+        kept = np.zeros((0, role.solver_memory.size))
         return CastState(
-            np.zeros(0, np.int64), machine, pose, pose, offsets, nowhere, np.zeros(0), nowhere, words
+            np.zeros(0, np.int64), machine, pose, pose, offsets, nowhere, np.zeros(0), nowhere, kept, words
         )
 
 

@@ -151,7 +151,9 @@ def move_root(position: Any, heading: Any, root_delta: Any, row: int) -> None:
 
 
 @called
-def hash_actor(word: Any, s: Any, o: Any, position: Any, heading: Any, root_delta: Any, row: int) -> Any:
+def hash_actor(
+    word: Any, s: Any, o: Any, position: Any, heading: Any, root_delta: Any, solver_memory: Any, row: int
+) -> Any:
     """Returns the hash after hashing an actor's rows, without poses; of the queue only the places in use
     count.
     """
@@ -167,6 +169,7 @@ def hash_actor(word: Any, s: Any, o: Any, position: Any, heading: Any, root_delt
     word = hash_row(hash_row(hash_row(word, s.parameters, row), s.smoothed, row), s.smoothed_rate, row)
     word = hash_row(hash_row(hash_row(word, s.sensing, row), s.last, row), s.goal, row)
     word = hash_row(hash_row(hash_row(word, position, row), heading, row), root_delta, row)
+    word = hash_row(word, solver_memory, row)
     return hash_row(
         hash_row(hash_row(hash_row(word, o.elapsed, row), o.duration, row), o.quintic, row),
         o.old_root_delta,

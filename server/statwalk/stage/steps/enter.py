@@ -33,5 +33,6 @@ def enter(role: Role, ids: Sequence[int], position: Floats, heading: Floats) -> 
         position=places[0],
         heading=places[1],
         root_delta=np.zeros((count, 3)),
+        solver_memory=role.solver_memory.fresh(count),
         hash=mix(np.zeros(count, np.uint64), [shown.rows(), *places]),
     )

@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from statwalk.machine.definition.flock_definition import FlockDefinition, GoalDefinition
+from statwalk.machine.settings import parameter_indices
 from statwalk.maths.arrays import Floats
 from statwalk.maths.elementary import atan2, cos, sincos
 from statwalk.maths.random import actor_keys, signed_chances
@@ -160,7 +161,7 @@ def _settled(cast: Cast, definition: FlockDefinition, members: Members, turning:
     measured = {"speed": speed, "climb": velocity[:, 1], "turn": turning}
     parameters = cast.machine.parameters.copy()
     for name, parameter in definition.sets.items():
-        column = cast.role.parameter(parameter)
+        column = parameter_indices(cast.role.machine, parameter)[0]
         bounds = cast.role.machine.parameters[column]
         parameters[:, column] = measured[name].clip(bounds.minimum, bounds.maximum)
     return replace(cast, machine=cast.machine._replace(parameters=parameters))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
 from pydantic import Field
 
@@ -37,10 +38,12 @@ class NewEvent(RequestModel):
 
 
 class NewParameter(RequestModel):
-    """A parameter's value for one actor, or (null) for all actors of the stage."""
+    """A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
+    or rotation.
+    """
 
     parameter: Name
-    value: Coordinate
+    value: Coordinate | Annotated[list[Coordinate], Field(min_length=3, max_length=4)]
     actor: ActorId | None = None
 
     def command(self) -> SetParameter:

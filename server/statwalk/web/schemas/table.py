@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from statwalk.machine.definition.cell_definition import Curve, Enter
+from statwalk.machine.definition.parameter_definition import Kind
 from statwalk.web.schemas.base import Place, ResponseModel, Vector
 
 
@@ -101,13 +102,17 @@ class KeyView(ResponseModel):
 
 
 class ParameterView(ResponseModel):
-    """A parameter, a number that clients set; `smooth` in seconds; `driven`: a flock overwrites it."""
+    """A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
+    direction or rotation that it is a component of (empty: none).
+    """
 
     name: str
     default: float
     minimum: float
     maximum: float
     smooth: float
+    kind: Kind
+    vector: str
     driven: bool
 
 

@@ -1098,10 +1098,13 @@ export interface components {
                 [key: string]: string | null;
             } | null;
         };
-        /** @description A parameter's value for one actor, or (null) for all actors of the stage. */
+        /**
+         * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
+         *     or rotation.
+         */
         NewParameter: {
             parameter: string;
-            value: number;
+            value: number | number[];
             actor?: number | null;
         };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
@@ -1127,13 +1130,19 @@ export interface components {
         NewTravel: {
             state: string;
         };
-        /** @description A parameter, a number that clients set; `smooth` in seconds; `driven`: a flock overwrites it. */
+        /**
+         * @description A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
+         *     direction or rotation that it is a component of (empty: none).
+         */
         ParameterView: {
             name: string;
             default: number;
             minimum: number;
             maximum: number;
             smooth: number;
+            /** @enum {string} */
+            kind: "number" | "flag" | "point" | "direction" | "rotation";
+            vector: string;
             driven: boolean;
         };
         /** @description A mesh primitive of the model; `vertices` is their number. */
@@ -1651,7 +1660,7 @@ export interface components {
         /** @description Sets a parameter. */
         PostParameter: {
             parameter: string;
-            value: number;
+            value: number | number[];
             /** @default null */
             actor?: number | null;
             /**

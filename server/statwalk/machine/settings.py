@@ -1,0 +1,40 @@
+"""The values that users give to parameters: numbers, or lists for points, directions and rotations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from statwalk.errors import StageError, UnknownNameError
+from statwalk.machine.compile.machine import Machine
+from statwalk.machine.definition.parameter_definition import fitting
+
+
+def parameter_indices(machine: Machine, name: str) -> tuple[int, ...]:
+    """Returns the indices of the numbers that store a parameter: one, or the components of a vector.
+
+    :raises UnknownNameError: when the machine has no parameter of that name; the error lists the parameters.
+    """
+    parameters = machine.parameters
+    indices = tuple(k for k, part in enumerate(parameters) if name in (part.name, part.vector))
+    if not indices:
+        names = dict.fromkeys(part.vector or part.name for part in parameters)
+        raise UnknownNameError("parameter", name, names)
+    return indices
+
+
+def settings(machine: Machine, name: str, value: float | Sequence[float]) -> list[tuple[str, float]]:
+    """Returns name and value of each number that stores a parameter.
+
+    :raises UnknownNameError: when the machine has no parameter of that name.
+    :raises StageError: when the value is out of range, or does not fit the kind of the parameter.
+    """
+    parts = [machine.parameters[index] for index in parameter_indices(machine, name)]
+    kind = "number" if parts[0].vector not in ("", name) else parts[0].kind
+    try:
+        numbers = fitting(name, kind, value)
+    except ValueError as error:
+        raise StageError(str(error)) from None
+    for part, number in zip(parts, numbers, strict=True):
+        if not part.minimum <= number <= part.maximum:
+            raise StageError(f"{part.name} must lie in {part.minimum} … {part.maximum}, not at {number}")
+    return [(part.name, number) for part, number in zip(parts, numbers, strict=True)]
