@@ -42,13 +42,11 @@ def deduce_bones(body: NewDeduction, catalogue: CatalogueDep) -> DeductionView:
 
 
 def _answer(body: NewDeduction, catalogue: Catalogue) -> Deduction:
-    if [body.file, body.character, body.bones].count(None) != 2:
-        raise Problem(422, "exactly one of `file`, `character` and `bones` is needed", field="bones")
+    if [body.file, body.character, body.skeleton, body.bones].count(None) != 3:
+        raise Problem(422, "one of `file`, `character`, `skeleton` and `bones` is needed", field="bones")
     if body.file is not None:
         return read_deduce(body.file).answer()
-    bones = (
-        bone_set_of(catalogue.character(body.character)) if body.character is not None else _bones(body.bones)
-    )
+    bones = _bones(body, catalogue)
     known = {name: _known(values) for name, values in body.known.items()}
     try:
         return deduce(bones, known, body.expressions)
@@ -57,13 +55,18 @@ def _answer(body: NewDeduction, catalogue: Catalogue) -> Deduction:
         raise Problem(422, str(error), field=field) from None
 
 
-def _bones(bones: str | Mapping[str, BoneBody] | None) -> BoneSet:
-    if isinstance(bones, str):
+def _bones(body: NewDeduction, catalogue: Catalogue) -> BoneSet:
+    if body.character is not None:
+        return bone_set_of(catalogue.character(body.character))
+    if body.skeleton is not None:
         names = sorted(path.stem for path in SHIPPED.glob("*.txt"))
-        if bones not in names:
-            raise UnknownNameError("skeleton", bones, names)
-        return bone_set_of(shipped_skeleton(bones))
-    rows = bones or {}
+        if body.skeleton not in names:
+            raise UnknownNameError("skeleton", body.skeleton, names)
+        return bone_set_of(shipped_skeleton(body.skeleton))
+    return _own_bones(body.bones or {})
+
+
+def _own_bones(rows: Mapping[str, BoneBody]) -> BoneSet:
     places = [f"bones.{name}" for name in rows]
     skeleton, order = Skeleton.sorted(list(rows), [row.parent for row in rows.values()], places)
     length = np.array([np.nan if row.length is None else row.length for row in rows.values()])

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field, StringConstraints
+from pydantic import Field, Strict, StringConstraints
 
 from statwalk.web.schemas.base import Name, RequestModel, ResponseModel, Vector
 
 Number = Annotated[float, Field(ge=-1e9, le=1e9)]
-Triple = tuple[Number, Number, Number]
+Triple = Annotated[tuple[Number, Number, Number], Strict(False)]
 
 
 class BoneBody(RequestModel):
@@ -25,7 +25,7 @@ class KnownBody(RequestModel):
 
     RA_deg: Triple | None = None
     """Euler angles relative to the parent: about X first, then Y, then Z"""
-    RM: tuple[Triple, Triple, Triple] | None = None
+    RM: Annotated[tuple[Triple, Triple, Triple], Strict(False)] | None = None
     """the rotation matrix from the bone's space to the character's, row by row"""
     SP: Triple | None = None
     """start point"""
@@ -36,21 +36,22 @@ class KnownBody(RequestModel):
     DIR: Triple | None = None
     """direction in the bone's own space"""
     LEN: Annotated[float, Field(ge=0, le=1e9)] | None = None
-    path: tuple[Triple, Triple] | None = None
+    path: Annotated[tuple[Triple, Triple], Strict(False)] | None = None
     """two points of the motion path on which the bone slides"""
     bend: Triple | None = None
     """the direction in which the joint at the bone's start bends"""
 
 
 class NewDeduction(RequestModel):
-    """A question: either `file`, or bones (by name, in a table, or of a `character`) and what is known."""
+    """A question: a `file`, or bones (your own, of a `skeleton` or of a `character`) and what is known."""
 
     file: Annotated[str, StringConstraints(max_length=1 << 17)] | None = None
     """the text of a file as `statwalk deduce` reads it; without the other members"""
     character: Name | None = None
     """takes the bones of a character's joints in their pose at rest"""
-    bones: Name | Annotated[dict[Name, BoneBody], Field(min_length=1, max_length=1000)] | None = None
-    """`mammal`, `hand`, or bones by name"""
+    skeleton: Name | None = None
+    """takes the bones of a skeleton that statwalk ships: `mammal` or `hand`"""
+    bones: Annotated[dict[Name, BoneBody], Field(min_length=1, max_length=1000)] | None = None
     known: Annotated[dict[Name, KnownBody], Field(max_length=1000)] = Field(default_factory=dict)
     expressions: Annotated[
         list[Annotated[str, StringConstraints(max_length=1000)]], Field(max_length=1024)
