@@ -143,5 +143,5 @@ def sketch(found: Deduction) -> Floats:
 
 
 def _first_frame(value: Floats, quantity: str) -> Floats:
-    shape = SHAPES[quantity]
-    return value.reshape(-1, *shape)[0]
+    first: Floats = value.reshape(-1, *SHAPES[quantity])[0]
+    return first

@@ -13,6 +13,7 @@ from statwalk.machine.compile.alternatives import Layer
 from statwalk.maths.arrays import Floats
 from statwalk.maths.columns import columns, locked
 from statwalk.rig.model_buffer import JointList
+from statwalk.solve.expression_tables import ExpressionTables
 
 
 class PoseTables(NamedTuple):
@@ -32,6 +33,7 @@ class PoseTables(NamedTuple):
     """the joints that colliders ride on, and their ancestors, parents first"""
     model_parents: Annotated[NDArray[np.int32], "joint"]
     """the index of each joint's parent in `model_joints`, -1 a root"""
+    expressions: ExpressionTables
 
 
 def pose_tables(
@@ -40,6 +42,7 @@ def pose_tables(
     root: int,
     root_frame: Floats | None,
     model_joints: JointList,
+    expressions: ExpressionTables,
 ) -> PoseTables:
     """Returns the tables of a role; `root_frame` None: the root joint has no parent."""
     return locked(
@@ -52,6 +55,7 @@ def pose_tables(
             root_frame=np.eye(4)[:3] if root_frame is None else np.asarray(root_frame, np.float64),
             model_joints=model_joints.joints,
             model_parents=model_joints.parents,
+            expressions=expressions,
         )
     )
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from statwalk.character.character import Character
 from statwalk.character.colliders import Colliders
+from statwalk.character.expressions import expressions_of
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
 from statwalk.character.solver_memory import SolverMemory
@@ -29,6 +30,7 @@ from statwalk.motion.blend_space import BlendSpace, Motion
 from statwalk.motion.layer_lanes import MASKS, LayerMasks
 from statwalk.motion.layers import Mask
 from statwalk.motion.tables.motion_tables import MotionTables
+from statwalk.solve.expression_tables import ExpressionProgram
 
 
 class PackedRole(NamedTuple):
@@ -100,6 +102,7 @@ class Role:
             stock,
         )
         role.colliders  # noqa: B018 - made now, so that an unknown joint is an error now and not in a tick
+        role.expressions  # noqa: B018 - the same
         return role
 
     @cached_property
@@ -128,7 +131,13 @@ class Role:
         colliders, as arrays.
         """
         joints = self.colliders.joints
-        return pose_tables(self.machine.layers, self.plays, self.root, self.root_frame, joints)
+        tables = self.expressions.tables
+        return pose_tables(self.machine.layers, self.plays, self.root, self.root_frame, joints, tables)
+
+    @cached_property
+    def expressions(self) -> ExpressionProgram:
+        """Returns the expressions of the machine and of its states' motions, as the tick reads them."""
+        return expressions_of(self.character, self.definition, self.machine)
 
     @cached_property
     def layer_masks(self) -> LayerMasks:

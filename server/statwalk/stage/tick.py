@@ -29,6 +29,7 @@ from statwalk.rig.hierarchy import model_block
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
 from statwalk.stage.steps._kernels import (
+    express_block,
     hash_actor,
     keep_block,
     move_root,
@@ -66,6 +67,7 @@ def tick(
     """
     memory = memory_of(cast.role, len(cast.ids))
     memory.poses.values.old_state[:] = cast.machine.state
+    memory.poses.values.clock[:] = now, dt
     result = decide(cast, memory, inputs, dt, now, seed)
     return pose(cast, memory, result.changes.actor, dt, is_looked_at), result
 
@@ -87,8 +89,8 @@ def decide(cast: Cast, memory: Memory, inputs: Inputs, dt: float, now: int, seed
 
 
 def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: bool) -> Cast:
-    """Runs steps 3 sample, 4 blend and 7 world, for sixteen actors at a time; `changed`: the rows of the
-    actors whose state has changed.
+    """Runs steps 3 sample, 4 blend, 5 express and 7 world, for sixteen actors at a time; `changed`: the rows
+    of the actors whose state has changed.
     """
     offsets = cast.offsets.with_room(changed) if len(changed) else cast.offsets
     work = memory.offsets(offsets).argument, memory.effects.argument, memory.poses.argument
@@ -136,7 +138,9 @@ def _pose_blocks(
             hashes[row] = hash_actor(hashes[row], s, o, position, heading, root_delta, solver_memory, row)
         add_block(o, masks, mem.coming, 0, block, 0.0, mem.scratch)
         release_slots(o, block)
-        # 5 express, 6 limit: not yet; they will change `mem.coming` here
+        # 5 express: assignments to channels, in the order of their dependencies
+        express_block(t.expressions, s.smoothed, 0.0, mem, mem.coming, block)
+        # 6 limit: not yet; it will change `mem.coming` here
         keep_block(mem.coming, previous, block)
         # 7 world: the joints that colliders ride on, in model space, once for all readers
         # (`Cast.model`: touches, flocks); the matrices of all joints are computed when they are read

@@ -21,6 +21,7 @@ from statwalk.files.machine_yaml import (
     senses,
     whole_table,
 )
+from statwalk.files.machine_yaml.expressions import expressions as read_expressions
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
@@ -45,7 +46,7 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
-    "properties",
+    *("expressions", "properties"),
 )
 
 
@@ -148,6 +149,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         senses=sense_events,
         colliders=colliders,
         flock=flock_part.flock(entries.get("flock"), parameters),
+        expressions=read_expressions(entries.get("expressions"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
         rows=base.top.table.rows,
         title=entries["title"].text() if "title" in entries else "",

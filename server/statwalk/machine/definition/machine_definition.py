@@ -9,8 +9,10 @@ from typing import Literal
 from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
+from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.flock_definition import FlockDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
+from statwalk.maths.formula.assignments import Assignment
 
 END = "END"
 """the event that a motion raises when it ends; always the last column"""
@@ -39,7 +41,7 @@ class BlendDefinition:
 class StateDefinition:
     """A state and its motion (SM1). Within a sub-machine its name is OUTER.INNER."""
 
-    motion: str | BlendDefinition
+    motion: str | BlendDefinition | ExpressionMotion
     line: int
     loop: bool | None = None
     """None: as the motion's file defines it"""
@@ -57,7 +59,7 @@ class StateDefinition:
         """Returns the names of the clips that the state plays; none for a state without motion."""
         if isinstance(self.motion, BlendDefinition):
             return tuple(self.motion.clips)
-        return (self.motion,) if self.motion else ()
+        return (self.motion,) if self.motion and isinstance(self.motion, str) else ()
 
 
 @dataclass(frozen=True)
@@ -193,6 +195,8 @@ class MachineDefinition:
     colliders: Mapping[str, ColliderDefinition] = field(default_factory=dict)
     flock: FlockDefinition | None = None
     """all actors of the role fly as one flock"""
+    expressions: tuple[Assignment, ...] = ()
+    """sorted by dependency"""
     properties: tuple[PropertyDefinition, ...] = ()
     rows: tuple[tuple[str, ...], ...] = ()
     """the table as written, the header first"""
