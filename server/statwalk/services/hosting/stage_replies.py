@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from statwalk.machine.travel import Plan
@@ -36,6 +37,8 @@ class ActorFacts:
     position: tuple[float, float, float]
     heading: float
     hash: str
+    variables: Mapping[str, float]
+    """the free variables of expressions"""
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from pydantic import TypeAdapter
 from statwalk.character.role import Role
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.resolved_table import ResolvedTable
+from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.machine_definition import (
     BlendDefinition,
     SenseDefinition,
@@ -82,6 +83,9 @@ def _state_view(machine: Machine, row: int, definition: StateDefinition) -> Stat
         outer=definition.composite,
         final=definition.final,
         markers=[MarkerView(name=marker, phase=phase) for marker, phase in machine.markers[row]],
+        expressions=[line.text for line in definition.motion.assignments]
+        if isinstance(definition.motion, ExpressionMotion)
+        else [],
     )
 
 
@@ -141,6 +145,7 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
             name: ColliderView.model_validate(collider) for name, collider in definition.colliders.items()
         },
         "layers": layers,
+        "expressions": [line.text for line in definition.expressions],
         "text": version.text,
         **{name: getattr(layers[0], name) for name in ("states", "table", "rows", "edges")},
     }

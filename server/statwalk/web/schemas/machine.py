@@ -88,6 +88,8 @@ class MachineView(ResponseModel):
     senses: dict[str, SenseView]
     colliders: dict[str, ColliderView]
     layers: list[LayerView]
+    expressions: list[str]
+    """assignments to channels and variables, in the order in which they run"""
     text: str
     """the machine file"""
 
