@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from statwalk.character.character import Character as Character
     from statwalk.character.deduce import Deduction as Deduction
     from statwalk.character.deduce import deduce as deduce
+    from statwalk.character.retarget import retarget as retarget
     from statwalk.character.role import Role as Role
     from statwalk.errors import ContentError as ContentError
     from statwalk.errors import MachineError as MachineError
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from statwalk.errors import TextError as TextError
     from statwalk.errors import UnknownNameError as UnknownNameError
     from statwalk.maths.pose import Pose as Pose
+    from statwalk.motion.filter_clip import filtered as filtered
     from statwalk.services.library.load import load as load
     from statwalk.services.library.load import load_scene as load_scene
     from statwalk.services.library.load import shipped_machines as shipped_machines
@@ -41,6 +43,7 @@ if TYPE_CHECKING:
 _NAMES = {  # imported on first use: `statwalk --help` needs none of them
     "statwalk.character.character": ("Character",),
     "statwalk.character.deduce": ("Deduction", "deduce"),
+    "statwalk.character.retarget": ("retarget",),
     "statwalk.character.role": ("Role",),
     "statwalk.errors": (
         "ContentError",
@@ -52,6 +55,7 @@ _NAMES = {  # imported on first use: `statwalk --help` needs none of them
         "UnknownNameError",
     ),
     "statwalk.maths.pose": ("Pose",),
+    "statwalk.motion.filter_clip": ("filtered",),
     "statwalk.services.library.load": ("load", "load_scene", "shipped_machines", "shipped_scenes"),
     "statwalk.stage.replay": ("replay",),
     "statwalk.stage.stage": ("Actor", "Stage"),

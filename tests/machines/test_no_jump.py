@@ -11,9 +11,10 @@ more than tenfold. The rooms are what was measured, rounded up.
 import numpy as np
 import pytest
 from paths import MACHINES
-from statwalk.maths import quat, transform
-from statwalk.motion.root import compose
 from statwalk.services.library.load import load_role
+from statwalk.stage.measure.jump import jump_of
+from statwalk.stage.measure.subject import Subject
+from statwalk.stage.measure.trials import motion_alone, placed
 from statwalk.stage.stage import Stage
 
 ROOM_OF_THE_BODY = 1.2
@@ -29,9 +30,6 @@ PATHS = {
 }
 WALKER = load_role(MACHINES / "faq-walker")
 MACHINE = WALKER.machine
-JOINTS = [
-    row for row, name in enumerate(WALKER.character.skeleton.names) if name != "Body"
-]  # the node that carries the mesh is no joint
 TRANSITIONS = [
     (state, event, MACHINE.states[MACHINE.target[row, column]])
     for row, state in enumerate(MACHINE.states)
@@ -41,39 +39,15 @@ TRANSITIONS = [
 CHANGES = [(state, event, to) for state, event, to in TRANSITIONS if state != to]
 
 
-def joints_on_stage(pose, position, heading):
+SUBJECT = Subject(WALKER)
+MOST = {name: SUBJECT.most(row) for row, name in enumerate(MACHINE.states)}
+NAMES = SUBJECT.names
+
+
+def joints_on_stage(frame):
     """(N, J, 3) where the joints of N actors are."""
-    actor = transform.from_trs(position, quat.from_axis_angle(np.array([0.0, 1, 0]), heading), np.ones(3))
-    return transform.apply(actor[:, None], WALKER.character.world(pose)[..., :3, 3][:, JOINTS].astype(float))
-
-
-def motion_on_stage(state, offset):
-    """(T, J, 3): a motion by itself, a tick at a time from `offset` seconds on; those that loop run twice."""
-    motion, loops = WALKER.motions[state], bool(MACHINE.loop[state])
-    clip = motion.clip
-    times = np.arange(offset, clip.duration * (1 + loops), 1 / 60)
-    wrapped = np.mod(times, clip.duration) if loops else times
-    place = np.zeros((len(times), 3))
-    for k in range(1, len(times)):
-        wraps = np.array([int(wrapped[k] < wrapped[k - 1])])
-        place[k] = compose(
-            place[k - 1 : k], motion.way(wrapped[k - 1 : k], wrapped[k : k + 1], wraps, np.zeros((1, 0)))
-        )[0]
-    position = np.stack([place[:, 0], 0 * place[:, 0], place[:, 1]], -1)
-    return joints_on_stage(clip.sample(wrapped), position, place[:, 2])
-
-
-def changes_of(track):
-    """The largest change of position and of velocity (J,) from tick to tick in a track (T, J, 3)."""
-    return [np.linalg.norm(np.diff(track, order, axis=0), axis=-1).max(0) for order in (1, 2)]
-
-
-MOST = {
-    name: np.max(
-        [changes_of(motion_on_stage(row, offset)) for offset in np.linspace(0, 1 / 60, 4, endpoint=False)], 0
-    )
-    for row, name in enumerate(MACHINE.states)
-}
+    world = WALKER.character.world(frame.pose)[..., :3, 3][:, SUBJECT.joints].astype(float)
+    return placed(world, frame.root_position, frame.heading)
 
 
 def play(cases):
@@ -85,7 +59,7 @@ def play(cases):
     sent, paths, tracks = [0] * len(cases), [list(PATHS[case[0]]) for case in cases], []
     for tick in range(600):
         frame = stage.frame.casts[0]
-        tracks.append(joints_on_stage(frame.pose, frame.root_position, frame.heading))
+        tracks.append(joints_on_stage(frame))
         for k, (state, event, phase, later, second) in enumerate(cases):
             here, is_settled = MACHINE.states[frame.state[k, 0]], frame.blend[k, 0] == 0 and tick > 5
             if sent[k]:
@@ -127,19 +101,9 @@ def played():
     return dict(zip(plain + twice, zip(*play(plain + twice), strict=True), strict=True))
 
 
-def of_the_body(track, states):
-    """How far a track passes the motions of `states`: the liveliest joint against the liveliest joint."""
-    most = np.max([MOST[state] for state in states], 0).max(1)
-    return float((np.array(changes_of(track)).max(1) / most).max())
-
-
-def of_a_joint(track, states):
-    """By how much, and in which joint, a track passes the motions of `states`; a joint that stands still in
-    all counts from 0.1 mm.
-    """
-    ratios = np.array(changes_of(track)) / (np.max([MOST[state] for state in states], 0) + 1e-4)
-    what, joint = np.unravel_index(ratios.argmax(), ratios.shape)
-    return float(ratios.max()), ("position", "velocity")[what], WALKER.character.skeleton.names[JOINTS[joint]]
+def jump(track, states):
+    """The jump of a track through motions."""
+    return jump_of(track, [MOST[state] for state in states], NAMES)
 
 
 @pytest.mark.parametrize("phase", PHASES)
@@ -148,8 +112,8 @@ def test_nothing_jumps_in_a_transition(played, state, event, to, phase):
     sent, track = played[state, event, phase, None, None]
     assert sent, f"{state} never reached this phase"
     seen = track[sent - 2 : sent + ticks_of(state, event) + 3]
-    assert of_the_body(seen, (state, to)) <= ROOM_OF_THE_BODY
-    assert of_a_joint(seen, (state, to)) <= (ROOM_OF_A_JOINT,)
+    assert jump(seen, (state, to)).body <= ROOM_OF_THE_BODY
+    assert jump(seen, (state, to)).joint <= ROOM_OF_A_JOINT, jump(seen, (state, to))
 
 
 @pytest.mark.parametrize("later", LATER)
@@ -158,13 +122,16 @@ def test_nothing_jumps_when_a_transition_is_interrupted(played, state, event, to
     for phase in PHASES:
         sent, track = played[state, event, phase, later, second]
         seen = track[sent - 2 : sent + later + ticks_of(to, second) + 3]
-        assert of_the_body(seen, (state, to, last)) <= ROOM_OF_THE_BODY
-        assert of_a_joint(seen, (state, to, last)) <= (ROOM_OF_A_JOINT,)
+        seen_jump = jump(seen, (state, to, last))
+        assert seen_jump.body <= ROOM_OF_THE_BODY
+        assert seen_jump.joint <= ROOM_OF_A_JOINT, seen_jump
 
 
 def test_a_cut_would_be_noticed():
     """The same measure over a cut from the middle of a stride to standing."""
-    walk, stand = (motion_on_stage(MACHINE.states.index(name), 0.0) for name in ("WALK", "STAT"))
+    walk, stand = (
+        motion_alone(WALKER, MACHINE.states.index(name), 0.0)[:, SUBJECT.joints] for name in ("WALK", "STAT")
+    )
     cut = np.concatenate([walk[:30] - walk[29, 0] * [1, 0, 1], stand[:5] - stand[0, 0] * [1, 0, 1]])
-    assert of_the_body(cut, ("WALK", "STAT")) > 10
-    assert of_a_joint(cut, ("WALK", "STAT")) > (10,)
+    assert jump(cut, ("WALK", "STAT")).body > 10
+    assert jump(cut, ("WALK", "STAT")).joint > 10

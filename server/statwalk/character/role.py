@@ -16,6 +16,7 @@ from statwalk.character.expressions import expressions_of
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
 from statwalk.character.solver_memory import SolverMemory
+from statwalk.character.solvers import Solvers, solvers_of
 from statwalk.errors import UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine, MotionFacts, build
 from statwalk.machine.compile.program import PROGRAM, Program
@@ -25,12 +26,15 @@ from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.verify import verify
 from statwalk.maths.arrays import Bools, Floats
+from statwalk.maths.clamp_table import CLAMP_TABLE, ClampTable
 from statwalk.maths.packed import PackedColumns, packed
 from statwalk.motion.blend_space import BlendSpace, Motion
 from statwalk.motion.layer_lanes import MASKS, LayerMasks
 from statwalk.motion.layers import Mask
 from statwalk.motion.tables.motion_tables import MotionTables
+from statwalk.solve.chains import CHAINS, Chains
 from statwalk.solve.expression_tables import ExpressionProgram
+from statwalk.solve.foot_tables import FEET, FootTables
 
 
 class PackedRole(NamedTuple):
@@ -40,6 +44,14 @@ class PackedRole(NamedTuple):
     motions: PackedColumns[MotionTables]
     poses: PackedColumns[PoseTables]
     masks: PackedColumns[LayerMasks]
+    feet: PackedColumns[FootTables]
+    chains: PackedColumns[Chains]
+    clamps: PackedColumns[ClampTable]
+
+    @property
+    def solvers(self) -> tuple[Any, Any, Any]:
+        """Returns the tables of the solvers as arguments of kernels."""
+        return self.feet.argument, self.chains.argument, self.clamps.argument
 
     @property
     def arguments(self) -> tuple[Any, Any, Any, Any]:
@@ -101,8 +113,8 @@ class Role:
             root,
             stock,
         )
-        role.colliders  # noqa: B018 - made now, so that an unknown joint is an error now and not in a tick
-        role.expressions  # noqa: B018 - the same
+        # made now: an unknown joint is an error now and not in a tick
+        role.colliders, role.solvers, role.expressions  # noqa: B018
         return role
 
     @cached_property
@@ -150,7 +162,10 @@ class Role:
     def packed(self) -> PackedRole:
         """Returns the arrays of the role as arguments of kernels."""
         program, motions = packed(self.machine.program, PROGRAM), self.stock.tables(self.motions)
-        return PackedRole(program, motions, packed(self.pose_tables, POSES), packed(self.layer_masks, MASKS))
+        poses, masks = packed(self.pose_tables, POSES), packed(self.layer_masks, MASKS)
+        legs, chains = packed(self.solvers.legs, FEET), packed(self.solvers.chains, CHAINS)
+        clamps = packed(self.solvers.clamps, CLAMP_TABLE)
+        return PackedRole(program, motions, poses, masks, legs, chains, clamps)
 
     @cached_property
     def colliders(self) -> Colliders:
@@ -167,9 +182,14 @@ class Role:
         return frozenset(touched) | frozenset(flock.avoid if flock else ())
 
     @cached_property
+    def solvers(self) -> Solvers:
+        """Returns what the solvers of the role read."""
+        return solvers_of(self.character, self.machine, self.definition, self.motions)
+
+    @property
     def solver_memory(self) -> SolverMemory:
         """Returns what the solvers of the role keep from tick to tick."""
-        return SolverMemory({})
+        return self.solvers.memory
 
     @cached_property
     def measures(self) -> bool:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
 from statwalk.rig.bones import Bones
+from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.primitive import Primitive, Skin
 
 MATERIAL = {
@@ -40,6 +41,31 @@ def rigid_parts(bones: Bones, drawn: Sequence[int]) -> tuple[Primitive, ...]:
             material=0,
         )
         for mesh, bone in enumerate(drawn)
+    )
+
+
+def joined_parts(skeleton: Skeleton, offsets: Floats) -> tuple[Primitive, ...]:
+    """Returns one rigid part for each joint that has children: tetrahedra from the joint to each of them.
+
+    `offsets` (J, 3) are the joints' rest translations, in the unit of the file.
+    """
+    length = np.sqrt((offsets * offsets).sum(-1)) * (skeleton.parent >= 0)
+    direction = offsets / np.where(length > 0, length, 1)[:, None]
+    solids = _solids(Bones(skeleton, length, direction), length)
+    of_joint: dict[int, list[NDArray[np.float32]]] = {}
+    for child in np.flatnonzero(length > 0).tolist():
+        of_joint.setdefault(int(skeleton.parent[child]), []).append(solids[child])
+    return tuple(
+        Primitive(
+            joint=joint,
+            node=joint,
+            mesh=mesh,
+            primitive=0,
+            positions=np.concatenate(drawn),
+            normals=np.concatenate([_normals(solid) for solid in drawn]),
+            material=0,
+        )
+        for mesh, (joint, drawn) in enumerate(sorted(of_joint.items()))
     )
 
 

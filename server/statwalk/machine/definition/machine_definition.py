@@ -8,9 +8,11 @@ from typing import Literal
 
 from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
+from statwalk.machine.definition.budgets_definition import BudgetDefinition
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
 from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.flock_definition import FlockDefinition
+from statwalk.machine.definition.ground_definition import GroundDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
 from statwalk.maths.formula.assignments import Assignment
 
@@ -193,11 +195,17 @@ class MachineDefinition:
     senses: Mapping[str, SenseDefinition | TouchDefinition] = field(default_factory=dict)
     """by the event that they raise"""
     colliders: Mapping[str, ColliderDefinition] = field(default_factory=dict)
+    foot_lock: float | str = 0.0
+    """0…1 how much feet that stand are kept where they stand, or the parameter that says it; 0: no foot lock"""
+    ground: tuple[GroundDefinition, ...] = ()
+    """what lies on the floor where actors walk"""
     flock: FlockDefinition | None = None
     """all actors of the role fly as one flock"""
     expressions: tuple[Assignment, ...] = ()
     """sorted by dependency"""
     properties: tuple[PropertyDefinition, ...] = ()
+    budgets: Mapping[str, BudgetDefinition] = field(default_factory=dict)
+    """the largest figures that measuring may give, by figure"""
     rows: tuple[tuple[str, ...], ...] = ()
     """the table as written, the header first"""
     title: str = ""

@@ -14,7 +14,8 @@ from pathlib import Path
 from statwalk.character.character import Character
 from statwalk.character.role import Role
 from statwalk.errors import ContentError, MachineError, UnknownNameError
-from statwalk.files import archive
+from statwalk.files import archive, captures
+from statwalk.files.bvh.read import Position
 from statwalk.files.character_yaml import load_character
 from statwalk.files.gltf import read_model
 from statwalk.files.machine_yaml.machine_file import FILE_NAME as MACHINE_FILE
@@ -56,11 +57,15 @@ def machine_folders() -> dict[str, Path]:
     return top_level | in_scenes
 
 
-def load(source: str | Path, text: str = "") -> Character | Role:
-    """Loads a Character from a model (.glb, .gltf, .zip), a folder with one model, or a character file
-    (.yaml); loads a Role from a machine folder or a shipped machine's name.
+def load(
+    source: str | Path, text: str = "", *, position: Position = "replace", scale: float = 1.0
+) -> Character | Role:
+    """Loads a Character from a model (.glb, .gltf, .zip), a folder with one model, a motion capture (.bvh,
+    .trc) or a character file (.yaml); loads a Role from a machine folder or a shipped machine's name.
 
-    `text`: the text of another version of the machine, as `replay` finds it in a log under `name@2`.
+    `text`: the text of another version of the machine, as `replay` finds it in a log under `name@2`. For a
+    capture: `position` "replace" (a joint's position channels replace its offset) or "add", and `scale`, which
+    multiplies all lengths; the file's units are kept otherwise.
 
     :raises ContentError: when a file is refused.
     :raises UnknownNameError: when no file, folder or shipped machine has this name.
@@ -68,6 +73,8 @@ def load(source: str | Path, text: str = "") -> Character | Role:
     if text:
         return _load_version(str(source).partition("@")[0], text)
     path = Path(source)
+    if path.suffix.lower() in captures.SUFFIXES:
+        return captures.load_capture(path, position, scale)
     if path.suffix.lower() in (*MODEL_SUFFIXES, ZIP_SUFFIX, *TEXT_SUFFIXES):
         return load_character_file(path)
     if path.is_dir():
@@ -104,6 +111,8 @@ def load_character_file(path: Path) -> Character:
         raise ContentError("there is no such file", file=str(path))
     if path.suffix.lower() in TEXT_SUFFIXES:
         return load_character(path)
+    if path.suffix.lower() in captures.SUFFIXES:
+        return captures.load_capture(path)
     if path.suffix.lower() == ZIP_SUFFIX:
         return _load_zip(path)
     if path.stat().st_size > LARGEST_MODEL_BYTES:

@@ -78,6 +78,49 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/characters/{name}/solve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Solve
+         * @description Returns the joints of a chain after its end was brought to the target; nothing on a stage changes.
+         */
+        post: operations["solve_api_characters__name__solve_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/deduce": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Deduce Bones
+         * @description Finds the angles, matrices and points of bones that follow from the known ones, each with the rule that
+         *     found it.
+         *
+         *     422 if known values contradict each other.
+         */
+        post: operations["deduce_bones_api_deduce_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/characters/{name}/mapping": {
         parameters: {
             query?: never;
@@ -711,6 +754,10 @@ export interface components {
             position: number[];
             heading_deg: number;
             hash: string;
+            /** @description the free variables of the machine's expressions */
+            variables: {
+                [key: string]: number;
+            };
         };
         /**
          * @description An alternative of a cell; `blend` in seconds, `enter` is the phase 0…1 at which the motion begins, or
@@ -726,6 +773,16 @@ export interface components {
             enter: number | "match";
             restart: boolean;
             action: string | null;
+        };
+        /** @description A bone; a missing length or direction is not known. */
+        BoneBody: {
+            parent?: string | null;
+            length?: number | null;
+            direction?: [
+                number,
+                number,
+                number
+            ] | null;
         };
         /** @description The event stays in the queue longer, for `seconds`. */
         BufferChange: {
@@ -808,6 +865,36 @@ export interface components {
                 number
             ];
         };
+        /** @description A bone with everything that is known of it. */
+        DeducedBoneView: {
+            name: string;
+            parent: number;
+            /** @description by quantity: RA_deg RM SP EP TR DIR LEN */
+            values: {
+                [key: string]: components["schemas"]["FoundView"];
+            };
+            unknown: string[];
+            /** @description for a drawing: SP, or where the bone would start at rest */
+            start: [
+                number,
+                number,
+                number
+            ];
+            end: [
+                number,
+                number,
+                number
+            ];
+        };
+        /** @description What follows from the question. */
+        DeductionView: {
+            /** @description parents first */
+            bones: components["schemas"]["DeducedBoneView"][];
+            /** @description the free variables that expressions set */
+            variables: {
+                [key: string]: number;
+            };
+        };
         /** @description An edge of the state graph, and the events that take it. */
         EdgeView: {
             from: string;
@@ -851,6 +938,8 @@ export interface components {
                 [key: string]: components["schemas"]["ColliderView"];
             };
             layers: components["schemas"]["LayerView"][];
+            /** @description assignments to channels and variables, in the order in which they run */
+            expressions: string[];
             /** @description the machine file */
             text: string;
             /**
@@ -912,6 +1001,12 @@ export interface components {
         FindingsView: {
             findings: components["schemas"]["FindingView"][];
         };
+        /** @description A value and its source: `given`, `default`, `rule 8`, `expression, line 3`. */
+        FoundView: {
+            /** @description one number, three, or nine (a matrix row by row); angles in degrees */
+            value: number[];
+            source: string;
+        };
         /** @description The actor travels to `state` first. */
         GoChange: {
             /**
@@ -950,6 +1045,77 @@ export interface components {
             press: string | null;
             release: string | null;
             hold: boolean;
+        };
+        /** @description What is known of a bone; null takes a value of the bones away. */
+        KnownBody: {
+            /** @description Euler angles relative to the parent: about X first, then Y, then Z */
+            RA_deg?: [
+                number,
+                number,
+                number
+            ] | null;
+            /** @description the rotation matrix from the bone's space to the character's, row by row */
+            RM?: [
+                [
+                    number,
+                    number,
+                    number
+                ],
+                [
+                    number,
+                    number,
+                    number
+                ],
+                [
+                    number,
+                    number,
+                    number
+                ]
+            ] | null;
+            /** @description start point */
+            SP?: [
+                number,
+                number,
+                number
+            ] | null;
+            /** @description end point */
+            EP?: [
+                number,
+                number,
+                number
+            ] | null;
+            /** @description translation of the start away from the parent's end, in the parent's space */
+            TR?: [
+                number,
+                number,
+                number
+            ] | null;
+            /** @description direction in the bone's own space */
+            DIR?: [
+                number,
+                number,
+                number
+            ] | null;
+            LEN?: number | null;
+            /** @description two points of the motion path on which the bone slides */
+            path?: [
+                [
+                    number,
+                    number,
+                    number
+                ],
+                [
+                    number,
+                    number,
+                    number
+                ]
+            ] | null;
+            /** @description the direction in which the joint at the bone's start bends */
+            bend?: [
+                number,
+                number,
+                number
+            ] | null;
         };
         /**
          * @description A layer and its table; `weight` is a number or a parameter's name; `rows` is the table as it is
@@ -1018,6 +1184,8 @@ export interface components {
                 [key: string]: components["schemas"]["ColliderView"];
             };
             layers: components["schemas"]["LayerView"][];
+            /** @description assignments to channels and variables, in the order in which they run */
+            expressions: string[];
             /** @description the machine file */
             text: string;
         };
@@ -1077,6 +1245,22 @@ export interface components {
             /** @default base */
             layer?: string;
         };
+        /** @description A question: a `file`, or bones (your own, of a `skeleton` or of a `character`) and what is known. */
+        NewDeduction: {
+            /** @description the text of a file as `statwalk deduce` reads it; without the other members */
+            file?: string | null;
+            /** @description takes the bones of a character's joints in their pose at rest */
+            character?: string | null;
+            /** @description takes the bones of a skeleton that statwalk ships: `mammal` or `hand` */
+            skeleton?: string | null;
+            bones?: {
+                [key: string]: components["schemas"]["BoneBody"];
+            } | null;
+            known?: {
+                [key: string]: components["schemas"]["KnownBody"];
+            };
+            expressions?: string[];
+        };
         /** @description An event for one actor, or (null) for all actors of the stage. */
         NewEvent: {
             event: string;
@@ -1106,6 +1290,68 @@ export interface components {
             parameter: string;
             value: number | number[];
             actor?: number | null;
+        };
+        /**
+         * @description A chain of joints and its target, in model space, metres; the other members have the defaults of
+         *     `Character.solve`.
+         */
+        NewSolve: {
+            chain: string[];
+            target: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * @default two-bone
+             * @enum {string}
+             */
+            solver?: "two-bone" | "ccd" | "fabrik" | "force" | "look-at";
+            /**
+             * @default {
+             *       "time": 0,
+             *       "rotations": {}
+             *     }
+             */
+            pose?: components["schemas"]["PoseSource"];
+            /** @default 1 */
+            weight?: number;
+            pole?: [
+                number,
+                number,
+                number
+            ] | null;
+            pole_point?: [
+                number,
+                number,
+                number
+            ] | null;
+            rotation?: [
+                number,
+                number,
+                number,
+                number
+            ] | null;
+            /** @default 0 */
+            softening?: number;
+            /** @default 0.0001 */
+            tolerance?: number;
+            iterations?: number | null;
+            sensitivity?: {
+                [key: string]: number;
+            };
+            /**
+             * @default [
+             *       0,
+             *       0,
+             *       1
+             *     ]
+             */
+            forward?: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
         NewStage: {
@@ -1183,6 +1429,23 @@ export interface components {
             root: components["schemas"]["RootView"];
         };
         /**
+         * @description The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations on
+         *     top.
+         */
+        PoseSource: {
+            clip?: string | null;
+            /** @default 0 */
+            time?: number;
+            rotations?: {
+                [key: string]: [
+                    number,
+                    number,
+                    number,
+                    number
+                ];
+            };
+        };
+        /**
          * @description The answer to a dry run whose text would be refused: what is wrong in words, the places, and the
          *     findings that the text would add (none if it cannot be read).
          */
@@ -1253,6 +1516,28 @@ export interface components {
              */
             uploaded: false;
         };
+        /** @description The solved chain, from start to end; `distance`: metres from the end to the target. */
+        SolveView: {
+            joints: components["schemas"]["SolvedJointView"][];
+            reached: boolean;
+            distance: number;
+            iterations: number;
+        };
+        /** @description A joint of the chain afterwards: its local rotation x y z w, its place in model space, metres. */
+        SolvedJointView: {
+            name: string;
+            rotation: [
+                number,
+                number,
+                number,
+                number
+            ];
+            position: [
+                number,
+                number,
+                number
+            ];
+        };
         /** @description The speed of the clock; 1 is real time. */
         Speed: {
             speed: number;
@@ -1298,6 +1583,8 @@ export interface components {
             outer: string;
             final: boolean;
             markers: components["schemas"]["MarkerView"][];
+            /** @description of a motion that expressions drive, in the order in which they run */
+            expressions: string[];
         };
         /** @description The number of ticks to step forward. */
         StepBody: {
@@ -1801,23 +2088,28 @@ export interface components {
 export type Accepted = components['schemas']['Accepted'];
 export type ActorView = components['schemas']['ActorView'];
 export type AlternativeView = components['schemas']['AlternativeView'];
+export type BoneBody = components['schemas']['BoneBody'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
 export type CharacterView = components['schemas']['CharacterView'];
 export type ClipView = components['schemas']['ClipView'];
 export type ColliderView = components['schemas']['ColliderView'];
+export type DeducedBoneView = components['schemas']['DeducedBoneView'];
+export type DeductionView = components['schemas']['DeductionView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
+export type FoundView = components['schemas']['FoundView'];
 export type GoChange = components['schemas']['GoChange'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
 export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
+export type KnownBody = components['schemas']['KnownBody'];
 export type LayerView = components['schemas']['LayerView'];
 export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
@@ -1827,9 +2119,11 @@ export type MomentChange = components['schemas']['MomentChange'];
 export type MovedView = components['schemas']['MovedView'];
 export type NewActor = components['schemas']['NewActor'];
 export type NewCell = components['schemas']['NewCell'];
+export type NewDeduction = components['schemas']['NewDeduction'];
 export type NewEvent = components['schemas']['NewEvent'];
 export type NewMachine = components['schemas']['NewMachine'];
 export type NewParameter = components['schemas']['NewParameter'];
+export type NewSolve = components['schemas']['NewSolve'];
 export type NewStage = components['schemas']['NewStage'];
 export type NewText = components['schemas']['NewText'];
 export type NewTravel = components['schemas']['NewTravel'];
@@ -1838,6 +2132,7 @@ export type PartView = components['schemas']['PartView'];
 export type PauseBody = components['schemas']['PauseBody'];
 export type PlanView = components['schemas']['PlanView'];
 export type PoseAnswer = components['schemas']['PoseAnswer'];
+export type PoseSource = components['schemas']['PoseSource'];
 export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
 export type RootView = components['schemas']['RootView'];
@@ -1846,6 +2141,8 @@ export type SeekBody = components['schemas']['SeekBody'];
 export type SendChange = components['schemas']['SendChange'];
 export type SetChange = components['schemas']['SetChange'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
+export type SolveView = components['schemas']['SolveView'];
+export type SolvedJointView = components['schemas']['SolvedJointView'];
 export type Speed = components['schemas']['Speed'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];
@@ -2026,6 +2323,64 @@ export interface operations {
                 };
                 content: {
                     "model/gltf-binary": unknown;
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    solve_api_characters__name__solve_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewSolve"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SolveView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    deduce_bones_api_deduce_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewDeduction"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DeductionView"];
                 };
             };
             /** @description Client Error */

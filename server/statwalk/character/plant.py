@@ -1,0 +1,158 @@
+"""Puts a carried motion on the ground: hips at the height that the target's legs give them, ankles where the
+captured ankles go, no sole below the ground. The legs follow by two-bone inverse kinematics.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from statwalk.character.body import Body
+from statwalk.character.body_bones import PARENTS, SIDES
+from statwalk.character.soles import ground_of, soles_of
+from statwalk.maths import quat, vector
+from statwalk.maths.arrays import Floats
+from statwalk.solve.two_bone import two_bone
+
+STANDING_SHARE = 5.0
+"""percent: the ankle stands when it is as low as in so much of the clip"""
+LONGEST_REACH = 0.998
+"""of a leg's length: a knee that is fully straight has no side to bend to"""
+Y = np.array([0.0, 1.0, 0.0])
+
+
+class Path(NamedTuple):
+    """The captured places in the target's space and scale, before the target stands on its own ground.
+
+    hips   (F, 3)
+    feet   by foot bone, (F, 3) of the ankle
+    drop   metres that the source's hip joints are below its hips
+    """
+
+    hips: Floats
+    feet: dict[str, Floats]
+    drop: float
+
+
+class Keys(NamedTuple):
+    """The target's motion in its own space.
+
+    turns    by bone, (F, 4)
+    places   by bone, (F, 3): the hips, and feet that do not hang on their legs
+    """
+
+    turns: dict[str, Floats]
+    places: dict[str, Floats]
+
+
+def planted(body: Body, turns: dict[str, Floats], path: Path) -> Keys:
+    """Returns the turns of the bones with the legs on the ground, and where the hips are."""
+    soles = soles_of(body)
+    ground = ground_of(body, soles)
+    hips = _hips(body, path, soles, ground)
+    solved, places = dict(turns), {"Hips": hips}
+    for side in SIDES:
+        leg = [side + bone for bone in ("UpperLeg", "LowerLeg", "Foot")]
+        if all(bone in turns for bone in leg) and leg[2] in path.feet:
+            target = _ankle(body, turns, hips, path, leg[2])
+            target = _lifted(body, turns, target, (leg[2], soles[leg[2]], ground))
+            solved |= _leg(body, turns, hips, target, leg)
+    return Keys(solved, places | _detached(body, solved, places))
+
+
+def _hips(body: Body, path: Path, soles: dict[str, Floats], ground: float) -> Floats:
+    """Returns the hips (F, 3): the hip joints as high above the standing ankle as the captured ones, in scale."""
+    if not path.feet or not soles:
+        rest = body.at("Hips")[1] - path.hips[0, 1]
+        return path.hips + Y * rest
+    standing = min(float(np.percentile(ankle[:, 1], STANDING_SHARE)) for ankle in path.feet.values())
+    ankle = min(float(body.at(foot)[1]) for foot in soles)
+    legs = [bone for bone in ("LeftUpperLeg", "RightUpperLeg") if bone in body.bones]
+    drop = float(np.mean([body.at("Hips")[1] - body.at(bone)[1] for bone in legs])) if legs else path.drop
+    return path.hips + Y * (ankle - standing + drop - path.drop)
+
+
+def _ankle(body: Body, turns: dict[str, Floats], hips: Floats, path: Path, foot: str) -> Floats:
+    """Returns where an ankle goes (F, 3): as the captured one, as far aside as the target's hips are wider."""
+    captured = path.feet[foot]
+    standing = float(np.percentile(captured[:, 1], STANDING_SHARE))
+    free = _freely(body, turns, hips, foot)
+    aside = (free - captured) * np.array([1.0, 0.0, 1.0])
+    heading = _heading(body, turns)
+    left = quat.rotate(heading, quat.rotate(body.axes, np.array([1.0, 0.0, 0.0])))
+    wider = np.median(vector.dot(aside, left))
+    return captured + left * wider + Y * (float(body.at(foot)[1]) - standing)
+
+
+def _heading(body: Body, turns: dict[str, Floats]) -> Floats:
+    """Returns the turn (F, 4) of the hips about the vertical."""
+    turn = quat.mul(turns["Hips"], quat.conjugate(body.rotation[body.bones["Hips"]]))
+    twist = turn * np.array([0.0, 1.0, 0.0, 1.0])
+    return quat.normalize(twist)
+
+
+def _freely(body: Body, turns: dict[str, Floats], hips: Floats, bone: str) -> Floats:
+    """Returns where a bone's joint (F, 3) is if every bone above it only turns."""
+    chain = [bone]
+    while chain[-1] != "Hips":
+        chain.append(next(above for above in _above(chain[-1]) if above in turns))
+    place = hips
+    for upper, lower in zip(chain[:0:-1], chain[-2::-1], strict=True):
+        place = place + _turned(body, turns, upper, body.at(lower) - body.at(upper))
+    return place
+
+
+def _above(bone: str) -> list[str]:
+    """Returns the bones above a bone, the nearest first."""
+    above = [PARENTS[bone]]
+    while above[-1] != "Hips":
+        above.append(PARENTS[above[-1]])
+    return above
+
+
+def _turned(body: Body, turns: dict[str, Floats], bone: str, at_rest: Floats) -> Floats:
+    """Returns vectors (…, 3) that are fixed to a bone, given at rest, in every frame."""
+    turn = quat.mul(turns[bone], quat.conjugate(body.rotation[body.bones[bone]]))
+    return quat.rotate(turn, np.broadcast_to(at_rest, (*turn.shape[:-1], 3)))
+
+
+def _lifted(body: Body, turns: dict[str, Floats], ankle: Floats, sole: tuple[str, Floats, float]) -> Floats:
+    """Returns the ankle (F, 3), lifted where the sole would be below the ground."""
+    foot, points, ground = sole
+    turn = quat.mul(turns[foot], quat.conjugate(body.rotation[body.bones[foot]]))
+    arms = points - body.at(foot)
+    rows = quat.rotate(turn[:, None, :], arms[None])[..., 1].min(-1)
+    return ankle + Y * np.maximum(ground - (ankle[:, 1] + rows), 0)[:, None]
+
+
+def _leg(
+    body: Body, turns: dict[str, Floats], hips: Floats, target: Floats, leg: list[str]
+) -> dict[str, Floats]:
+    """Returns the turns of thigh and shin that bring the ankle to its target; the knee bends forward."""
+    upper, lower, foot = leg
+    root, mid = _freely(body, turns, hips, upper), _freely(body, turns, hips, lower)
+    end = _freely(body, turns, hips, foot)
+    reach = (vector.length(mid - root) + vector.length(end - mid)) * LONGEST_REACH
+    way = target - root
+    far = np.minimum(1, reach / np.maximum(vector.length(way), 1e-9))
+    forward = quat.rotate(body.axes, np.array([0.0, 0.0, 1.0]))
+    pole = _turned(body, turns, upper, forward)
+    turn_upper, turn_lower = two_bone(root, mid, end, root + way * far[:, None], pole)
+    return {upper: quat.mul(turn_upper, turns[upper]), lower: quat.mul(turn_lower, turns[lower])}
+
+
+def _detached(body: Body, turns: dict[str, Floats], places: dict[str, Floats]) -> dict[str, Floats]:
+    """Returns the places of bones that hang on a bone above which their joint does not hang in the file."""
+    parent = body.character.skeleton.parent
+    found: dict[str, Floats] = {}
+    for bone, joint in body.bones.items():
+        if bone not in turns or bone not in PARENTS:
+            continue
+        upper = body.bones[next(above for above in _above(bone) if above in turns)]
+        row = int(parent[joint])
+        while row >= 0 and row != upper:
+            row = int(parent[row])
+        if row < 0:
+            found[bone] = _freely(body, turns, places["Hips"], bone)
+    return found

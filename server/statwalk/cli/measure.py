@@ -1,0 +1,114 @@
+"""`statwalk measure`: what a table's transitions look like in numbers: slides, sinks, jumps, response."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from math import isfinite
+from typing import Annotated, Any
+
+import orjson
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from statwalk.character.role import Role
+from statwalk.errors import UnknownNameError
+from statwalk.services.library.load import load, shipped_machines
+from statwalk.stage.measure.figures import UNITS, Figure, worded
+from statwalk.stage.measure.measure import Measured, measure_cells, measure_motions
+from statwalk.stage.measure.over_budget import over_budget
+from statwalk.stage.measure.subject import Cell, Subject
+
+EXAMPLES = """Examples:
+
+  statwalk measure faq-walker
+
+  statwalk measure faq-walker --cell WALK/STOP
+
+  statwalk measure machines/my-robot --json
+
+Each cell of the table is played from ten phases of the old motion, and again with another event 1, 5 and 11
+ticks later. A figure is the mean over the phases and, in brackets, the worst of all. The exit status is 0
+within the budgets of the machine file, 1 over them, 2 if a file cannot be read.
+"""
+console = Console(highlight=False)
+
+
+def _role_of(machine: str) -> Role:
+    loaded = load(machine)
+    if isinstance(loaded, Role):
+        return loaded
+    raise UnknownNameError("machine", machine, shipped_machines())
+
+
+def _chosen(subject: Subject, name: str) -> list[Cell]:
+    """The cells of that name, STATE/EVENT; all cells if it is empty."""
+    names = {subject.name(cell): cell for cell in subject.cells}
+    if name and name not in names:
+        raise UnknownNameError("cell that changes the state", name, names)
+    return [names[name]] if name else subject.cells
+
+
+def _shown(measured: list[Measured], budgets: Mapping[str, Any]) -> Table:
+    """The figures as a table to print; over budget in red."""
+    table = Table("", *UNITS, box=None, pad_edge=False)
+    for part in measured:
+        figures = (part.figures.get(name) for name in UNITS)
+        table.add_row(
+            escape(part.name), *(_cell(*pair, budgets) for pair in zip(UNITS, figures, strict=True))
+        )
+    return table
+
+
+def _cell(name: str, figure: Figure | None, budgets: Mapping[str, Any]) -> str:
+    if figure is None:
+        return ""
+    text = f"{worded(name, figure.mean)} ({worded(name, figure.worst)})"
+    return f"[red]{text}[/]" if name in budgets and figure.worst > budgets[name].most else text
+
+
+def _plain(measured: Measured) -> dict[str, Any]:
+    """A row as JSON values; a figure that never comes is null."""
+    row = asdict(measured)
+    row["figures"] = {
+        name: {key: _finite(value) for key, value in figure._asdict().items()}
+        for name, figure in measured.figures.items()
+    }
+    return row
+
+
+def _finite(value: Any) -> Any:
+    return None if isinstance(value, float) and not isfinite(value) else value
+
+
+def measure(
+    machine: Annotated[str, typer.Argument(help="A machine folder, or the name of a shipped machine.")],
+    cell: Annotated[
+        str, typer.Option(help="One cell, STATE/EVENT; default: all cells, and all motions.")
+    ] = "",
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON, for programs.")] = False,
+) -> None:
+    """Plays every transition of a machine, and measures what feet, knees, hands and joints do."""
+    subject = Subject(_role_of(machine))
+    rows = [] if cell else list(measure_motions(subject, subject.motions))
+    rows += measure_cells(subject, _chosen(subject, cell))
+    budgets = subject.role.definition.budgets
+    findings = list(over_budget(subject.role.definition, rows))
+    if as_json:
+        answer = {
+            "machine": machine,
+            "units": dict(UNITS),
+            "budgets": {name: budget.most for name, budget in budgets.items()},
+            "measured": [_plain(row) for row in rows],
+            "findings": [asdict(finding) for finding in findings],
+        }
+        typer.echo(orjson.dumps(answer, option=orjson.OPT_INDENT_2))
+    else:
+        console.print(_shown(rows, budgets), soft_wrap=True)
+        for finding in findings:
+            console.print(f"[yellow]{finding.severity}[/] line {finding.line}: {escape(finding.message)}")
+        console.print(f"{escape(machine)}: {len(rows)} rows, {len(findings)} figures over budget")
+    if findings:
+        raise typer.Exit(1)

@@ -1,0 +1,201 @@
+"""Measures a machine: every cell of its table from ten phases of the old motion and through interruptions,
+and every motion by itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from statwalk.machine.compile.alternatives import NOW
+from statwalk.machine.model_checker.work import Checkpoint, go_on
+from statwalk.maths.arrays import Ints
+from statwalk.stage.measure.figures import Figure, Played
+from statwalk.stage.measure.ground import sinks, slides
+from statwalk.stage.measure.jump import Jump, jump_of
+from statwalk.stage.measure.limbs import hand_accelerations, knees
+from statwalk.stage.measure.response import arrivals, visible
+from statwalk.stage.measure.subject import Cell, Subject
+from statwalk.stage.measure.trials import RATE, WARM_UP, Recording, Trial, record
+from statwalk.stage.measure.windows import change_ticks, end_of_blend, span
+
+PHASES = np.linspace(0, 0.9, 10)
+LATER = (1, 5, 11)
+"""ticks after the change of state at which it is interrupted"""
+LONGEST_WAIT, LONGEST_LOOK = 10.0, 1.5
+"""seconds: the longest motion whose end is waited for, and how long a new motion is looked at"""
+AROUND = 3
+"""ticks before a change that belong to it, and ticks after the end of a blend"""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """The figures of a cell, or of a state's motion by itself (`event` empty)."""
+
+    state: str
+    event: str
+    layer: str
+    line: int
+    """of the cell or the state in the machine file"""
+    trials: int
+    """trials in which the cell was taken"""
+    figures: Mapping[str, Figure]
+
+    @property
+    def name(self) -> str:
+        """Returns `WALK/STOP`, or `WALK` for a motion by itself."""
+        return f"{self.state}/{self.event}" if self.event else self.state
+
+
+def measure_cells(
+    subject: Subject, cells: Sequence[Cell], checkpoint: Checkpoint = go_on
+) -> Iterator[Measured]:
+    """Yields the figures of cells; `checkpoint` is called before each, and ends the work by raising."""
+    machine = subject.role.machine
+    for row, column in cells:
+        checkpoint()
+        played = _play_cell(subject, row, column)
+        yield _measured(subject, row, machine.events[column], played)
+
+
+def measure_motions(
+    subject: Subject, rows: Sequence[int], checkpoint: Checkpoint = go_on
+) -> Iterator[Measured]:
+    """Yields the figures of motions by themselves: of a motion that loops two laps, of the others all but
+    their ends.
+    """
+    for row in rows:
+        checkpoint()
+        yield _measured(subject, row, "", _play_motion(subject, row))
+
+
+def _measured(subject: Subject, row: int, event: str, played: Played) -> Measured:
+    machine = subject.role.machine
+    layer = machine.layers[machine.layer_of[row]].name if machine.layer_of[row] else ""
+    line = subject.line(row, event)
+    return Measured(machine.states[row], event, layer, line, len(played.phase), played.figures())
+
+
+def _play_motion(subject: Subject, row: int) -> Played:
+    """The figures of a state's motion by itself, except jump and response."""
+    machine = subject.role.machine
+    duration = min(_seconds(subject, row), LONGEST_WAIT)
+    ticks = round(duration * RATE) * (1 + bool(machine.loop[row]))
+    recording = record(subject.role, [Trial(row, 0.0)], max(ticks, 3))
+    watched = np.ones((len(recording.left), 1), bool)
+    values = {
+        "slide": slides(recording, subject.feet, watched),
+        "sink": sinks(recording, subject.skin, watched),
+        "knee": knees(recording, subject.feet, watched),
+        "hand": hand_accelerations(recording, subject.hands, watched),
+    }
+    return Played(values, [""], [0.0], [""], [0])
+
+
+def _play_cell(subject: Subject, row: int, column: int) -> Played:
+    """The figures of all trials of a cell that were taken."""
+    layer = int(subject.role.machine.layer_of[row])
+    phases = _phases(subject, row, column)
+    plain = [Trial(row, phase, column) for phase in phases]
+    twins = [Trial(row, phase) for phase in phases]
+    every = record(subject.role, [*plain, *twins], _ticks(subject, row, column))
+    changed = change_ticks(every, layer, column)[: len(plain)]
+    taken = np.flatnonzero(changed >= 0)
+    recording, changed = every.take(taken), changed[taken]
+    if column == subject.role.machine.end:  # comes by itself
+        recording = replace(recording, sent=changed - 1)
+    played = _played(subject, recording, [plain[k] for k in taken], (changed, changed))
+    shown = visible(every, np.tile(np.arange(len(plain), 2 * len(plain)), 2))[taken]
+    half, arrived = arrivals(recording, changed)
+    response = {"half": half, "arrived": arrived}
+    if column != subject.role.machine.end:
+        response["visible"] = shown
+    played = replace(played, values={**played.values, **response})
+    return played.append(_play_interruptions(subject, (row, column), played, changed - recording.sent))
+
+
+def _play_interruptions(subject: Subject, cell: Cell, plain: Played, waits: Ints) -> Played | None:
+    """The figures of the trials of a cell that another event interrupts; None if none can."""
+    machine, (row, column) = subject.role.machine, cell
+    starts = list(zip(plain.phase, waits.tolist(), strict=True))
+    trials = [
+        Trial(row, phase, column, wait + later - 1, second)
+        for second, later, (phase, wait) in product(subject.interruptions(row, column), LATER, starts)
+    ]
+    if not trials:
+        return None
+    recording = record(subject.role, trials, _ticks(subject, row, column) + max(LATER))
+    layer = int(machine.layer_of[row])
+    first = change_ticks(recording, layer, column)
+    last = recording.sent + np.array([trial.second_tick for trial in trials]) + 1
+    cause = recording.event[np.minimum(last, len(recording.event) - 1), np.arange(len(trials)), layer]
+    is_taken = cause == [trial.second for trial in trials]
+    taken = np.flatnonzero((first >= 0) & is_taken)
+    changes = first[taken], last[taken]
+    return _played(subject, recording.take(taken), [trials[k] for k in taken], changes)
+
+
+def _played(
+    subject: Subject, recording: Recording, trials: Sequence[Trial], changes: tuple[Ints, Ints]
+) -> Played:
+    """The figures of trials whose state changed first and last in the ticks `changes`."""
+    first, last = changes
+    until = end_of_blend(recording, last)
+    look = np.array([_look(subject, recording, n, int(last[n])) for n in range(len(trials))], np.int64)
+    watched = span(recording, recording.sent, np.maximum(until, last + look))
+    jumps = [_jump(subject, recording, n, (int(first[n]), int(until[n]))) for n in range(len(trials))]
+    values = {
+        "jump": np.array([jump.body for jump in jumps]),
+        "joint": np.array([jump.joint for jump in jumps]),
+        "slide": slides(recording, subject.feet, watched),
+        "sink": sinks(recording, subject.skin, watched),
+        "knee": knees(recording, subject.feet, watched),
+        "hand": hand_accelerations(recording, subject.hands, watched),
+    }
+    events = subject.role.machine.events
+    return Played(
+        values,
+        [f"{jump.name} {jump.what}" for jump in jumps],
+        [trial.phase for trial in trials],
+        [events[trial.second] if trial.second >= 0 else "" for trial in trials],
+        [int(last[n] - first[n]) for n in range(len(trials))],
+    )
+
+
+def _jump(subject: Subject, recording: Recording, number: int, ticks: tuple[int, int]) -> Jump:
+    """The jump of one trial between two ticks and around them."""
+    first, past = max(ticks[0] - AROUND, 0), ticks[1] + AROUND
+    track = recording.joints[first:past, number][:, subject.joints]
+    states = np.unique(recording.state[first:past, number, :])
+    return jump_of(track, [subject.most(int(state)) for state in states], subject.names)
+
+
+def _look(subject: Subject, recording: Recording, number: int, tick: int) -> int:
+    """The ticks for which the new motion of a trial is looked at."""
+    state = int(recording.state[tick, number, 0])
+    return round(min(_seconds(subject, state), LONGEST_LOOK) * RATE)
+
+
+def _seconds(subject: Subject, row: int) -> float:
+    """The duration of a state's motion; 1 second for a state without motion."""
+    duration = float(subject.role.machine.duration[row])
+    return duration if np.isfinite(duration) else 1.0
+
+
+def _phases(subject: Subject, row: int, column: int) -> list[float]:
+    """The phases of the old motion from which a cell is played; END comes at its end alone."""
+    if column != subject.role.machine.end:
+        return [float(phase) for phase in PHASES]
+    return [max(1 - WARM_UP / RATE / max(_seconds(subject, row), 1 / RATE), 0.0)]
+
+
+def _ticks(subject: Subject, row: int, column: int) -> int:
+    """The ticks that a trial of a cell needs."""
+    machine = subject.role.machine
+    wait = 0.0 if machine.when[row, column] == NOW else min(_seconds(subject, row), LONGEST_WAIT)
+    wait = 2 * WARM_UP / RATE if column == machine.end else wait
+    blend = max(option.blend for option in machine.alternatives[row, column])
+    return WARM_UP + round((wait + max(blend, LONGEST_LOOK)) * RATE) + 2 * AROUND + 2
