@@ -8,6 +8,7 @@ export type {
   FindingView as Finding,
   KeyView as KeyBinding,
   LayerView as LayerInfo,
+  DeducedBoneView as DeducedBone,
   MachineView as MachineInfo,
   ParameterView as Parameter,
   StateView as StateInfo,
