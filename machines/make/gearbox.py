@@ -20,10 +20,12 @@ RACK_TEETH, RACK_BACK = 7, 4.5
 DEPTH = 3.0
 SCALE = 0.05
 """metres per unit"""
-STEEL = material("steel", "#9fb0c2", 0.35, 0.6)
-BRASS = material("brass", "#d7a94b", 0.35, 0.5)
-IRON = material("iron", "#5d6d80", 0.5, 0.4)
-DARK = material("dark", "#2c333d", 0.6, 0.2)
+MIDDLE = (-0.5, 1.2, 0.0)
+"""metres: the axis of gear A"""
+STEEL = material("steel", "#c3cfdb", 0.45, 0.15)
+BRASS = material("brass", "#e6b652", 0.45, 0.15)
+IRON = material("iron", "#8795a8", 0.5, 0.15)
+DARK = material("dark", "#55606f", 0.6, 0.1)
 MARK = material("mark", "#e4572e", 0.6)
 
 
@@ -137,7 +139,7 @@ def _gear_parts(model: Model, joint: str, outline: Array, radius: float, stuff: 
 def make() -> Model:
     """The gearbox: its housing, gears A and B, and the rack C, whose strip of teeth passes without end."""
     model = Model("gearbox")
-    model.joint("gearbox", at=(-0.5, 0.85, 0.0), size=SCALE)
+    model.joint("gearbox", at=MIDDLE, size=SCALE)
     model.joint("gear_a", "gearbox")
     model.joint("gear_b", "gearbox", (RADIUS_A + RADIUS_B, 0.0, 0.0))
     model.joint("rack_c", "gearbox", (RADIUS_A + 2 * RADIUS_B, 0.0, 0.0))
@@ -149,5 +151,5 @@ def make() -> Model:
     ends = [box((8.6, 9.0, DEPTH + 1.6), 0.4).moved(centre, side * guide) for side in (-1, 1)]
     back = box((36, 2.4, 1.0), 0.3).moved(8.5, 0, -DEPTH)
     model.part("gearbox", joined(*ends, back), DARK)
-    model.motion("rest", 1.0, {("gearbox", "translation"): lambda t: np.tile((-0.5, 0.85, 0.0), (len(t), 1))})
+    model.motion("rest", 1.0, {("gearbox", "translation"): lambda t: np.tile(MIDDLE, (len(t), 1))})
     return model
