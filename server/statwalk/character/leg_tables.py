@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from statwalk.character.character import Character
 from statwalk.character.feet import Foot
@@ -26,9 +27,15 @@ SLOPES = 0.25, 1.2
 ROUND = 8
 
 
-def leg_chain(foot: Foot, length: float) -> Chain:
-    """Returns the two-bone chain of a leg of `length` metres: hip, knee, ankle."""
-    return Chain("two-bone", foot.leg, softening=SOFTENING * length, pole_kind=POLE_DIRECTION, turns_end=True)
+def leg_chain(character: Character, foot: Foot) -> Chain:
+    """Returns the two-bone chain of a leg: hip, knee, ankle."""
+    rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
+    along = character.bind_pose.translation[foot.knee].astype(np.float64)
+    x, y, z = np.cross(bend_of(character, foot), along / np.linalg.norm(along)).tolist()
+    softening = SOFTENING * foot.length(rest)
+    return Chain(
+        "two-bone", foot.leg, hinge=(x, y, z), softening=softening, pole_kind=POLE_DIRECTION, turns_end=True
+    )
 
 
 def foot_memory(feet: int) -> tuple[float, ...]:
@@ -50,7 +57,7 @@ def leg_tables(
     contacts: Mapping[str, ClipContacts],
     motions: Sequence[Motion | None],
     weight: tuple[float, int] = (1.0, -1),
-    ground: Floats | None = None,
+    ground: NDArray[np.float64] | None = None,
     memory: int = 0,
 ) -> FootTables:
     """Returns the tables for feet with legs; `weight`: a number, and the parameter that replaces it or -1;
@@ -73,7 +80,7 @@ def leg_tables(
             hip=joints.places(np.array([foot.hip for foot in feet], np.int64)).astype(np.int32),
             ankle=joints.places(np.array([foot.ankle for foot in feet], np.int64)).astype(np.int32),
             ahead=_rows([_local(rest, foot.ankle, _ahead(foot, rest)) for foot in feet]),
-            bend=_rows([_bend(character, foot, rest) for foot in feet]),
+            bend=_rows([bend_of(character, foot) for foot in feet]),
             length=np.array([foot.length(rest) for foot in feet], np.float64),
             first_point=_firsts([len(points) for _, points in soles]),
             carrier=joints.places(carriers).astype(np.int32),
@@ -88,11 +95,11 @@ def leg_tables(
     )
 
 
-def _rows(vectors: Sequence[Floats]) -> Floats:
+def _rows(vectors: Sequence[Floats]) -> NDArray[np.float64]:
     return np.array(vectors, np.float64).reshape(-1, 3)
 
 
-def _firsts(counts: Sequence[int]) -> Ints:
+def _firsts(counts: Sequence[int]) -> NDArray[np.int32]:
     return np.concatenate([[0], np.cumsum(counts, dtype=np.int64)]).astype(np.int32)
 
 
@@ -140,10 +147,11 @@ def _local(rest: Floats, joint: int, direction: Floats) -> Floats:
     return local / max(float(np.linalg.norm(local)), 1e-12)
 
 
-def _bend(character: Character, foot: Foot, rest: Floats) -> Floats:
-    """The direction in which a knee bends, in the frame of the hip: its mean in the clips; where all hold the
-    leg straight, the direction of the foot.
+def bend_of(character: Character, foot: Foot) -> Floats:
+    """Returns the direction in which a knee bends, in the frame of the hip: its mean in the clips; where all
+    hold the leg straight, the direction of the foot.
     """
+    rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
     total = 1e-3 * _local(rest, foot.hip, _ahead(foot, rest))
     for clip in character.clips.values():
         world = world_from_local(character.skeleton, clip.sample(np.linspace(0, clip.duration, 16)))

@@ -17,7 +17,6 @@ from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.machine.settings import parameter_indices
 from statwalk.maths.clamp_table import ClampTable, clamp_table
 from statwalk.motion.blend_space import Motion
-from statwalk.rig.evaluate import world_from_local
 from statwalk.solve.chains import Chains, chain_tables
 from statwalk.solve.foot_tables import FootTables
 
@@ -45,9 +44,8 @@ def solvers_of(
     feet = tuple(foot for foot in every if has_leg(character, foot))
     if definition.foot_lock and not feet:
         raise definition.refuse("foot_lock: the character has no feet with legs; name them under `feet`", 0)
-    rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
     clamps = clamp_table({}, character.bind_pose)
-    chains = [leg_chain(foot, foot.length(rest)) for foot in feet]
+    chains = [leg_chain(character, foot) for foot in feet]
     memory = SolverMemory({FOOT_LOCK: foot_memory(len(feet))} if feet else {})
     contacts = contacts_of(character, every) if feet else {}
     ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
