@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -13,6 +14,7 @@ import numpy as np
 from statwalk.character.character import Character
 from statwalk.character.colliders import Colliders
 from statwalk.character.expressions import expressions_of
+from statwalk.character.joint_limits import limits_of
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
 from statwalk.character.solver_memory import SolverMemory
@@ -26,7 +28,7 @@ from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.verify import verify
 from statwalk.maths.arrays import Bools, Floats
-from statwalk.maths.clamp_table import CLAMP_TABLE, ClampTable
+from statwalk.maths.clamp_table import CLAMP_TABLE, ClampTable, JointLimit
 from statwalk.maths.packed import PackedColumns, packed
 from statwalk.motion.blend_space import BlendSpace, Motion
 from statwalk.motion.layer_lanes import MASKS, LayerMasks
@@ -55,7 +57,7 @@ class PackedRole(NamedTuple):
 
     @property
     def arguments(self) -> tuple[Any, Any, Any, Any]:
-        """Returns all tables as arguments of kernels."""
+        """Returns all tables but those of the solvers as arguments of kernels."""
         return self.program.argument, self.motions.argument, self.poses.argument, self.masks.argument
 
 
@@ -166,6 +168,11 @@ class Role:
         legs, chains = packed(self.solvers.legs, FEET), packed(self.solvers.chains, CHAINS)
         clamps = packed(self.solvers.clamps, CLAMP_TABLE)
         return PackedRole(program, motions, poses, masks, legs, chains, clamps)
+
+    @cached_property
+    def limits(self) -> Mapping[int, JointLimit]:
+        """Returns the limits of the character's joints: the machine's, else the character's."""
+        return limits_of(self.character, self.definition)
 
     @cached_property
     def colliders(self) -> Colliders:

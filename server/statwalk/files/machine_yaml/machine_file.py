@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
+from statwalk.files.joint_limits import joint_limits
 from statwalk.files.machine_yaml import (
     budgets,
     fields,
@@ -22,6 +23,7 @@ from statwalk.files.machine_yaml import (
     senses,
     whole_table,
 )
+from statwalk.files.machine_yaml.capture_lines import CaptureLine, read_captures
 from statwalk.files.machine_yaml.expressions import expressions as read_expressions
 from statwalk.files.machine_yaml.ground import foot_lock as read_foot_lock
 from statwalk.files.machine_yaml.ground import ground as read_ground
@@ -49,7 +51,8 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
-    *("expressions", "properties", "budgets", "foot_lock", "ground"),
+    "captures",
+    *("expressions", "joints", "limits", "properties", "budgets", "foot_lock", "ground"),
 )
 
 
@@ -65,6 +68,8 @@ class MachineFile:
     root_line: int
     text: str
     table_text: str
+    captures: tuple[CaptureLine, ...] = ()
+    """the captured motions that the character gets as clips"""
 
     def check_root(self, joints: Sequence[str]) -> None:
         """Checks that the root joint is one of the character's `joints`.
@@ -107,6 +112,7 @@ def machine_of(text: str, folder: Path, file: str = "") -> MachineFile:
         root_line=root.key_lines.get("root", 0),
         text=text,
         table_text=table_text,
+        captures=read_captures(entries.get("captures")),
     )
 
 
@@ -151,6 +157,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         parameters=parameters,
         senses=sense_events,
         colliders=colliders,
+        limits=joint_limits(entries.get("joints"), entries.get("limits")),
         foot_lock=read_foot_lock(entries.get("foot_lock"), parameters),
         ground=read_ground(entries.get("ground")),
         flock=flock_part.flock(entries.get("flock"), parameters),
@@ -241,9 +248,10 @@ def _character_name(root: Node) -> str:
     """Returns the path of the character's file, or the name of the shipped machine whose character it is."""
     node = fields.required(root, "character")
     if not SHIPPED.fullmatch(node.text()) and not node.text().lower().endswith(
-        (".glb", ".gltf", ".yaml", ".yml")
+        (".glb", ".gltf", ".yaml", ".yml", ".bvh", ".trc")
     ):
         raise node.refuse(
-            f"{node.text()[:80]!r} is no .glb, .gltf or .yaml file, nor the name of a shipped machine"
+            f"{node.text()[:80]!r} is no .glb, .gltf, .yaml, .bvh or .trc file, nor the name of "
+            "a shipped machine"
         )
     return node.text()

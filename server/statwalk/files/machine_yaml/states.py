@@ -8,6 +8,7 @@ from statwalk.files.machine_yaml import fields
 from statwalk.files.machine_yaml.expressions import motion_of_expressions
 from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.compile.compile_machine import LARGEST_SPEED
+from statwalk.machine.conditions.variables import ENTRY
 from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.machine_definition import (
     NO_MOTION,
@@ -50,7 +51,8 @@ def motion(
     node: Node, parameters: Mapping[str, ParameterDefinition]
 ) -> str | BlendDefinition | ExpressionMotion:
     """Reads a clip's name, `none`, a pose driven by expressions, `{expressions: …}`, or a blend: `{over:
-    speed, clips: {walk: 1.4, run: 3.2}, markers: {walk: {left-down: 0.1}, …}}`.
+    speed, clips: {walk: 1.4, run: 3.2}, markers: {walk: {left-down: 0.1}, …}}`; `over` names
+    parameters, or values at the entry of the state, as `entry speed`.
     """
     if node.is_text:
         if not node.text():
@@ -61,7 +63,7 @@ def motion(
     entries = node.entries("over", "clips", "markers")
     over, clips = fields.required(node, "over"), fields.required(node, "clips")
     axes = [over] if over.is_text else over.items()
-    names = tuple(fields.chosen(axis, "parameter", parameters) for axis in axes)
+    names = tuple(fields.chosen(axis, "parameter", (*parameters, *ENTRY)) for axis in axes)
     if not 1 <= len(set(names)) == len(names) <= 2:
         raise entries["over"].refuse("a blend is over one parameter, or over two different parameters")
     clip_points = points(clips, len(names))

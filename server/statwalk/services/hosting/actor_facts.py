@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 from statwalk.character.role import Role
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.random import Words
+from statwalk.rig.limits import ClampedJoint
 from statwalk.services.hosting.stage_replies import ActorFacts
 from statwalk.stage.stage import Stage
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.hashing import text
 from statwalk.stage.steps.expression_values import free_values
+from statwalk.stage.steps.limit_excess import clamped_joints
 
 
 class ActorColumns(NamedTuple):
@@ -35,6 +37,7 @@ class ActorColumns(NamedTuple):
     hashes: Words
     variables: Floats
     """(n, F) the free variables of expressions"""
+    clamped: list[tuple[ClampedJoint, ...]]
 
     @classmethod
     def of(cls, cast: Cast, names: Mapping[int, str], rows: Ints, tick: int, dt: float) -> ActorColumns:
@@ -42,14 +45,19 @@ class ActorColumns(NamedTuple):
         machine = cast.machine
         columns: tuple[Any, ...] = (cast.ids, machine.state, machine.time[:, 0])
         columns += cast.position, cast.heading, cast.hash
-        copies = [*(column[rows].copy() for column in columns), free_values(cast, rows, tick, dt)]
+        clamped = clamped_joints(cast, rows, (tick, dt))
+        copies: Any = (
+            *(column[rows].copy() for column in columns),
+            free_values(cast, rows, tick, dt),
+            clamped,
+        )
         return cls(cast.role, names, *copies)
 
     def facts(self) -> Iterator[ActorFacts]:
         """Yields the facts of each actor."""
         machine = self.role.machine
-        for actor, states, time, position, heading, hashed, values in zip(
-            *(column.tolist() for column in self[2:]), strict=True
+        for actor, states, time, position, heading, hashed, values, clamped in zip(
+            *(column.tolist() for column in self[2:-1]), self.clamped, strict=True
         ):
             names = tuple(machine.states[state] for state in states)
             yield ActorFacts(
@@ -63,6 +71,7 @@ class ActorColumns(NamedTuple):
                 heading=heading,
                 hash=text(hashed),
                 variables=dict(zip(self.role.expressions.slots, values, strict=True)),
+                clamped=clamped,
             )
 
 

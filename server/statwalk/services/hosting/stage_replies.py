@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from statwalk.machine.travel import Plan
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
+from statwalk.rig.limits import ClampedJoint
 from statwalk.services.hosting.commands import ClockKind
 from statwalk.stage.state.frame import Action, Verdict
 
@@ -39,6 +40,8 @@ class ActorFacts:
     hash: str
     variables: Mapping[str, float]
     """the free variables of expressions"""
+    clamped: tuple[ClampedJoint, ...]
+    """the joints that their limits changed, and by how much"""
 
 
 @dataclass(frozen=True)

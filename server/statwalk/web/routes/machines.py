@@ -27,12 +27,14 @@ from statwalk.services.hosting.registry import Registry
 from statwalk.services.library.catalogue import Catalogue, Entry
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, catalogue_of, registry_of
+from statwalk.web.routes.limit_views import limit_views
 from statwalk.web.schemas.base import ResponseModel
 from statwalk.web.schemas.finding import FindingsView, finding_views
 from statwalk.web.schemas.machine import MachineSummary, MachineView
 from statwalk.web.schemas.table import (
     CellView,
     ColliderView,
+    GroundView,
     KeyView,
     LayerView,
     MarkerView,
@@ -144,6 +146,11 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
         "colliders": {
             name: ColliderView.model_validate(collider) for name, collider in definition.colliders.items()
         },
+        "ground": [
+            GroundView(corner=list(piece.corner), opposite=list(piece.opposite), heights=piece.heights)
+            for piece in definition.ground
+        ],
+        "limits": limit_views(role),
         "layers": layers,
         "expressions": [line.text for line in definition.expressions],
         "text": version.text,

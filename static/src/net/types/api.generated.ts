@@ -39,10 +39,12 @@ export interface paths {
         get: operations["get_character_api_characters__name__get"];
         /**
          * Put Character
-         * @description Uploads a character: a .glb, a self-contained .gltf, or a zip of a .gltf with its files, as
-         *     the raw body.
+         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture
+         *     (.bvh, .trc), as the raw body.
          *
-         *     Replaces an uploaded character with the same name.
+         *     Replaces an uploaded character with the same name. The query is for captures: whether BVH position
+         *     channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of
+         *     spikes.
          */
         put: operations["put_character_api_characters__name__put"];
         post?: never;
@@ -70,6 +72,26 @@ export interface paths {
          * @description Returns the model as a .glb, which any glTF viewer opens.
          */
         get: operations["get_model_api_characters__name__model_glb_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/mapping": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Mapping
+         * @description Proposes a state for each clip; change the mapping and post it to /api/machines.
+         */
+        get: operations["get_mapping_api_characters__name__mapping_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -115,26 +137,6 @@ export interface paths {
          *     422 if known values contradict each other.
          */
         post: operations["deduce_bones_api_deduce_post"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/characters/{name}/mapping": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * Get Mapping
-         * @description Proposes a state for each clip; change the mapping and post it to /api/machines.
-         */
-        get: operations["get_mapping_api_characters__name__mapping_get"];
-        put?: never;
-        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -662,6 +664,47 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/characters/{name}/bones": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Bones
+         * @description Returns which joint is which bone of a body, as far as the joints' names tell.
+         */
+        get: operations["get_bones_api_characters__name__bones_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/clips": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Clip
+         * @description Carries a clip of another character over to this one, and keeps the result as an uploaded character:
+         *     this one with a clip more, or a new one called `character`.
+         */
+        post: operations["add_clip_api_characters__name__clips_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/stages/{stage_id}/actors/{actor_id}/why": {
         parameters: {
             query?: never;
@@ -758,6 +801,7 @@ export interface components {
             variables: {
                 [key: string]: number;
             };
+            clamped: components["schemas"]["ClampedView"][];
         };
         /**
          * @description An alternative of a cell; `blend` in seconds, `enter` is the phase 0…1 at which the motion begins, or
@@ -783,6 +827,18 @@ export interface components {
                 number,
                 number
             ] | null;
+        };
+        /**
+         * @description The joint of each bone that the names of a character tell; `needed` are the bones without which no walk
+         *     is carried over, `known` all names of bones.
+         */
+        BonesView: {
+            character: string;
+            bones: {
+                [key: string]: string;
+            };
+            needed: string[];
+            known: string[];
         };
         /** @description The event stays in the queue longer, for `seconds`. */
         BufferChange: {
@@ -841,6 +897,12 @@ export interface components {
             parts: components["schemas"]["PartView"][];
             notes: string[];
             model: string;
+        };
+        /** @description A joint that its limits changed in this tick: by how many degrees and metres. */
+        ClampedView: {
+            joint: string;
+            angle_deg: number;
+            distance: number;
         };
         /** @description A clip; `duration` in seconds. */
         ClipView: {
@@ -937,6 +999,8 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            ground: components["schemas"]["GroundView"][];
+            limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
             expressions: string[];
@@ -1007,6 +1071,13 @@ export interface components {
             value: number[];
             source: string;
         };
+        /** @description A degree of freedom of a joint: degrees if it is an angle, else metres; null: not limited. */
+        FreedomView: {
+            name: string;
+            is_angle: boolean;
+            minimum: number | null;
+            maximum: number | null;
+        };
         /** @description The actor travels to `state` first. */
         GoChange: {
             /**
@@ -1016,6 +1087,15 @@ export interface components {
             kind: "state";
             state: string;
             steps: components["schemas"]["StepView"][];
+        };
+        /**
+         * @description A rectangle of uneven ground between two corners x z, metres; `heights`: at x0 z0, x1 z0, x1 z1,
+         *     x0 z1.
+         */
+        GroundView: {
+            corner: number[];
+            opposite: number[];
+            heights: number[];
         };
         /** @description The changes of state up to `head`, oldest first. */
         HistoryView: {
@@ -1030,6 +1110,11 @@ export interface components {
              */
             kind: "hold" | "release";
             event: string;
+        };
+        /** @description The joints that are one bone; `source` is empty where the spine turns as a whole. */
+        JointPair: {
+            source: string;
+            target: string;
         };
         /** @description A joint; `parent` -1: a root; `node` is its node in the model. */
         JointView: {
@@ -1137,6 +1222,21 @@ export interface components {
             rows: string[][];
             edges: components["schemas"]["EdgeView"][];
         };
+        /**
+         * @description The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
+         *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+         */
+        LimitView: {
+            joint: string;
+            type: string;
+            form: string;
+            symbol: string;
+            /** @enum {string} */
+            shape: "free" | "hinge" | "cone" | "range" | "axes";
+            frame: number[];
+            rest: number[];
+            freedoms: components["schemas"]["FreedomView"][];
+        };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
         MachineSummary: {
             name: string;
@@ -1183,6 +1283,8 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            ground: components["schemas"]["GroundView"][];
+            limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
             expressions: string[];
@@ -1245,6 +1347,74 @@ export interface components {
             /** @default base */
             layer?: string;
         };
+        /** @description A clip of another character, to be carried over. */
+        NewClip: {
+            /** @description the character that has the clip: an uploaded .bvh or .trc, or any other */
+            source: string;
+            /**
+             * @description empty: the source's first clip
+             * @default
+             */
+            clip?: string;
+            /**
+             * @description the new clip's name; empty: the clip's own
+             * @default
+             */
+            name?: string;
+            /** @description the name of the character with the clip; by default the uploaded character itself gets it */
+            character?: string | null;
+            /** @description the source's joint of a bone whose name does not tell it; an empty joint: none */
+            bones?: {
+                [key: string]: string;
+            };
+            /** @description the same for the character */
+            target_bones?: {
+                [key: string]: string;
+            };
+            /**
+             * @description the piece that is carried over begins here, in seconds
+             * @default 0
+             */
+            start?: number;
+            /** @description and ends here; null: at the clip's end */
+            end?: number | null;
+            /**
+             * @description Hz: what moves faster is taken out, without a delay; 0: nothing
+             * @default 0
+             */
+            low_pass?: number;
+            /**
+             * @description whether single wild samples are replaced
+             * @default false
+             */
+            spikes?: boolean;
+            /**
+             * @description whether the clip repeats
+             * @default false
+             */
+            loop?: boolean;
+        };
+        /**
+         * @description A clip that was carried over, and how.
+         *
+         *     missing: bones of hips and legs that one of the two lacks. unmapped_source: joints that move, and whose
+         *     motion no joint takes. unmapped_target: joints that no motion reaches. scale: the character's metres per
+         *     unit of the source. root: the joint that travels.
+         */
+        NewClipView: {
+            character: string;
+            clip: string;
+            duration: number;
+            root: string;
+            bones: {
+                [key: string]: components["schemas"]["JointPair"];
+            };
+            missing: string[];
+            unmapped_source: string[];
+            unmapped_target: string[];
+            scale: number;
+            notes: string[];
+        };
         /** @description A question: a `file`, or bones (your own, of a `skeleton` or of a `character`) and what is known. */
         NewDeduction: {
             /** @description the text of a file as `statwalk deduce` reads it; without the other members */
@@ -1273,7 +1443,7 @@ export interface components {
         };
         /**
          * @description A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-         *     left out), by default the proposed mapping.
+         *     left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
          */
         NewMachine: {
             name: string;
@@ -1281,6 +1451,8 @@ export interface components {
             mapping?: {
                 [key: string]: string | null;
             } | null;
+            /** @default  */
+            root?: string;
         };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
@@ -2089,10 +2261,12 @@ export type Accepted = components['schemas']['Accepted'];
 export type ActorView = components['schemas']['ActorView'];
 export type AlternativeView = components['schemas']['AlternativeView'];
 export type BoneBody = components['schemas']['BoneBody'];
+export type BonesView = components['schemas']['BonesView'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
 export type CharacterView = components['schemas']['CharacterView'];
+export type ClampedView = components['schemas']['ClampedView'];
 export type ClipView = components['schemas']['ClipView'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type DeducedBoneView = components['schemas']['DeducedBoneView'];
@@ -2104,13 +2278,17 @@ export type FieldError = components['schemas']['FieldError'];
 export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
 export type FoundView = components['schemas']['FoundView'];
+export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
+export type GroundView = components['schemas']['GroundView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
+export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
 export type KnownBody = components['schemas']['KnownBody'];
 export type LayerView = components['schemas']['LayerView'];
+export type LimitView = components['schemas']['LimitView'];
 export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
 export type MappingView = components['schemas']['MappingView'];
@@ -2119,6 +2297,8 @@ export type MomentChange = components['schemas']['MomentChange'];
 export type MovedView = components['schemas']['MovedView'];
 export type NewActor = components['schemas']['NewActor'];
 export type NewCell = components['schemas']['NewCell'];
+export type NewClip = components['schemas']['NewClip'];
+export type NewClipView = components['schemas']['NewClipView'];
 export type NewDeduction = components['schemas']['NewDeduction'];
 export type NewEvent = components['schemas']['NewEvent'];
 export type NewMachine = components['schemas']['NewMachine'];
@@ -2240,7 +2420,12 @@ export interface operations {
     };
     put_character_api_characters__name__put: {
         parameters: {
-            query?: never;
+            query?: {
+                position?: "replace" | "add";
+                scale?: number;
+                low_pass?: number;
+                spikes?: boolean;
+            };
             header?: never;
             path: {
                 name: string;
@@ -2254,6 +2439,8 @@ export interface operations {
                 "application/zip": string;
                 "application/x-zip-compressed": string;
                 "application/octet-stream": string;
+                "model/bvh": string;
+                "text/plain": string;
             };
         };
         responses: {
@@ -2331,6 +2518,32 @@ export interface operations {
             "5XX": components["responses"]["Problem"];
         };
     };
+    get_mapping_api_characters__name__mapping_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MappingView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
     solve_api_characters__name__solve_post: {
         parameters: {
             query?: never;
@@ -2381,32 +2594,6 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["DeductionView"];
-                };
-            };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
-        };
-    };
-    get_mapping_api_characters__name__mapping_get: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["MappingView"];
                 };
             };
             /** @description Client Error */
@@ -3257,6 +3444,62 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Accepted"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    get_bones_api_characters__name__bones_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BonesView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    add_clip_api_characters__name__clips_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewClip"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["NewClipView"];
                 };
             };
             /** @description Client Error */
