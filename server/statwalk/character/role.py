@@ -104,17 +104,8 @@ class Role:
         is_same = before is not None and before.character is character and before.root == root
         stock = before.stock if before is not None and is_same else Stock(character, root)
         motions = motions_of(stock, machine, definition)
-        role = cls(
-            name,
-            character,
-            machine,
-            definition,
-            resolved,
-            motions,
-            masks_of(character, definition),
-            root,
-            stock,
-        )
+        masks = masks_of(character, definition)
+        role = cls(name, character, machine, definition, resolved, motions, masks, root, stock)
         # made now: an unknown joint is an error now and not in a tick
         role.colliders, role.solvers, role.expressions  # noqa: B018
         return role
@@ -156,9 +147,8 @@ class Role:
     @cached_property
     def layer_masks(self) -> LayerMasks:
         """Returns the joints and weights that each layer moves, as arrays."""
-        return LayerMasks.of(
-            self.masks, len(self.character.skeleton), self.character.bind_pose.weights.shape[-1]
-        )
+        joints, weights = len(self.character.skeleton), self.character.bind_pose.weights.shape[-1]
+        return LayerMasks.of(self.masks, joints, weights)
 
     @cached_property
     def packed(self) -> PackedRole:

@@ -2,9 +2,6 @@
 
 import { ask } from "./api";
 
-/** Reads an actor at the stage's playhead, with the variables of its expressions. */
-export const actorFacts = (stage_id: string, actor_id: number) =>
-  ask("get", "/api/stages/{stage_id}/actors/{actor_id}", { stage_id, actor_id });
 export const why = (stage_id: string, actor_id: number, tick: number) =>
   ask("get", "/api/stages/{stage_id}/actors/{actor_id}/why", { stage_id, actor_id }, { query: { tick } });
 export const whyNot = (stage_id: string, actor_id: number, event: string, tick: number) =>

@@ -51,8 +51,7 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
-    "captures",
-    *("expressions", "joints", "limits", "properties", "budgets", "foot_lock", "ground"),
+    *("captures", "expressions", "joints", "limits", "properties", "budgets", "foot_lock", "ground"),
 )
 
 
@@ -74,18 +73,12 @@ class MachineFile:
     def check_root(self, joints: Sequence[str]) -> None:
         """Checks that the root joint is one of the character's `joints`.
 
-        :raises MachineError: when the joint does not exist; the message has the line and the most similar
-            joint.
+        :raises MachineError: when the joint does not exist; with the line and the most similar joint.
         """
         if self.root_joint is None or self.root_joint in joints:
             return
-        suggestion = nearest(self.root_joint, tuple(joints))
-        file = self.definition.file
-        raise MachineError(
-            f"root: the character has no joint {self.root_joint!r}{suggestion}",
-            file=file,
-            place=f"line {self.root_line}",
-        )
+        message = f"root: the character has no joint {self.root_joint!r}{nearest(self.root_joint, joints)}"
+        raise self.definition.refuse(message, self.root_line)
 
 
 def load_machine(folder: Path) -> MachineFile:
