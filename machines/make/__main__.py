@@ -7,6 +7,7 @@ import bee
 import cannon
 import coin
 import door
+import gearbox
 import goose
 import joints
 
@@ -14,6 +15,7 @@ PLACES = {
     "playground/door/door.glb": door,
     "playground/coin/coin.glb": coin,
     "playground/cannon/cannon.glb": cannon,
+    "gearbox/gearbox.glb": gearbox,
     "geese/goose/goose.glb": goose,
     "swarm/bee/bee.glb": bee,
 }

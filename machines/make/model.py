@@ -47,16 +47,20 @@ class Model:
         self.names: list[str] = []
         self.parents: list[int] = []
         self.places: list[tuple[float, float, float]] = []
+        self.sizes: list[float] = []
         self.parts: list[Primitive] = []
         self.skins: list[Skin] = []
         self.materials: list[dict[str, Any]] = []
         self.motions: list[tuple[str, float, Motion]] = []
 
-    def joint(self, name: str, parent: str = "", at: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> str:
-        """A new joint, `at` metres from its parent; returns its name."""
+    def joint(
+        self, name: str, parent: str = "", at: tuple[float, float, float] = (0.0, 0.0, 0.0), size: float = 1.0
+    ) -> str:
+        """A new joint, `at` metres from its parent, scaled by `size`; returns its name."""
         self.names.append(name)
         self.parents.append(self.names.index(parent) if parent else -1)
         self.places.append(at)
+        self.sizes.append(size)
         return name
 
     def part(self, joint: str, surface: Mesh, stuff: dict[str, Any]) -> None:
@@ -96,6 +100,7 @@ class Model:
         """The file."""
         pose = rest(len(self.names))
         pose.translation[:] = self.places
+        pose.scale[:] = np.array(self.sizes)[:, None]
         skeleton = Skeleton(tuple(self.names), np.array(self.parents, np.int32))
         clips = {name: self._clip(name, seconds, motion, pose) for name, seconds, motion in self.motions}
         index = np.arange(len(self.names), dtype=np.int32)

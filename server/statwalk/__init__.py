@@ -19,6 +19,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from statwalk.character.character import Character as Character
+    from statwalk.character.deduce import Deduction as Deduction
+    from statwalk.character.deduce import deduce as deduce
     from statwalk.character.retarget import retarget as retarget
     from statwalk.character.role import Role as Role
     from statwalk.errors import ContentError as ContentError
@@ -40,6 +42,7 @@ if TYPE_CHECKING:
 
 _NAMES = {  # imported on first use: `statwalk --help` needs none of them
     "statwalk.character.character": ("Character",),
+    "statwalk.character.deduce": ("Deduction", "deduce"),
     "statwalk.character.retarget": ("retarget",),
     "statwalk.character.role": ("Role",),
     "statwalk.errors": (

@@ -17,6 +17,8 @@ import { EventsPanel } from "./panels/events/events";
 import { GraphPanel } from "./panels/graph/graph";
 import { HelpDialog } from "./panels/help/help";
 import { StateBadge, modeBar, notices, toggleMode } from "./panels/viewControls/viewControls";
+import { DeduceDialog } from "./panels/deduce/deduceDialog";
+import { ExpressionsPanel } from "./panels/expressions/expressions";
 import { ParametersPanel } from "./panels/parameters/parameters";
 import { StatusPanel } from "./panels/status/status";
 import { layerTabs } from "./panels/table/layerTabs";
@@ -161,6 +163,7 @@ function start(name: string): void {
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
   const badge = new StateBadge(byId("badge"), session, stageView);
   new ParametersPanel(byId("parameters"), session);
+  new ExpressionsPanel(byId("expressions"), session);
   clampedPanel(byId("clamped"), session);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
@@ -174,6 +177,8 @@ function start(name: string): void {
   const keys = viewerKeys(session, stageView, transport, () => help.toggle());
   const help = new HelpDialog(session, keys);
   byId("help").addEventListener("click", () => help.toggle());
+  const rules = new DeduceDialog();
+  byId("deduce").addEventListener("click", () => rules.open());
   new Keyboard(session, keys, (event, down) => events.press(event, down));
   onTheme(() => stageView.recolour());
   window.addEventListener("online", () => session.retry());

@@ -14,6 +14,7 @@ from statwalk.services.library.load import load, load_scene, shipped_machines, s
 from statwalk.stage.replay import replay
 
 MADE = (
+    "gearbox/gearbox.glb",
     "playground/door/door.glb",
     "playground/coin/coin.glb",
     "playground/cannon/cannon.glb",

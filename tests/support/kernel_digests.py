@@ -18,10 +18,12 @@ from statwalk.maths import compiling
 from statwalk.motion.keys import _kernels as keys
 from statwalk.motion.tables.build import tables_of
 from statwalk.rig import _kernels as hierarchy
+from statwalk.services.library.load import load
 from statwalk.skin import _kernels as skin
 from statwalk.skin.deform import surface
 from statwalk.skin.primitive import Primitive, Skin
 from statwalk.stage.stage import Stage
+from statwalk.stage.steps.expression_values import free_values
 
 CHANCE = np.random.default_rng(17)
 CASES = []
@@ -154,6 +156,16 @@ def ticks():
         (cast,) = stage.casts
         found += [cast.shown.rows(), cast.position, cast.heading, cast.hash]
     return found
+
+
+@case
+def expressed():
+    """The gearbox: expressions in the tick, and the values of their variables."""
+    stage = Stage(seed=1)
+    stage.add_many(load("gearbox"), [((place, 0, 0), 0) for place in range(20)])
+    stage.step(40)
+    (cast,) = stage.casts
+    return cast.shown.rows(), cast.hash, free_values(cast, np.arange(20), 40, 1 / 60)
 
 
 def digest(arrays):

@@ -6,12 +6,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
 from statwalk.character.character import Character
 from statwalk.errors import ContentError, MachineError, UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine
+from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.machine_definition import (
     BlendDefinition,
     LayerDefinition,
@@ -50,6 +52,8 @@ def _motion(
                 f"the state {machine.states[row]} needs a motion: there is nothing below the base", state.line
             )
         return None
+    if isinstance(state.motion, ExpressionMotion):
+        return stock.at_rest
     if not isinstance(state.motion, BlendDefinition):
         return stock.single(state.motion, loop)
     blend = state.motion
@@ -109,6 +113,11 @@ class Stock:
             self.packed.clear()
             self.packed[keys] = tables
         return tables
+
+    @cached_property
+    def at_rest(self) -> Single:
+        """Returns the pose at rest as a motion, which expressions then change."""
+        return Single(Clip("", (), 0.0, self.character.bind_pose), STANDING)
 
     def single(self, name: str, loop: bool) -> Single:
         """Returns a clip without its root motion, together with that root motion."""

@@ -14,6 +14,7 @@ from statwalk.maths.arrays import Floats
 from statwalk.maths.columns import columns, locked
 from statwalk.rig.model_buffer import JointList
 from statwalk.solve.springs import Springs
+from statwalk.solve.expression_tables import ExpressionTables
 
 
 class PoseTables(NamedTuple):
@@ -39,6 +40,7 @@ class PoseTables(NamedTuple):
     row: Annotated[NDArray[np.int32], "joint"]
     numbers: Annotated[NDArray[np.float64], "spring, 6"]
     column: Annotated[NDArray[np.int64], "spring"]
+    expressions: ExpressionTables
 
 
 def pose_tables(
@@ -48,6 +50,7 @@ def pose_tables(
     root_frame: Floats | None,
     model_joints: JointList,
     springs: Springs,
+    expressions: ExpressionTables,
 ) -> PoseTables:
     """Returns the tables of a role; `root_frame` None: the root joint has no parent."""
     return locked(
@@ -61,6 +64,7 @@ def pose_tables(
             model_joints=model_joints.joints,
             model_parents=model_joints.parents,
             **springs._asdict(),
+            expressions=expressions,
         )
     )
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from statwalk.character.character import Character
 from statwalk.character.colliders import Colliders
+from statwalk.character.expressions import expressions_of
 from statwalk.character.joint_limits import limits_of
 from statwalk.character.made_clips import with_clips
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
@@ -35,6 +36,7 @@ from statwalk.motion.layer_lanes import MASKS, LayerMasks
 from statwalk.motion.layers import Mask
 from statwalk.motion.tables.motion_tables import MotionTables
 from statwalk.solve.chains import CHAINS, Chains
+from statwalk.solve.expression_tables import ExpressionProgram
 from statwalk.solve.foot_tables import FEET, FootTables
 
 
@@ -105,18 +107,10 @@ class Role:
         is_same = before is not None and before.character is character and before.root == root
         stock = before.stock if before is not None and is_same else Stock(character, root)
         motions = motions_of(stock, machine, definition)
-        role = cls(
-            name,
-            character,
-            machine,
-            definition,
-            resolved,
-            motions,
-            masks_of(character, definition),
-            root,
-            stock,
-        )
-        role.colliders, role.solvers  # noqa: B018 - made now: an unknown joint is an error now, not in a tick
+        masks = masks_of(character, definition)
+        role = cls(name, character, machine, definition, resolved, motions, masks, root, stock)
+        # made now: an unknown joint is an error now and not in a tick
+        role.colliders, role.solvers, role.expressions  # noqa: B018
         return role
 
     @cached_property
@@ -145,26 +139,30 @@ class Role:
         colliders, as arrays.
         """
         joints = self.colliders.joints
+        tables = self.expressions.tables
         return pose_tables(
-            self.machine.layers, self.plays, self.root, self.root_frame, joints, self.solvers.springs
+            self.machine.layers, self.plays, self.root, self.root_frame, joints, self.solvers.springs, tables
         )
+
+    @cached_property
+    def expressions(self) -> ExpressionProgram:
+        """Returns the expressions of the machine and of its states' motions, as the tick reads them."""
+        return expressions_of(self.character, self.definition, self.machine)
 
     @cached_property
     def layer_masks(self) -> LayerMasks:
         """Returns the joints and weights that each layer moves, as arrays."""
-        return LayerMasks.of(
-            self.masks, len(self.character.skeleton), self.character.bind_pose.weights.shape[-1]
-        )
+        joints, weights = len(self.character.skeleton), self.character.bind_pose.weights.shape[-1]
+        return LayerMasks.of(self.masks, joints, weights)
 
     @cached_property
     def packed(self) -> PackedRole:
         """Returns the arrays of the role as arguments of kernels."""
         program, motions = packed(self.machine.program, PROGRAM), self.stock.tables(self.motions)
-        poses, masks, solvers = self.pose_tables, self.layer_masks, self.solvers
-        return PackedRole(
-            program, motions, packed(poses, POSES), packed(masks, MASKS), packed(solvers.legs, FEET),
-            packed(solvers.chains, CHAINS), packed(solvers.clamps, CLAMP_TABLE),
-        )  # fmt: skip
+        poses, masks = packed(self.pose_tables, POSES), packed(self.layer_masks, MASKS)
+        legs, chains = packed(self.solvers.legs, FEET), packed(self.solvers.chains, CHAINS)
+        clamps = packed(self.solvers.clamps, CLAMP_TABLE)
+        return PackedRole(program, motions, poses, masks, legs, chains, clamps)
 
     @cached_property
     def limits(self) -> Mapping[int, JointLimit]:

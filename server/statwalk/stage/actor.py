@@ -15,6 +15,7 @@ from statwalk.rig.limits import ClampedJoint
 from statwalk.skin.primitive import Part
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.hashing import text
+from statwalk.stage.steps.expression_values import free_values
 from statwalk.stage.steps.limit_excess import clamped_joints
 
 _UP = np.array([0.0, 1.0, 0.0])
@@ -30,11 +31,15 @@ class Place(NamedTuple):
 
 
 class Found(NamedTuple):
-    """An actor at the tick that its stage shows: its cast, its row there, its name."""
+    """An actor at the tick that its stage shows: its cast, its row there, its name; the tick, and the seconds
+    of a tick.
+    """
 
     cast: Cast
     row: int
     name: str
+    tick: int
+    dt: float
 
 
 def _moved(part: Part, matrix: Floats) -> Part:
@@ -80,25 +85,32 @@ class Actor:
     @property
     def states(self) -> tuple[str, ...]:
         """The state of each layer."""
-        cast, row, _ = self._find(self.id)
+        cast, row = self._find(self.id)[:2]
         return tuple(cast.role.machine.states[state] for state in cast.machine.state[row])
 
     @property
     def time(self) -> float:
         """Seconds into the motion of the base layer."""
-        cast, row, _ = self._find(self.id)
+        cast, row = self._find(self.id)[:2]
         return float(cast.machine.time[row, 0])
+
+    @property
+    def variables(self) -> dict[str, float]:
+        """The free variables of the machine's expressions, by name."""
+        cast, row, _, tick, dt = self._find(self.id)
+        (values,) = free_values(cast, np.array([row]), tick, dt).tolist()
+        return dict(zip(cast.role.expressions.slots, values, strict=True))
 
     @property
     def pose(self) -> Pose:
         """Local transforms (J, …) and morph weights, without the place on the stage."""
-        cast, row, _ = self._find(self.id)
+        cast, row = self._find(self.id)[:2]
         return cast.shown.actor(row)
 
     @property
     def root(self) -> Place:
         """The place on the stage."""
-        cast, row, _ = self._find(self.id)
+        cast, row = self._find(self.id)[:2]
         return Place(cast.position[row].copy(), float(cast.heading[row]))
 
     @property
@@ -123,11 +135,11 @@ class Actor:
     @property
     def clamped(self) -> tuple[ClampedJoint, ...]:
         """The joints that their limits changed in this tick, after sampling and blending, and by how much."""
-        cast, row, _ = self._find(self.id)
-        return clamped_joints(cast, np.array([row]))[0]
+        cast, row, _, tick, dt = self._find(self.id)
+        return clamped_joints(cast, np.array([row]), (tick, dt))[0]
 
     @property
     def hash(self) -> str:
         """16 hexadecimal digits over all states since the actor was added; the same alone and in a crowd."""
-        cast, row, _ = self._find(self.id)
+        cast, row = self._find(self.id)[:2]
         return text(int(cast.hash[row]))

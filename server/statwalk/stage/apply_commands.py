@@ -22,7 +22,7 @@ def apply_commands(
     """Returns the state after the Add, Remove and Edit among the commands; inputs are ignored."""
     for role, group in groupby(commands, lambda command: command.role if isinstance(command, Add) else None):
         if role is not None:
-            state = _added(roles, state, [command for command in group if isinstance(command, Add)], role)
+            state = _added(roles, state, [command for command in group if isinstance(command, Add)], role, dt)
             continue
         for command in group:
             if isinstance(command, Remove):
@@ -32,12 +32,15 @@ def apply_commands(
     return state
 
 
-def _added(roles: Mapping[str, Role], state: StageState, adds: Sequence[Add], key: str) -> StageState:
+def _added(
+    roles: Mapping[str, Role], state: StageState, adds: Sequence[Add], key: str, dt: float
+) -> StageState:
     """The state with new actors of one role, in one copy; they play the version of their role in force."""
     versions = {roles[key].name: key, **state.versions}
     key = versions[roles[key].name]
     places = np.array([[*add.position, add.heading] for add in adds], np.float64)
-    new = enter(roles[key], [add.actor for add in adds], places[:, :3], places[:, 3])
+    clock = state.tick, dt
+    new = enter(roles[key], [add.actor for add in adds], places[:, :3], places[:, 3], clock)
     cast = state.casts[key].append(new) if key in state.casts else new
     names = {**state.names, **{add.actor: add.name for add in adds}}
     state = replace(state, next_id=adds[-1].actor + 1, versions=versions, names=names)

@@ -169,7 +169,7 @@ class Stage(Timeline):
         :raises StageError: when no path leads to the state; the message names the states that can be reached.
         """
         actor_id = self._id_of(actor)
-        cast, row, _ = self._find(actor_id)
+        cast, row, *_ = self._find(actor_id)
         machine = cast.role.machine
         start, goal = int(cast.machine.state[row, 0]), cast.role.state(state)
         route = plan(machine, start, goal)
@@ -204,7 +204,8 @@ class Stage(Timeline):
         if place is None:
             raise UnknownNameError("actor", str(actor), map(str, self._state.ids))
         key, row = place
-        return Found(Cast.of(self.roles[key], self._state.casts[key]), row, self._state.names[actor])
+        cast = Cast.of(self.roles[key], self._state.casts[key])
+        return Found(cast, row, self._state.names[actor], self._state.tick, 1 / self.rate)
 
 
 def _writable(name: str) -> str:

@@ -34,6 +34,7 @@ from statwalk.solve.spring_lanes import swing_block
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
 from statwalk.stage.steps._kernels import (
+    express_block,
     hash_actor,
     keep_block,
     move_root,
@@ -73,6 +74,7 @@ def tick(
     """
     memory = memory_of(cast.role, len(cast.ids))
     memory.poses.values.old_state[:] = cast.machine.state
+    memory.poses.values.clock[:] = now, dt
     result = decide(cast, memory, inputs, dt, now, seed)
     return pose(cast, memory, result.changes.actor, dt, is_looked_at), result
 
@@ -94,8 +96,8 @@ def decide(cast: Cast, memory: Memory, inputs: Inputs, dt: float, now: int, seed
 
 
 def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: bool) -> Cast:
-    """Runs steps 3 sample, 4 blend, 6 limit and 7 world, for sixteen actors at a time; `changed`: the rows of
-    the actors whose state has changed.
+    """Runs steps 3 sample, 4 blend, 5 express, 6 limit and 7 world, for sixteen actors at a time; `changed`:
+    the rows of the actors whose state has changed.
     """
     offsets = cast.offsets.with_room(changed) if len(changed) else cast.offsets
     work = memory.offsets(offsets).argument, memory.effects.argument, memory.poses.argument
@@ -154,7 +156,9 @@ def _pose_blocks(
             hashes[row] = hash_actor(hashes[row], s, o, position, heading, root_delta, solver_memory, row)
         add_block(o, masks, mem.coming, 0, block, 0.0, mem.scratch)
         release_slots(o, block)
-        # 5 express: joints with springs lag behind, and settle (expressions: not yet)
+        # 5 express: assignments to channels, in the order of their dependencies
+        express_block(t.expressions, s.smoothed, 0.0, mem, mem.coming, block)
+        # joints with springs lag behind, and settle
         if t.column.shape[0] > 0:
             first, end = first_row(block), end_row(block, s.state.shape[0])
             swing_block(t, solver_memory, root_delta, mem.coming, first, end, dt, mem.springs)

@@ -24,6 +24,7 @@ from statwalk.web.routes import (
     captures,
     characters,
     curves,
+    deduce,
     edits,
     explain,
     history,
@@ -42,6 +43,7 @@ MOST_PAST_WORK = 4
 DESCRIPTION = "Animates characters from state tables. Errors are application/problem+json (RFC 9457)."
 ROUTES = (
     characters,
+    deduce,
     uploads,
     machines,
     new_machines,

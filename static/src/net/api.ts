@@ -95,6 +95,8 @@ export const patchCell = (name: string, version: number, body: NewCell, dry: boo
   ask("patch", "/api/machines/{name}/cells", { name }, { body, version, ...(dry && { query: { dry } }) });
 export const undo = (name: string, version: number) =>
   ask("post", "/api/machines/{name}/undo", { name }, { version });
+/** Asks the twelve rules of inverse kinematics about the text of a file. */
+export const deduce = (file: string) => ask("post", "/api/deduce", {}, { body: { file } });
 export const characters = () => ask("get", "/api/characters", {});
 export const mapping = (name: string) => ask("get", "/api/characters/{name}/mapping", { name });
 export const removeCharacter = (name: string) => ask("delete", "/api/characters/{name}", { name });

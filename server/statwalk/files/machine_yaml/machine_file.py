@@ -26,6 +26,7 @@ from statwalk.files.machine_yaml import (
     whole_table,
 )
 from statwalk.files.machine_yaml.capture_lines import CaptureLine, read_captures
+from statwalk.files.machine_yaml.expressions import expressions as read_expressions
 from statwalk.files.machine_yaml.ground import foot_lock as read_foot_lock
 from statwalk.files.machine_yaml.ground import ground as read_ground
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
@@ -52,8 +53,8 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
     *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
-    *("colliders", "flock", "springs", "captures", "joints", "limits", "properties", "budgets"),
-    *("foot_lock", "ground"),
+    *("colliders", "flock", "springs", "captures", "expressions", "joints", "limits", "properties"),
+    *("budgets", "foot_lock", "ground"),
 )
 
 
@@ -73,18 +74,12 @@ class MachineFile:
     def check_root(self, joints: Sequence[str]) -> None:
         """Checks that the root joint is one of the character's `joints`.
 
-        :raises MachineError: when the joint does not exist; the message has the line and the most similar
-            joint.
+        :raises MachineError: when the joint does not exist; with the line and the most similar joint.
         """
         if self.root_joint is None or self.root_joint in joints:
             return
-        suggestion = nearest(self.root_joint, tuple(joints))
-        file = self.definition.file
-        raise MachineError(
-            f"root: the character has no joint {self.root_joint!r}{suggestion}",
-            file=file,
-            place=f"line {self.root_line}",
-        )
+        message = f"root: the character has no joint {self.root_joint!r}{nearest(self.root_joint, joints)}"
+        raise self.definition.refuse(message, self.root_line)
 
 
 def load_machine(folder: Path) -> MachineFile:
@@ -162,6 +157,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         flock=flock_part.flock(entries.get("flock"), parameters),
         clips=clip_changes.clips(entries.get("clips")),
         springs=springs_part.springs(entries.get("springs")),
+        expressions=read_expressions(entries.get("expressions"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
         budgets=budgets.budgets(entries.get("budgets")),
         rows=base.top.table.rows,

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 
 from statwalk.files.machine_yaml import fields
+from statwalk.files.machine_yaml.expressions import motion_of_expressions
 from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.compile.compile_machine import LARGEST_SPEED
 from statwalk.machine.conditions.variables import ENTRY
+from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.machine_definition import (
     NO_MOTION,
     BlendDefinition,
@@ -45,14 +47,19 @@ def state(node: Node, composite: str, parameters: Mapping[str, ParameterDefiniti
     )
 
 
-def motion(node: Node, parameters: Mapping[str, ParameterDefinition]) -> str | BlendDefinition:
-    """Reads a clip's name, `none`, or a blend: `{over: speed, clips: {walk: 1.4, run: 3.2}, markers: {walk:
-    {left-down: 0.1}, …}}`; `over` names parameters, or values at the entry of the state, as `entry speed`.
+def motion(
+    node: Node, parameters: Mapping[str, ParameterDefinition]
+) -> str | BlendDefinition | ExpressionMotion:
+    """Reads a clip's name, `none`, a pose driven by expressions, `{expressions: …}`, or a blend: `{over:
+    speed, clips: {walk: 1.4, run: 3.2}, markers: {walk: {left-down: 0.1}, …}}`; `over` names
+    parameters, or values at the entry of the state, as `entry speed`.
     """
     if node.is_text:
         if not node.text():
             raise node.refuse("a motion is the name of a clip, a blend, or `none`")
         return NO_MOTION if node.text() == NONE else node.text()
+    if "expressions" in node.entries():
+        return motion_of_expressions(node.entries("expressions")["expressions"], parameters)
     entries = node.entries("over", "clips", "markers")
     over, clips = fields.required(node, "over"), fields.required(node, "clips")
     axes = [over] if over.is_text else over.items()

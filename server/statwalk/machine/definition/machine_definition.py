@@ -11,11 +11,13 @@ from statwalk.errors import nearest as nearest
 from statwalk.machine.definition.budgets_definition import BudgetDefinition
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
 from statwalk.machine.definition.clip_definition import ClipDefinition
+from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.flock_definition import FlockDefinition
 from statwalk.machine.definition.ground_definition import GroundDefinition
 from statwalk.machine.definition.limit_definition import LimitDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
 from statwalk.machine.definition.spring_definition import SpringDefinition
+from statwalk.maths.formula.assignments import Assignment
 
 END = "END"
 """the event that a motion raises when it ends; always the last column"""
@@ -44,7 +46,7 @@ class BlendDefinition:
 class StateDefinition:
     """A state and its motion (SM1). Within a sub-machine its name is OUTER.INNER."""
 
-    motion: str | BlendDefinition
+    motion: str | BlendDefinition | ExpressionMotion
     line: int
     loop: bool | None = None
     """None: as the motion's file defines it"""
@@ -62,7 +64,7 @@ class StateDefinition:
         """Returns the names of the clips that the state plays; none for a state without motion."""
         if isinstance(self.motion, BlendDefinition):
             return tuple(self.motion.clips)
-        return (self.motion,) if self.motion else ()
+        return (self.motion,) if self.motion and isinstance(self.motion, str) else ()
 
 
 @dataclass(frozen=True)
@@ -204,6 +206,8 @@ class MachineDefinition:
     """what lies on the floor where actors walk"""
     flock: FlockDefinition | None = None
     """all actors of the role fly as one flock"""
+    expressions: tuple[Assignment, ...] = ()
+    """sorted by dependency"""
     properties: tuple[PropertyDefinition, ...] = ()
     clips: Mapping[str, ClipDefinition] = field(default_factory=dict)
     """the clips that the file makes of the character's own"""

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from statwalk.machine.compile.resolved_table import Motions
 from statwalk.machine.conditions.condition_info import condition_info
 from statwalk.machine.conditions.variables import ENTRY
+from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.machine_definition import (
     BlendDefinition,
     MachineDefinition,
@@ -112,6 +113,7 @@ def parameters(definition: MachineDefinition, contexts: Contexts) -> Iterator[Fi
             )
     if definition.flock:
         used.update(definition.flock.sets.values())
+    used.update(_names_in_expressions(definition, contexts))
     used |= {definition.parameters[name].vector for name in used if name in definition.parameters}
     seen = set[str]()
     for name, parameter in definition.parameters.items():
@@ -119,6 +121,13 @@ def parameters(definition: MachineDefinition, contexts: Contexts) -> Iterator[Fi
         if name not in used and whole not in used | seen:
             seen.add(whole)
             yield Finding("unused parameter", "warning", f"the parameter {whole} is unused", parameter.line)
+
+
+def _names_in_expressions(definition: MachineDefinition, contexts: Contexts) -> Iterator[str]:
+    motions = [state.motion for context in contexts for state in context.definition.states.values()]
+    driven = [motion.assignments for motion in motions if isinstance(motion, ExpressionMotion)]
+    for lines in (definition.expressions, *driven):
+        yield from (name for line in lines for name in line.formula.scope)
 
 
 def _parameter_uses(

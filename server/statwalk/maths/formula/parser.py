@@ -1,15 +1,16 @@
-"""Parses the text of a condition to its program, by precedence (Pratt 1973): the steps are emitted in postfix
-order.
+"""Parses the text of a formula (a condition, an expression) to its program, by precedence (Pratt 1973): the
+steps are emitted in postfix order.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from difflib import get_close_matches
 
 from statwalk.maths.formula.operations import CONSTANTS, FUNCTIONS, LARGEST, OPERATORS
 from statwalk.maths.formula.postfix import Formula, Step
-from statwalk.maths.formula.tokens import ConditionError, Word, words_of
+from statwalk.maths.formula.tokens import WORD, ConditionError, Word, words_of
 
 DEEPEST = 32
 COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
@@ -19,12 +20,12 @@ NOT_POWER, MINUS_POWER = 3, 7
 RESERVED = (*FUNCTIONS, *CONSTANTS, "and", "or", "not")
 
 
-def parse(text: str, scope: Sequence[str]) -> Formula:
-    """Returns the program of a condition over the names in `scope`.
+def parse(text: str, scope: Sequence[str], pattern: re.Pattern[str] = WORD) -> Formula:
+    """Returns the program of a formula over the names in `scope`; `pattern` DOTTED: names have parts.
 
     :raises ConditionError: when the text cannot be read; with column and nearest name.
     """
-    parser = Parser(words_of(text), tuple(scope))
+    parser = Parser(words_of(text, pattern), tuple(scope))
     parser.value(0, 0)
     if parser.word.kind != "end":
         raise parser.refuse("an operator or the end is wanted here, not")
@@ -71,7 +72,7 @@ class Parser:
         :raises ConditionError: when the text cannot be read.
         """
         if depth > DEEPEST:
-            raise self.refuse(f"the condition is more than {DEEPEST} deep here, at")
+            raise self.refuse(f"the formula is more than {DEEPEST} deep here, at")
         self.beginning(depth)
         compared = False
         while (strength := POWER.get(self.word.text, 0)) > power:

@@ -1,4 +1,4 @@
-"""Splits the text of a condition into words: numbers, names, signs, each with its column."""
+"""Splits the text of a formula into words: numbers, names, signs, each with its column."""
 
 from __future__ import annotations
 
@@ -20,13 +20,20 @@ HINTS = {
     ".": "a name has at most one dot, between letters: reach.x",
 }
 
+DOTTED = re.compile(
+    r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+    r"|(?P<name>(?:'[^']+'|[A-Za-z_][A-Za-z0-9_]*)(?:\.[A-Za-z0-9_]+)*)|(?P<sign><=|>=|==|!=|[-+*/%<>(),]))"
+)
+"""words of an expression: names have parts, `gear_a.rotate_z`; quotes hold any letters, `'Left arm'.scale_x`
+"""
+
 Kind = Literal["number", "name", "sign", "end"]
 
 
 class ConditionError(Exception):
-    """An error about a condition that cannot be read; `column` counts from 1.
+    """An error about a formula that cannot be read; `column` counts from 1.
 
-    Callers that know file and line convert it to a MachineError.
+    Callers that know file and line convert it to a ContentError.
     """
 
     def __init__(self, message: str, column: int) -> None:
@@ -43,21 +50,21 @@ class Word:
     column: int
 
 
-def words_of(text: str) -> list[Word]:
-    """Returns the words of a text, and an `end` after the last.
+def words_of(text: str, pattern: re.Pattern[str] = WORD) -> list[Word]:
+    """Returns the words of a text, and an `end` after the last; `pattern` is WORD or DOTTED.
 
     :raises ConditionError: when a character belongs to no word, or the text has more than 500 characters.
     """
     if len(text) > LONGEST:
-        raise ConditionError(f"the condition is longer than {LONGEST} characters", LONGEST + 1)
+        raise ConditionError(f"the formula is longer than {LONGEST} characters", LONGEST + 1)
     words: list[Word] = []
     position, end = 0, len(text.rstrip())
     while position < end:
-        match = WORD.match(text, position)
+        match = pattern.match(text, position)
         if match is None:
             raise _meaningless(text, position)
         kind: Kind = "number" if match["number"] else "name" if match["name"] else "sign"
-        words.append(Word(kind, match[kind], match.start(kind) + 1))
+        words.append(Word(kind, match[kind].replace("'", ""), match.start(kind) + 1))
         position = match.end()
     return [*words, Word("end", "", end + 1)]
 

@@ -16,6 +16,7 @@ from statwalk.services.hosting.stage_replies import ActorFacts
 from statwalk.stage.stage import Stage
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.hashing import text
+from statwalk.stage.steps.expression_values import free_values
 from statwalk.stage.steps.limit_excess import clamped_joints
 
 
@@ -34,22 +35,28 @@ class ActorColumns(NamedTuple):
     """(n, 3)"""
     headings: Floats
     hashes: Words
+    variables: Floats
+    """(n, F) the free variables of expressions"""
     clamped: list[tuple[ClampedJoint, ...]]
 
     @classmethod
-    def of(cls, cast: Cast, names: Mapping[int, str], rows: Ints | slice) -> ActorColumns:
-        """Returns the columns of some rows of a cast."""
+    def of(cls, cast: Cast, names: Mapping[int, str], rows: Ints, tick: int, dt: float) -> ActorColumns:
+        """Returns the columns of some rows of a cast at a tick of `dt` seconds."""
         machine = cast.machine
         columns: tuple[Any, ...] = (cast.ids, machine.state, machine.time[:, 0])
         columns += cast.position, cast.heading, cast.hash
-        clamped = clamped_joints(cast, np.arange(len(cast.ids))[rows])
-        copies: Any = (*(column[rows].copy() for column in columns), clamped)
+        clamped = clamped_joints(cast, rows, (tick, dt))
+        copies: Any = (
+            *(column[rows].copy() for column in columns),
+            free_values(cast, rows, tick, dt),
+            clamped,
+        )
         return cls(cast.role, names, *copies)
 
     def facts(self) -> Iterator[ActorFacts]:
         """Yields the facts of each actor."""
         machine = self.role.machine
-        for actor, states, time, position, heading, hashed, clamped in zip(
+        for actor, states, time, position, heading, hashed, values, clamped in zip(
             *(column.tolist() for column in self[2:-1]), self.clamped, strict=True
         ):
             names = tuple(machine.states[state] for state in states)
@@ -63,6 +70,7 @@ class ActorColumns(NamedTuple):
                 position=tuple(position),
                 heading=heading,
                 hash=text(hashed),
+                variables=dict(zip(self.role.expressions.slots, values, strict=True)),
                 clamped=clamped,
             )
 
@@ -73,12 +81,12 @@ def columns_of(stage: Stage, actors: Iterable[int] | None = None) -> list[ActorC
 
     :raises UnknownNameError: when an actor does not exist.
     """
-    names = stage.state.names
+    names, tick, dt = stage.state.names, stage.tick, 1 / stage.rate
     if actors is None:
-        return [ActorColumns.of(cast, names, slice(None)) for cast in stage.casts]
+        return [ActorColumns.of(cast, names, np.arange(len(cast.ids)), tick, dt) for cast in stage.casts]
     wanted = np.array([stage.actor(actor).id for actor in actors], np.int64)
     rows = [(cast, np.flatnonzero(np.isin(cast.ids, wanted))) for cast in stage.casts]
-    return [ActorColumns.of(cast, names, some) for cast, some in rows if len(some)]
+    return [ActorColumns.of(cast, names, some, tick, dt) for cast, some in rows if len(some)]
 
 
 def facts_in(columns: Iterable[ActorColumns]) -> Iterator[ActorFacts]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from statwalk.machine.travel import Plan
@@ -37,6 +38,8 @@ class ActorFacts:
     position: tuple[float, float, float]
     heading: float
     hash: str
+    variables: Mapping[str, float]
+    """the free variables of expressions"""
     clamped: tuple[ClampedJoint, ...]
     """the joints that their limits changed, and by how much"""
 

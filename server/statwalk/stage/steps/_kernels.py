@@ -21,6 +21,7 @@ from statwalk.motion.layer_lanes import additive_block, override_block
 from statwalk.motion.sampling.blend import rate
 from statwalk.motion.sampling.root_motion import compose, way
 from statwalk.motion.sampling.sample import sample_block
+from statwalk.solve.express import express
 
 NONE = -1.0
 """seconds of a transition: none begins"""
@@ -78,6 +79,7 @@ def sample_layers(
     first = first_row(block)
     count = end_row(block, s.state.shape[0]) - first
     sample_block(m, states, times, 0, False, s.smoothed, first, count, mem.weights, mem.rows, out, 0)
+    _express_motions(t.expressions, states, times, 0, False, s.smoothed, mem, out, block)
     for layer in range(1, states.shape[1]):
         lies_over = False
         for row in range(first, first + count):
@@ -89,6 +91,7 @@ def sample_layers(
             sample_block(
                 m, states, times, layer, False, s.smoothed, first, count, mem.weights, mem.rows, mem.over, 0
             )
+            _express_motions(t.expressions, states, times, layer, False, s.smoothed, mem, mem.over, block)
             if t.is_additive[layer]:
                 sample_block(
                     m,
@@ -104,9 +107,39 @@ def sample_layers(
                     mem.first,
                     0,
                 )
+                _express_motions(t.expressions, states, times, layer, True, s.smoothed, mem, mem.first, block)
                 additive_block(out, mem.over, mem.first, 0, mem.layer_weight, masks, layer, block)
             else:
                 override_block(out, mem.over, 0, mem.layer_weight, masks, layer, block)
+
+
+@called
+def _express_motions(
+    x: Any, states: Any, times: Any, layer: int, at_start: bool, smoothed: Any, mem: Any, out: Any, block: int
+) -> None:
+    """Sets, in block 0 of `out`, the channels of the motions that are driven by expressions."""
+    if x.first_assignment.shape[0] == 2:  # no state has an expression
+        return
+    first = first_row(block)
+    for row in range(first, end_row(block, states.shape[0])):
+        group = x.group[states[row, layer]]
+        if group > 0:
+            time = 0.0 if at_start else times[row, layer]
+            values, stack = mem.express_values, mem.express_stack
+            express(x, group, smoothed, row, 0.0, time, values, stack, out, 0, row - first)
+
+
+@called
+def express_block(x: Any, smoothed: Any, ahead: float, mem: Any, out: Any, block: int) -> None:
+    """Runs the machine's expressions on the poses of a block's actors, in block 0 of `out`, as they are
+    `ahead` ticks after this one.
+    """
+    if x.first_assignment[1] == 0:
+        return
+    first, frame = first_row(block), mem.clock[0] + ahead
+    for row in range(first, end_row(block, smoothed.shape[0])):
+        values, stack = mem.express_values, mem.express_stack
+        express(x, 0, smoothed, row, frame, frame * mem.clock[1], values, stack, out, 0, row - first)
 
 
 @called

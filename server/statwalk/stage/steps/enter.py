@@ -15,13 +15,15 @@ from statwalk.stage.state.pose_offsets import PoseOffsets, offset_size
 from statwalk.stage.steps.sample import poses_ahead
 
 
-def enter(role: Role, ids: Sequence[int], position: Floats, heading: Floats) -> CastState:
+def enter(
+    role: Role, ids: Sequence[int], position: Floats, heading: Floats, clock: tuple[int, float] = (0, 0.0)
+) -> CastState:
     """Returns N new actors (`ids` ascending) in the initial state of the machine, at places (N, 3) with
-    headings (N,).
+    headings (N,); `clock`: the number of the tick, and the seconds of a tick.
     """
     count, rest = len(ids), role.character.bind_pose
     machine = fresh(role.machine.program, count)
-    shown = poses_ahead(role, machine, is_limited=True)
+    shown = poses_ahead(role, machine, is_limited=True, clock=clock)
     size = offset_size(len(role.character.skeleton), rest.weights.shape[-1])
     places = np.array(position, np.float64), np.array(heading, np.float64)
     return CastState(

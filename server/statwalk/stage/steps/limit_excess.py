@@ -13,17 +13,17 @@ from statwalk.maths.clamp_kinds import TOLERANCE
 from statwalk.maths.pose import Pose
 from statwalk.rig.limits import ClampedJoint, excess
 from statwalk.stage.state.cast import Cast
-from statwalk.stage.steps.sample import blended_poses
+from statwalk.stage.steps.sample import Clock, blended_poses
 
 
-def clamped_joints(cast: Cast, rows: Ints) -> list[tuple[ClampedJoint, ...]]:
-    """Returns, for the actors of some rows, the joints that the limits changed in this tick, after sampling
-    and blending, and by how much.
+def clamped_joints(cast: Cast, rows: Ints, clock: Clock) -> list[tuple[ClampedJoint, ...]]:
+    """Returns, for the actors of some rows, the joints that the limits changed in the tick `clock`, after
+    blending and expressions, and by how much.
     """
     limits = cast.role.limits
     if not limits:
         return [()] * len(rows)
-    poses = blended_poses(cast).poses(rows)
+    poses = blended_poses(cast, clock).poses(rows)
     names, rest = cast.role.character.skeleton.names, cast.role.character.bind_pose
     joints = sorted(limits)
     by_actor = excess(limits, rest, Pose(*poses))

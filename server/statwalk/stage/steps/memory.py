@@ -82,6 +82,11 @@ class PoseMemory(NamedTuple):
     seconds: Annotated[NDArray[np.float64], "actor, layer"]
     """duration of the transitions that begin; below 0: none begins"""
     quintic: Annotated[NDArray[np.bool_], "actor, layer"]
+    clock: Annotated[NDArray[np.float64], "2"]
+    """the number of this tick, and the seconds of a tick"""
+    express_values: Annotated[NDArray[np.float64], "slot"]
+    """the values of expressions, of one actor at a time"""
+    express_stack: Annotated[NDArray[np.float64], "number"]
 
 
 MEMORY = columns(PoseMemory)
@@ -148,6 +153,9 @@ def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> Po
         model=model.values,
         seconds=np.zeros((actors, layers)),
         quintic=np.zeros((actors, layers), bool),
+        clock=np.zeros(2),
+        express_values=np.zeros(role.expressions.values),
+        express_stack=np.zeros(role.expressions.deepest),
     )
 
 

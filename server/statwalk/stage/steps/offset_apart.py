@@ -31,7 +31,7 @@ from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_functions import any_above, either, most
 from statwalk.maths.simd.lanes import LANES, broadcast, load, store
 from statwalk.maths.simd.pose_layout import end_row, first_row
-from statwalk.stage.steps._kernels import look_ahead, sample_layers
+from statwalk.stage.steps._kernels import express_block, look_ahead, sample_layers
 from statwalk.stage.steps.offset_begin import (
     begin_block,
     begin_offsets,
@@ -198,6 +198,9 @@ def begin_transitions(
     """
     look_ahead(p, m, s, mem, block, dt)
     sample_layers(m, t, s, masks, mem, s.state, mem.ahead, mem.following, block)
+    # what was shown has the machine's expressions in it: they must be no part of the jump
+    express_block(t.expressions, s.smoothed, 0.0, mem, mem.coming, block)
+    express_block(t.expressions, s.smoothed, 1.0, mem, mem.following, block)
     if _change_together(mem, block):
         _begin_apart(p, m, t, s, o, masks, done, mem, previous, shown, block, root_delta, dt)
     else:

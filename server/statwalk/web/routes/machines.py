@@ -14,6 +14,7 @@ from pydantic import TypeAdapter
 from statwalk.character.role import Role
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.resolved_table import ResolvedTable
+from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.machine_definition import (
     BlendDefinition,
     SenseDefinition,
@@ -33,10 +34,10 @@ from statwalk.web.schemas.machine import MachineSummary, MachineView
 from statwalk.web.schemas.table import (
     CellView,
     ColliderView,
+    GroundView,
     KeyView,
     LayerView,
     MarkerView,
-    GroundView,
     ParameterView,
     SenseView,
     StateView,
@@ -84,6 +85,9 @@ def _state_view(machine: Machine, row: int, definition: StateDefinition) -> Stat
         outer=definition.composite,
         final=definition.final,
         markers=[MarkerView(name=marker, phase=phase) for marker, phase in machine.markers[row]],
+        expressions=[line.text for line in definition.motion.assignments]
+        if isinstance(definition.motion, ExpressionMotion)
+        else [],
     )
 
 
@@ -148,6 +152,7 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
         ],
         "limits": limit_views(role),
         "layers": layers,
+        "expressions": [line.text for line in definition.expressions],
         "text": version.text,
         **{name: getattr(layers[0], name) for name in ("states", "table", "rows", "edges")},
     }

@@ -45,6 +45,7 @@ def view_actor(actor: ActorFacts) -> ActorView:
         position=list(actor.position),
         heading_deg=math.degrees(actor.heading),
         hash=actor.hash,
+        variables=dict(actor.variables),
         clamped=[
             ClampedView(joint=one.joint, angle_deg=math.degrees(one.angle), distance=one.distance)
             for one in actor.clamped

@@ -71,6 +71,8 @@ class ActorView(ResponseModel):
     position: list[float]
     heading_deg: float
     hash: str
+    variables: dict[str, float]
+    """the free variables of the machine's expressions"""
     clamped: list[ClampedView]
 
 

@@ -15,9 +15,9 @@ from statwalk.web.schemas.table import (
     CellView,
     ColliderView,
     EdgeView,
+    GroundView,
     KeyView,
     LayerView,
-    GroundView,
     ParameterView,
     SenseView,
     StateView,
@@ -116,6 +116,8 @@ class MachineView(ResponseModel):
     ground: list[GroundView]
     limits: list[LimitView]
     layers: list[LayerView]
+    expressions: list[str]
+    """assignments to channels and variables, in the order in which they run"""
     text: str
     """the machine file"""
 

@@ -73,6 +73,8 @@ class StateView(ResponseModel):
     outer: str
     final: bool
     markers: list[MarkerView]
+    expressions: list[str]
+    """of a motion that expressions drive, in the order in which they run"""
 
 
 class LayerView(ResponseModel):

@@ -39,11 +39,12 @@ export interface paths {
         get: operations["get_character_api_characters__name__get"];
         /**
          * Put Character
-         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture (.bvh,
-         *     .trc), as the raw body.
+         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture
+         *     (.bvh, .trc), as the raw body.
          *
-         *     Replaces an uploaded character with the same name. The query is for captures: whether BVH position channels
-         *     replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of spikes.
+         *     Replaces an uploaded character with the same name. The query is for captures: whether BVH position
+         *     channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of
+         *     spikes.
          */
         put: operations["put_character_api_characters__name__put"];
         post?: never;
@@ -79,6 +80,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/characters/{name}/mapping": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Mapping
+         * @description Proposes a state for each clip; change the mapping and post it to /api/machines.
+         */
+        get: operations["get_mapping_api_characters__name__mapping_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/characters/{name}/solve": {
         parameters: {
             query?: never;
@@ -99,20 +120,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/characters/{name}/mapping": {
+    "/api/deduce": {
         parameters: {
             query?: never;
             header?: never;
             path?: never;
             cookie?: never;
         };
-        /**
-         * Get Mapping
-         * @description Proposes a state for each clip; change the mapping and post it to /api/machines.
-         */
-        get: operations["get_mapping_api_characters__name__mapping_get"];
+        get?: never;
         put?: never;
-        post?: never;
+        /**
+         * Deduce Bones
+         * @description Finds the angles, matrices and points of bones that follow from the known ones, each with the rule that
+         *     found it.
+         *
+         *     422 if known values contradict each other.
+         */
+        post: operations["deduce_bones_api_deduce_post"];
         delete?: never;
         options?: never;
         head?: never;
@@ -671,8 +695,8 @@ export interface paths {
         put?: never;
         /**
          * Add Clip
-         * @description Carries a clip of another character over to this one, and keeps the result as an uploaded character: this
-         *     one with a clip more, or a new one called `character`.
+         * @description Carries a clip of another character over to this one, and keeps the result as an uploaded character:
+         *     this one with a clip more, or a new one called `character`.
          */
         post: operations["add_clip_api_characters__name__clips_post"];
         delete?: never;
@@ -834,6 +858,10 @@ export interface components {
             position: number[];
             heading_deg: number;
             hash: string;
+            /** @description the free variables of the machine's expressions */
+            variables: {
+                [key: string]: number;
+            };
             clamped: components["schemas"]["ClampedView"][];
         };
         /**
@@ -851,9 +879,19 @@ export interface components {
             restart: boolean;
             action: string | null;
         };
+        /** @description A bone; a missing length or direction is not known. */
+        BoneBody: {
+            parent?: string | null;
+            length?: number | null;
+            direction?: [
+                number,
+                number,
+                number
+            ] | null;
+        };
         /**
-         * @description The joint of each bone that the names of a character tell; `needed` are the bones without which no walk is
-         *     carried over, `known` all names of bones.
+         * @description The joint of each bone that the names of a character tell; `needed` are the bones without which no walk
+         *     is carried over, `known` all names of bones.
          */
         BonesView: {
             character: string;
@@ -974,6 +1012,35 @@ export interface components {
         CurvesView: {
             times: number[];
             curves: components["schemas"]["CurveView"][];
+        /** @description A bone with everything that is known of it. */
+        DeducedBoneView: {
+            name: string;
+            parent: number;
+            /** @description by quantity: RA_deg RM SP EP TR DIR LEN */
+            values: {
+                [key: string]: components["schemas"]["FoundView"];
+            };
+            unknown: string[];
+            /** @description for a drawing: SP, or where the bone would start at rest */
+            start: [
+                number,
+                number,
+                number
+            ];
+            end: [
+                number,
+                number,
+                number
+            ];
+        };
+        /** @description What follows from the question. */
+        DeductionView: {
+            /** @description parents first */
+            bones: components["schemas"]["DeducedBoneView"][];
+            /** @description the free variables that expressions set */
+            variables: {
+                [key: string]: number;
+            };
         };
         /** @description An edge of the state graph, and the events that take it. */
         EdgeView: {
@@ -1020,6 +1087,8 @@ export interface components {
             ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
+            /** @description assignments to channels and variables, in the order in which they run */
+            expressions: string[];
             /** @description the machine file */
             text: string;
             /**
@@ -1081,6 +1150,12 @@ export interface components {
         FindingsView: {
             findings: components["schemas"]["FindingView"][];
         };
+        /** @description A value and its source: `given`, `default`, `rule 8`, `expression, line 3`. */
+        FoundView: {
+            /** @description one number, three, or nine (a matrix row by row); angles in degrees */
+            value: number[];
+            source: string;
+        };
         /** @description A degree of freedom of a joint: degrees if it is an angle, else metres; null: not limited. */
         FreedomView: {
             name: string;
@@ -1140,6 +1215,77 @@ export interface components {
             press: string | null;
             release: string | null;
             hold: boolean;
+        };
+        /** @description What is known of a bone; null takes a value of the bones away. */
+        KnownBody: {
+            /** @description Euler angles relative to the parent: about X first, then Y, then Z */
+            RA_deg?: [
+                number,
+                number,
+                number
+            ] | null;
+            /** @description the rotation matrix from the bone's space to the character's, row by row */
+            RM?: [
+                [
+                    number,
+                    number,
+                    number
+                ],
+                [
+                    number,
+                    number,
+                    number
+                ],
+                [
+                    number,
+                    number,
+                    number
+                ]
+            ] | null;
+            /** @description start point */
+            SP?: [
+                number,
+                number,
+                number
+            ] | null;
+            /** @description end point */
+            EP?: [
+                number,
+                number,
+                number
+            ] | null;
+            /** @description translation of the start away from the parent's end, in the parent's space */
+            TR?: [
+                number,
+                number,
+                number
+            ] | null;
+            /** @description direction in the bone's own space */
+            DIR?: [
+                number,
+                number,
+                number
+            ] | null;
+            LEN?: number | null;
+            /** @description two points of the motion path on which the bone slides */
+            path?: [
+                [
+                    number,
+                    number,
+                    number
+                ],
+                [
+                    number,
+                    number,
+                    number
+                ]
+            ] | null;
+            /** @description the direction in which the joint at the bone's start bends */
+            bend?: [
+                number,
+                number,
+                number
+            ] | null;
         };
         /**
          * @description A layer and its table; `weight` is a number or a parameter's name; `rows` is the table as it is
@@ -1225,6 +1371,8 @@ export interface components {
             ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
+            /** @description assignments to channels and variables, in the order in which they run */
+            expressions: string[];
             /** @description the machine file */
             text: string;
         };
@@ -1311,17 +1459,11 @@ export interface components {
             name?: string;
             /** @description the name of the character with the clip; by default the uploaded character itself gets it */
             character?: string | null;
-            /**
-             * @description the source's joint of a bone whose name does not tell it; an empty joint: none
-             * @default {}
-             */
+            /** @description the source's joint of a bone whose name does not tell it; an empty joint: none */
             bones?: {
                 [key: string]: string;
             };
-            /**
-             * @description the same for the character
-             * @default {}
-             */
+            /** @description the same for the character */
             target_bones?: {
                 [key: string]: string;
             };
@@ -1352,8 +1494,8 @@ export interface components {
          * @description A clip that was carried over, and how.
          *
          *     missing: bones of hips and legs that one of the two lacks. unmapped_source: joints that move, and whose
-         *     motion no joint takes. unmapped_target: joints that no motion reaches. scale: the character's metres per unit
-         *     of the source. root: the joint that travels.
+         *     motion no joint takes. unmapped_target: joints that no motion reaches. scale: the character's metres per
+         *     unit of the source. root: the joint that travels.
          */
         NewClipView: {
             character: string;
@@ -1374,6 +1516,22 @@ export interface components {
             interpolations: string[];
             /** @default 241 */
             samples?: number;
+        };
+        /** @description A question: a `file`, or bones (your own, of a `skeleton` or of a `character`) and what is known. */
+        NewDeduction: {
+            /** @description the text of a file as `statwalk deduce` reads it; without the other members */
+            file?: string | null;
+            /** @description takes the bones of a character's joints in their pose at rest */
+            character?: string | null;
+            /** @description takes the bones of a skeleton that statwalk ships: `mammal` or `hand` */
+            skeleton?: string | null;
+            bones?: {
+                [key: string]: components["schemas"]["BoneBody"];
+            } | null;
+            known?: {
+                [key: string]: components["schemas"]["KnownBody"];
+            };
+            expressions?: string[];
         };
         /** @description An event for one actor, or (null) for all actors of the stage. */
         NewEvent: {
@@ -1708,6 +1866,8 @@ export interface components {
             outer: string;
             final: boolean;
             markers: components["schemas"]["MarkerView"][];
+            /** @description of a motion that expressions drive, in the order in which they run */
+            expressions: string[];
         };
         /** @description The number of ticks to step forward. */
         StepBody: {
@@ -2231,6 +2391,7 @@ export interface components {
 export type Accepted = components['schemas']['Accepted'];
 export type ActorView = components['schemas']['ActorView'];
 export type AlternativeView = components['schemas']['AlternativeView'];
+export type BoneBody = components['schemas']['BoneBody'];
 export type BonesView = components['schemas']['BonesView'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
@@ -2241,12 +2402,15 @@ export type ClipView = components['schemas']['ClipView'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type CurveView = components['schemas']['CurveView'];
 export type CurvesView = components['schemas']['CurvesView'];
+export type DeducedBoneView = components['schemas']['DeducedBoneView'];
+export type DeductionView = components['schemas']['DeductionView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
+export type FoundView = components['schemas']['FoundView'];
 export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
 export type GroundView = components['schemas']['GroundView'];
@@ -2255,6 +2419,7 @@ export type HoldChange = components['schemas']['HoldChange'];
 export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
+export type KnownBody = components['schemas']['KnownBody'];
 export type LayerView = components['schemas']['LayerView'];
 export type LimitView = components['schemas']['LimitView'];
 export type MachineSummary = components['schemas']['MachineSummary'];
@@ -2269,6 +2434,7 @@ export type NewCell = components['schemas']['NewCell'];
 export type NewClip = components['schemas']['NewClip'];
 export type NewClipView = components['schemas']['NewClipView'];
 export type NewCurves = components['schemas']['NewCurves'];
+export type NewDeduction = components['schemas']['NewDeduction'];
 export type NewEvent = components['schemas']['NewEvent'];
 export type NewKey = components['schemas']['NewKey'];
 export type NewMachine = components['schemas']['NewMachine'];
@@ -2490,6 +2656,32 @@ export interface operations {
             "5XX": components["responses"]["Problem"];
         };
     };
+    get_mapping_api_characters__name__mapping_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MappingView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
     solve_api_characters__name__solve_post: {
         parameters: {
             query?: never;
@@ -2520,16 +2712,18 @@ export interface operations {
             "5XX": components["responses"]["Problem"];
         };
     };
-    get_mapping_api_characters__name__mapping_get: {
+    deduce_bones_api_deduce_post: {
         parameters: {
             query?: never;
             header?: never;
-            path: {
-                name: string;
-            };
+            path?: never;
             cookie?: never;
         };
-        requestBody?: never;
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewDeduction"];
+            };
+        };
         responses: {
             /** @description Successful Response */
             200: {
@@ -2537,7 +2731,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["MappingView"];
+                    "application/json": components["schemas"]["DeductionView"];
                 };
             };
             /** @description Client Error */

@@ -43,6 +43,7 @@ export function state(members: Partial<StateInfo>): StateInfo {
     outer: "",
     final: false,
     markers: [],
+    expressions: [],
     ...members,
   };
 }

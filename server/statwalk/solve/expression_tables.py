@@ -1,0 +1,164 @@
+"""Expressions as arrays (EX1): groups of assignments in postfix code, and the channels that they read and
+set.
+
+Group 0 is the machine's; a state whose motion is a pose driven by expressions has a group of its own. Every
+value has a slot: frameid, time, the parameters, then the other variables and channels of all groups.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Annotated, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.maths.columns import locked
+from statwalk.maths.formula.assignments import Assignment
+from statwalk.maths.formula.operations import VARIABLE
+
+FRAME_SLOT, TIME_SLOT, FIRST_PARAMETER = 0, 1, 2
+AXES = 9
+"""channels of a joint: rotation, translation, scale, three each"""
+NO_SLOT = -1
+
+
+class ExpressionTables(NamedTuple):
+    """G groups, A assignments, T touched joints of all groups."""
+
+    group: Annotated[NDArray[np.int32], "state"]
+    """the group of each state's motion, 0: its motion is no expression"""
+    first_assignment: Annotated[NDArray[np.int32], "group"]
+    """(G + 1,)"""
+    first_step: Annotated[NDArray[np.int32], "assignment"]
+    """(A + 1,)"""
+    slot: Annotated[NDArray[np.int32], "assignment"]
+    """the slot that each assignment sets"""
+    opcode: Annotated[NDArray[np.uint8], "step"]
+    operand: Annotated[NDArray[np.float64], "step"]
+    first_joint: Annotated[NDArray[np.int32], "group"]
+    """(G + 1,)"""
+    joint: Annotated[NDArray[np.int32], "touched"]
+    load: Annotated[NDArray[np.int32], "touched, channel"]
+    """(T, 9) the slots that take a channel's value before the group runs, NO_SLOT none"""
+    store: Annotated[NDArray[np.int32], "touched, channel"]
+    """(T, 9) the slots whose values a channel takes afterwards, NO_SLOT none"""
+
+
+class JointChannel(NamedTuple):
+    """A channel of a joint: the axis is 0…8."""
+
+    joint: int
+    axis: int
+
+
+class ExpressionProgram(NamedTuple):
+    """The tables, and what their memory must hold."""
+
+    tables: ExpressionTables
+    slots: Mapping[str, int]
+    """the slot of each free variable of group 0"""
+    values: int
+    """number of slots"""
+    deepest: int
+    """the most numbers on the stack"""
+
+
+def expression_program(
+    groups: Sequence[Sequence[Assignment]],
+    group_of_state: Sequence[int],
+    channels: Mapping[str, JointChannel],
+    parameters: Sequence[str],
+) -> ExpressionProgram:
+    """Returns the program of groups of sorted assignments; `channels` has all names that are channels."""
+    builder = _Builder(channels, parameters)
+    for assignments in groups:
+        builder.add(assignments)
+    free = {line.target: builder.slot_of(0, line.target) for line in groups[0] if line.target not in channels}
+    return ExpressionProgram(builder.tables(group_of_state), free, builder.count, max(builder.deepest, 1))
+
+
+class _Builder:
+    """The columns of the tables so far."""
+
+    def __init__(self, channels: Mapping[str, JointChannel], parameters: Sequence[str]) -> None:
+        self.channels = channels
+        self.fixed = {"frameid": FRAME_SLOT, "time": TIME_SLOT} | {
+            name: FIRST_PARAMETER + row for row, name in enumerate(parameters)
+        }
+        self.count = FIRST_PARAMETER + len(parameters)
+        self.deepest = 0
+        self.own: dict[tuple[int, str], int] = {}
+        self.first_assignment, self.first_step, self.first_joint = [0], [0], [0]
+        self.slots: list[int] = []
+        self.code: list[tuple[int, float]] = []
+        self.touched: list[tuple[int, list[int], list[int]]] = []
+
+    def slot_of(self, group: int, name: str) -> int:
+        """Returns the slot of a name in a group; a new one for a name that is not yet known there."""
+        if name in self.fixed:
+            return self.fixed[name]
+        if (group, name) not in self.own:
+            self.own[group, name] = self.count
+            self.count += 1
+        return self.own[group, name]
+
+    def add(self, assignments: Sequence[Assignment]) -> None:
+        """Adds a group."""
+        group = len(self.first_assignment) - 1
+        for assignment in assignments:
+            formula = assignment.formula
+            slots = [self.slot_of(group, name) for name in formula.scope]
+            for opcode, operand in formula.code(formula.scope):
+                self.code.append((opcode, float(slots[int(operand)]) if opcode == VARIABLE else operand))
+            self.deepest = max(self.deepest, len(formula.steps))
+            self.slots.append(self.slot_of(group, assignment.target))
+            self.first_step.append(len(self.code))
+        self.first_assignment.append(len(self.slots))
+        self._touch(group, assignments)
+
+    def _touch(self, group: int, assignments: Sequence[Assignment]) -> None:
+        """Adds the joints whose channels the group reads or sets."""
+        names_set = {line.target for line in assignments}
+        read = {name for line in assignments for name in line.formula.scope} - names_set
+        rows: dict[int, tuple[list[int], list[int]]] = {}
+        for name in (*sorted(read), *sorted(names_set)):
+            if name in self.channels:
+                joint, axis = self.channels[name]
+                row = rows.setdefault(joint, ([NO_SLOT] * AXES, [NO_SLOT] * AXES))
+                row[name in names_set][axis] = self.slot_of(group, name)
+        for joint, (load, store) in sorted(rows.items()):
+            self._complete(load, store)
+            self.touched.append((joint, load, store))
+        self.first_joint.append(len(self.touched))
+
+    def _complete(self, load: list[int], store: list[int]) -> None:
+        """Keeps the angles that are not set where others of the joint are."""
+        if any(slot != NO_SLOT for slot in store[:3]):
+            for axis in range(3):
+                if store[axis] == NO_SLOT:
+                    if load[axis] == NO_SLOT:
+                        load[axis] = self.count
+                        self.count += 1
+                    store[axis] = load[axis]
+
+    def tables(self, group_of_state: Sequence[int]) -> ExpressionTables:
+        """Returns the arrays."""
+
+        def rows(column: int) -> NDArray[np.int32]:
+            return np.array([row[column] for row in self.touched], np.int32).reshape(-1, AXES)
+
+        return locked(
+            ExpressionTables(
+                group=np.array(group_of_state, np.int32),
+                first_assignment=np.array(self.first_assignment, np.int32),
+                first_step=np.array(self.first_step, np.int32),
+                slot=np.array(self.slots, np.int32),
+                opcode=np.array([opcode for opcode, _ in self.code], np.uint8),
+                operand=np.array([operand for _, operand in self.code], np.float64),
+                first_joint=np.array(self.first_joint, np.int32),
+                joint=np.array([joint for joint, _, _ in self.touched], np.int32),
+                load=rows(1),
+                store=rows(2),
+            )
+        )  # fmt: skip

@@ -1,0 +1,51 @@
+"""The values of the free variables of expressions (EX1), computed from the shown poses when they are read: a
+tick keeps none of them.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import types
+
+from statwalk.character.pose_tables import POSES
+from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.compiling import FLOAT, INT, kernel, read, write
+from statwalk.maths.packed import ADDRESSES, opened
+from statwalk.maths.simd.pose_layout import place_of
+from statwalk.solve.express import evaluate_group
+from statwalk.stage.state.cast import Cast
+
+_poses = opened(POSES)
+
+
+def free_values(cast: Cast, rows: Ints, tick: int, dt: float) -> Floats:
+    """Returns the values (n, F) of the free variables, in the order of `Role.expressions.slots`, of some rows
+    of a cast at a tick of `dt` seconds.
+    """
+    program = cast.role.expressions
+    out = np.zeros((len(rows), len(program.slots)))
+    if program.slots:
+        slots = np.array(list(program.slots.values()), np.int32)
+        clock, work = np.array([tick, tick * dt]), np.zeros(program.values + program.deepest)
+        poses, smoothed = cast.role.packed.poses.argument, cast.machine.smoothed
+        wanted = np.asarray(rows, np.int32)
+        _evaluate(poses, smoothed, cast.shown.values, wanted, slots, clock, work, program.values, out)
+    return out
+
+
+@kernel(
+    ADDRESSES, read(types.float64, 2), read(FLOAT, 3), read(INT, 1), read(INT, 1), read(types.float64, 1),
+    write(types.float64, 1), types.int64, write(types.float64, 2),
+)  # fmt: skip
+def _evaluate(
+    poses: Any, smoothed: Any, shown: Any, rows: Any, slots: Any, clock: Any, work: Any, count: int, out: Any
+) -> None:
+    """Writes the slots of some actors; `work`: `count` values, then the stack."""
+    x, values, stack = _poses(poses).expressions, work[:count], work[count:]
+    for place in range(rows.shape[0]):
+        block, lane = place_of(rows[place])
+        evaluate_group(x, 0, smoothed, rows[place], clock[0], clock[1], values, stack, shown, block, lane)
+        for number in range(slots.shape[0]):
+            out[place, number] = values[slots[number]]

@@ -1,0 +1,64 @@
+/** Lists the expressions of the watched actor's machine, with the present values of its free variables. */
+
+import "./expressions.css";
+import { actorFacts } from "../../net/actors";
+import type { MachineInfo } from "../../net/protocol";
+import type { Session } from "../../state/session";
+import { el, say } from "../../ui/dom";
+
+const READ_MS = 500;
+
+/** Splits a line at its first equals sign. */
+export function sides(line: string): [string, string] {
+  const at = line.indexOf("=");
+  return [line.slice(0, at).trim(), line.slice(at + 1).trim()];
+}
+
+/** Writes a value with at most four digits after the point. */
+export function rounded(value: number): string {
+  return String(Number(value.toFixed(4)));
+}
+
+export class ExpressionsPanel {
+  private readonly values = new Map<string, HTMLElement>();
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly session: Session,
+  ) {
+    session.machine.on((machine) => this.draw(machine));
+    session.actor.on(() => void this.read());
+    setInterval(() => void this.read(), READ_MS);
+  }
+
+  private draw(machine: MachineInfo | null): void {
+    const lines = machine?.expressions ?? [];
+    const ofStates = (machine?.layers ?? []).flatMap(({ states }) =>
+      states.flatMap(({ name, expressions }) => expressions.map((line) => this.row(line, name))),
+    );
+    this.values.clear();
+    const rows = [...lines.map((line) => this.row(line, "")), ...ofStates];
+    this.host.hidden = !rows.length;
+    this.host.replaceChildren(el("h2", {}, "expressions"), el("dl", {}, ...rows));
+    void this.read();
+  }
+
+  private row(line: string, state: string): HTMLElement {
+    const [target, formula] = sides(line);
+    const value = el("output", {}, "");
+    if (!state) this.values.set(target, value);
+    const from = state ? el("small", {}, state) : null;
+    return el("div", {}, el("dt", {}, target, from), el("dd", {}, formula), value);
+  }
+
+  /** Reads the values of the free variables from the actor's facts. */
+  private async read(): Promise<void> {
+    const actor = this.session.actor.value;
+    if (this.host.hidden || actor === null || document.hidden) return;
+    const facts = await actorFacts(this.session.stage, actor).catch(() => null);
+    for (const [name, output] of this.values) {
+      const value = facts?.variables[name];
+      say(output, value === undefined ? "" : rounded(value));
+    }
+  }
+}
