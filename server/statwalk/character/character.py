@@ -4,14 +4,15 @@ immutable.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from statwalk.character.solve_pose import SolveAnswer, SolverOptions, solve_pose
 from statwalk.errors import UnknownNameError
 from statwalk.maths import transform
 from statwalk.maths.columns import lock_fields
@@ -66,6 +67,34 @@ class Character:
         """
         with np.errstate(over="ignore", invalid="ignore"):
             return finite(transform.to_matrix4(world_from_local(self.skeleton, pose)))
+
+    def solve(
+        self,
+        pose: Pose,
+        chain: Sequence[str],
+        target: ArrayLike,
+        solver: str = "two-bone",
+        *,
+        weight: ArrayLike = 1.0,
+        pole: ArrayLike | None = None,
+        pole_point: ArrayLike | None = None,
+        rotation: ArrayLike | None = None,
+        **options: Any,
+    ) -> SolveAnswer:
+        """Returns a pose (J, …), or poses (N, J, …), whose chain of named joints comes to the target: inverse
+        kinematics.
+
+        All is in model space: `target` (…, 3) and `pole_point` (…, 3) metres, the direction `pole` (…, 3) in
+        which the middle joint bends (two-bone), the end's `rotation` (…, 4). `weight` (…) 0 keeps the pose, 1
+        is the solution. `options` are those of `SolverOptions`.
+
+        :raises ContentError: when a value has the wrong shape or is out of its range.
+        :raises UnknownNameError: when there is no such joint or solver.
+        :raises TypeError: when there is no such option.
+        """
+        goal = weight, pole, pole_point, rotation
+        made = SolverOptions(solver, **options)
+        return solve_pose(self.skeleton, self.bind_pose, pose, chain, made, target, *goal)
 
     def vertices(self, pose: Pose) -> list[Part]:
         """Returns every drawable primitive in an unbatched pose: positions and unit normals (V,3) in the

@@ -2,81 +2,128 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
-from statwalk.maths import quat, vector
-from statwalk.maths.arrays import Floats
+from statwalk.maths.compiling import inlined
+from statwalk.maths.simd.lane_elementary import of
+from statwalk.maths.simd.lane_functions import any_above, least, most, root, size, where_below
+from statwalk.maths.simd.lane_quat import conjugate, minus, mul, rotated, scaled, vector_square
+from statwalk.maths.simd.lane_turns import between, between_frames
+from statwalk.maths.simd.lane_vector import added, cross, dot, length, perpendicular, unit, where3_below
+from statwalk.maths.simd.lanes import broadcast
+from statwalk.maths.simd.pose_lanes import load3, load4, store4
+from statwalk.solve.chain_lanes import JOINT, LOCAL, POINT, TURN, place_joints, softened
+from statwalk.solve.iterate import limited
+
+ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
+STRAIGHT = 1.2e-7
+"""the squared sine of the largest angle that counts as zero"""
+NEAREST = 1e-5
+"""the least distance from start to end, as a part of the length of both bones"""
 
 
-def two_bone(root: Floats, mid: Floats, end: Floats, target: Floats, pole: Floats) -> tuple[Floats, Floats]:
-    """Returns the turns (…, 4) that bring `end` to `target`: world(root) becomes turn_root · world(root),
-    world(mid) becomes turn_mid · world(mid).
+@inlined
+def solve_two_bone(scratch: Any, count: int, middle: int, target: Any, pole: Any, softening: Any) -> Any:
+    """Turns the first and the middle joint so that the last of `count` joints comes to the target; returns
+    the softened target.
 
-    Points (…, 3) are in one world space, metres; `pole` (…, 3) is the direction, from the root, in which the
-    middle joint bends. Bone lengths stay. For a target out of reach the limb is straight and points at it (or
-    folded, if the target is too near). The new end is root + turn_root·(mid − root) + turn_mid·(end − mid).
+    `pole` is the direction in which the middle joint bends; zero: as it bends now. For a target out of
+    reach the limb is straight and points at it; for a target that is too near it is folded. A knee keeps the
+    axis about which it is bent now.
     """
-    upper, lower, aim = mid - root, end - mid, target - root
-    onward = _direction(aim, end - root, upper)
-    sideways = _sideways(pole, upper, onward)
-    along, aside, reach = _triangle(vector.length(upper), vector.length(lower), vector.length(aim))
-    new_upper = onward * along[..., None] + sideways * aside[..., None]
-    new_lower = onward * reach[..., None] - new_upper
-    hinge = vector.cross(sideways, onward)
-    return _turn(upper, new_upper, vector.cross(upper, lower), hinge), _turn(
-        lower, new_lower, vector.cross(upper, lower), hinge
+    place_joints(scratch, count, LOCAL)
+    at = middle * JOINT
+    start, mid = load3(scratch, POINT), load3(scratch, at + POINT)
+    end = load3(scratch, (count - 1) * JOINT + POINT)
+    upper, lower = minus(mid, start), minus(end, mid)
+    smallest = of(1e-12)
+    upper_length, lower_length = most(length(upper), smallest), most(length(lower), smallest)
+    whole = upper_length + lower_length
+    target = softened(target, start, whole, softening)
+    aim = minus(target, start)
+    onward = _onward(aim, minus(end, start), upper, whole)
+    sideways = _sideways(pole, upper, onward, upper_length)
+
+    distance = length(aim)
+    apart = size(upper_length - lower_length)
+    reach = least(most(most(distance, apart), whole * of(NEAREST)), whole)
+    # twice the area of the triangle (Heron): exact where it is flat
+    area = root(most((whole + reach) * (whole - reach) * (reach + apart) * (reach - apart), broadcast(ZERO)))
+    area = area * broadcast(HALF)
+    per_reach = broadcast(ONE) / reach
+    along = ((upper_length - lower_length) * whole * per_reach + reach) * broadcast(HALF)
+    new_x = scaled(added(scaled(onward, along), sideways, area * per_reach), broadcast(ONE) / upper_length)
+
+    hinge = cross(upper, lower)
+    new_hinge = cross(sideways, onward)
+    per_lengths = broadcast(ONE) / (upper_length * lower_length)
+    old_x = scaled(upper, broadcast(ONE) / upper_length)
+    hinge = _old_hinge(hinge, upper_length * lower_length, old_x, new_x, new_hinge)
+    old_cosine, old_sine = dot(upper, lower) * per_lengths, length(cross(upper, lower)) * per_lengths
+    new_cosine = (reach * reach - upper_length * upper_length - lower_length * lower_length) * (
+        broadcast(HALF) * per_lengths
+    )
+    new_sine = area * per_lengths
+    bend = _half_turn(
+        new_cosine * old_cosine + new_sine * old_sine, new_sine * old_cosine - new_cosine * old_sine
     )
 
+    store4(scratch, LOCAL, mul(between_frames(old_x, hinge, new_x, new_hinge), load4(scratch, LOCAL)))
+    axis = rotated(conjugate(load4(scratch, at + TURN)), hinge)
+    turn = axis[0] * bend[0], axis[1] * bend[0], axis[2] * bend[0], bend[1]
+    store4(scratch, at + LOCAL, mul(turn, load4(scratch, at + LOCAL)))
+    return target
 
-def _triangle(upper: Floats, lower: Floats, distance: Floats) -> tuple[Floats, Floats, Floats]:
-    """The middle joint's distance along the line to the target, its distance aside from it, and the reach of
-    the end.
+
+@inlined
+def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any) -> None:
+    """Brings the first and the middle joint within their limits."""
+    first = chains.first[number]
+    store4(scratch, LOCAL, limited(chains, clamps, first, load4(scratch, LOCAL)))
+    at = middle * JOINT
+    store4(scratch, at + LOCAL, limited(chains, clamps, first + middle, load4(scratch, at + LOCAL)))
+
+
+@inlined
+def _onward(aim: Any, reached: Any, upper: Any, whole: Any) -> Any:
+    """The unit vector to the target; for a target at the start, to the end as it is; for an end at the start,
+    along the first bone.
     """
-    reach = np.minimum(np.maximum(distance, np.abs(upper - lower)), upper + lower)
-    along = (upper * upper - lower * lower + reach * reach) / np.where(reach > 0, 2 * reach, 1)
-    return along, np.sqrt(np.maximum(upper * upper - along * along, 0)), reach
+    nothing = whole * whole * of(NEAREST * NEAREST)
+    reached = where3_below(vector_square(reached), nothing, upper, reached)
+    return unit(where3_below(vector_square(aim), nothing, reached, aim))
 
 
-def _direction(*choices: Floats) -> Floats:
-    """The unit vector along the first vector that has a length."""
-    chosen = choices[0]
-    for choice in choices[1:]:
-        chosen = np.where(vector.length(chosen)[..., None] > 0, chosen, choice)
-    return vector.unit(chosen)
-
-
-def _sideways(pole: Floats, bend: Floats, onward: Floats) -> Floats:
-    """The unit vector at right angles to `onward` on the side of the pole, or of the present bend if the pole
-    is parallel to `onward`.
+@inlined
+def _sideways(pole: Any, upper: Any, onward: Any, upper_length: Any) -> Any:
+    """The unit vector at right angles to `onward` on the side of the pole; of the present bend if the pole is
+    parallel to `onward`; any if that is parallel too.
     """
-
-    def aside(v: Floats) -> Floats:
-        direction = vector.unit(v)
-        rest = direction - onward * vector.dot(direction, onward)[..., None]
-        return np.where(vector.length(rest)[..., None] > _straight(v), rest, 0)
-
-    return _direction(aside(pole), aside(bend), np.broadcast_to(vector.perpendicular(onward), bend.shape))
-
-
-def _straight(v: Floats) -> float:
-    """The sine of the largest angle that counts as zero, in v's precision."""
-    return float(np.sqrt(np.finfo(v.dtype).eps))
+    straight = of(STRAIGHT)
+    pole, bend = unit(pole), scaled(upper, broadcast(ONE) / upper_length)
+    aside = added(pole, onward, -dot(pole, onward))
+    present = added(bend, onward, -dot(bend, onward))
+    present = where3_below(straight, vector_square(present), present, perpendicular(onward))
+    return unit(where3_below(straight, vector_square(aside), aside, present))
 
 
-def _turn(old: Floats, new: Floats, old_hinge: Floats, new_hinge: Floats) -> Floats:
-    """The turn that takes the bone `old` to `new` and its hinge axis along; a straight limb has no hinge, and
-    gets the shortest turn.
-    """
-    old_x, new_x = vector.unit(old), vector.unit(new)
-    is_bent = vector.length(old_hinge) > _straight(old) * vector.dot(old, old)
-    shortest = quat.between(new_x, old_x)
-    old_z = np.where(is_bent[..., None], vector.unit(old_hinge), quat.rotate(shortest, new_hinge))
-    old_frame = np.stack([old_x, vector.cross(old_z, old_x), old_z], -1)
-    new_frame = np.stack([new_x, vector.cross(new_hinge, new_x), new_hinge], -1)
-    return quat.from_matrix(_times_transposed(new_frame, old_frame))
+@inlined
+def _old_hinge(hinge: Any, lengths: Any, old_x: Any, new_x: Any, new_hinge: Any) -> Any:
+    """The unit axis about which the limb is bent; for a straight limb the axis with which it turns least."""
+    square, straight = vector_square(hinge), of(STRAIGHT) * lengths * lengths
+    axis = unit(hinge)
+    if any_above(straight, square):
+        axis = where3_below(square, straight, rotated(between(new_x, old_x), new_hinge), axis)
+    return axis
 
 
-def _times_transposed(a: Floats, b: Floats) -> Floats:
-    """a · bᵀ of matrices (…, 3, 3), written out."""
-    terms = a[..., :, None, :] * b[..., None, :, :]
-    return terms[..., 0] + terms[..., 1] + terms[..., 2]
+@inlined
+def _half_turn(cosine: Any, sine: Any) -> Any:
+    """Sine and cosine of half the angle."""
+    zero, one = broadcast(ZERO), broadcast(ONE)
+    half_sine = where_below(cosine, zero, one - cosine, sine)
+    half_cosine = where_below(cosine, zero, sine, one + cosine)
+    factor = one / root(half_sine * half_sine + half_cosine * half_cosine)
+    return half_sine * factor, half_cosine * factor

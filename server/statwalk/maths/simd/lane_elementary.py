@@ -92,6 +92,12 @@ def cosine(x: Any) -> Any:
 
 
 @inlined
+def sine_cosine(x: Any) -> Any:
+    """Returns sine and cosine of radians."""
+    return sine(x), cosine(x)
+
+
+@inlined
 def angle(rise: Any, run: Any) -> Any:
     """Returns the angle 0...pi/2 of points (run, rise), neither below 0; 0 for the origin."""
     larger = most(most(rise, run), broadcast(SMALLEST))

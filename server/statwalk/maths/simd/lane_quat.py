@@ -69,6 +69,24 @@ def minus(a: Any, b: Any) -> Any:
 
 
 @inlined
+def rotated(q: Any, v: Any) -> Any:
+    """Returns the vector v rotated by q: v + 2w(u x v) + 2u x (u x v)."""
+    x, y, z, w = q
+    across = (
+        fused(y, v[2], -(z * v[1])),
+        fused(z, v[0], -(x * v[2])),
+        fused(x, v[1], -(y * v[0])),
+    )
+    across = plus(across, across)
+    again = (
+        fused(y, across[2], -(z * across[1])),
+        fused(z, across[0], -(x * across[2])),
+        fused(x, across[1], -(y * across[0])),
+    )
+    return plus(plus(v, again), scaled(across, w))
+
+
+@inlined
 def normalized(q: Any) -> Any:
     """Returns q at unit length; zero becomes the identity."""
     square, one = _dot(q, q), broadcast(ONE)
