@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -79,8 +80,20 @@ def feet_of(character: Character, legs: Mapping[str, Mapping[str, str]] | None =
 
     :raises UnknownNameError: when the skeleton has no joint of a name.
     """
+    key = tuple(sorted((name, *sorted(joints.items())) for name, joints in (legs or {}).items()))
+    known = _known.setdefault(character, {})
+    if key not in known:
+        known[key] = _find(character, legs or {})
+    return known[key]
+
+
+_known: WeakKeyDictionary[Character, dict[tuple[object, ...], tuple[Foot, ...]]] = WeakKeyDictionary()
+
+
+def _find(character: Character, legs: Mapping[str, Mapping[str, str]]) -> tuple[Foot, ...]:
+    """The feet that names tell, and those of `legs`."""
     known, skeleton = _legs_by_name(character), character.skeleton
-    for name, joints in (legs or {}).items():
+    for name, joints in legs.items():
         rows = {part: skeleton.index(joint) for part, joint in joints.items() if joint}
         known[name] = _above(character, rows["ankle"]) | known.get(name, {}) | rows
     world = world_from_local(skeleton, character.bind_pose).astype(np.float64)

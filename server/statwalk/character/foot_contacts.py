@@ -34,9 +34,9 @@ SHARE = 0.15, 0.3
 SHORTEST = 0.04
 """seconds: shorter contacts and shorter gaps are none"""
 ON_THE_SPOT = 0.35
-"""leg lengths a second: a lowest foot that often runs alike at more than this has a running ground under it"""
+"""leg lengths a second: if low feet often run alike, at more than this, the ground runs under them"""
 ALIKE, VOTES, MOST_VOTES = 0.2, 0.3, 512
-"""the share by which alike speeds differ, the share of the ticks that have them, how many ticks are compared"""
+"""the share by which alike speeds differ, the share of ticks that have them, how many ticks are compared"""
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,11 @@ import numpy as np
 
 from statwalk.character.character import Character
 from statwalk.character.colliders import Colliders
+from statwalk.character.feet import Foot
+from statwalk.character.foot_contacts import ClipContacts
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
+from statwalk.character.role_feet import check_feet, contacts_in, feet_in
 from statwalk.character.solver_memory import SolverMemory
 from statwalk.errors import UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine, MotionFacts, build
@@ -85,6 +88,7 @@ class Role:
         resolved = resolved_tables(definition, facts)
         machine = build(definition, facts, resolved)
         root = root_of(character, root_joint)
+        check_feet(character, definition)
         is_same = before is not None and before.character is character and before.root == root
         stock = before.stock if before is not None and is_same else Stock(character, root)
         motions = motions_of(stock, machine, definition)
@@ -147,6 +151,18 @@ class Role:
     def colliders(self) -> Colliders:
         """Returns the colliders of the role's actors."""
         return Colliders.of(self.machine, self.character, self.definition)
+
+    @cached_property
+    def feet(self) -> tuple[Foot, ...]:
+        """Returns the feet, with the corrections of the machine file; found on first use."""
+        return feet_in(self.character, self.definition)
+
+    @cached_property
+    def contacts(self) -> dict[str, ClipContacts]:
+        """Returns the foot contacts of all clips, by clip, with the corrections of the machine file; found on
+        first use.
+        """
+        return contacts_in(self.character, self.definition, self.feet)
 
     @cached_property
     def looks_at(self) -> frozenset[str]:

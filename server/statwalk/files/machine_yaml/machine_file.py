@@ -14,6 +14,7 @@ from pathlib import Path
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml import (
     budgets,
+    feet,
     fields,
     flock_part,
     inputs,
@@ -46,7 +47,7 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
-    *("properties", "budgets"),
+    *("properties", "feet", "contacts", "budgets"),
 )
 
 
@@ -150,6 +151,8 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         colliders=colliders,
         flock=flock_part.flock(entries.get("flock"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
+        feet=feet.feet(entries.get("feet")),
+        contacts=feet.contacts(entries.get("contacts")),
         budgets=budgets.budgets(entries.get("budgets")),
         rows=base.top.table.rows,
         title=entries["title"].text() if "title" in entries else "",

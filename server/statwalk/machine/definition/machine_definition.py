@@ -10,6 +10,7 @@ from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
 from statwalk.machine.definition.budgets_definition import BudgetDefinition
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
+from statwalk.machine.definition.feet_definition import ContactDefinition, FootDefinition
 from statwalk.machine.definition.flock_definition import FlockDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
@@ -195,6 +196,10 @@ class MachineDefinition:
     flock: FlockDefinition | None = None
     """all actors of the role fly as one flock"""
     properties: tuple[PropertyDefinition, ...] = ()
+    feet: Mapping[str, FootDefinition] = field(default_factory=dict)
+    """the joints of legs, by foot, where the names of the joints do not tell them"""
+    contacts: Mapping[str, Mapping[str, ContactDefinition]] = field(default_factory=dict)
+    """corrected contacts with the ground, by clip and foot"""
     budgets: Mapping[str, BudgetDefinition] = field(default_factory=dict)
     """the largest figures that measuring may give, by figure"""
     rows: tuple[tuple[str, ...], ...] = ()

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from statwalk.character.feet import Foot, feet_of
+from statwalk.character.feet import Foot
 from statwalk.character.role import Role
 from statwalk.character.skin_points import SkinPoints, outermost_points
 from statwalk.machine.compile.alternatives import NOW
@@ -29,7 +29,7 @@ class Subject:
     @cached_property
     def feet(self) -> tuple[Foot, ...]:
         """Returns the feet."""
-        return feet_of(self.role.character)
+        return self.role.feet
 
     @cached_property
     def skin(self) -> SkinPoints:
