@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from statwalk.character.role import Role
+from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.runtime.result import Changes
 from statwalk.machine.runtime.state import MachineState, fresh
 from statwalk.maths.arrays import Floats, Ints
@@ -92,8 +93,8 @@ def placed(points: Floats, position: Floats, heading: Floats) -> Floats:
     return turned + position[..., None, :]
 
 
-def record(role: Role, trials: Sequence[Trial], ticks: int) -> Recording:
-    """Plays trials side by side for `ticks` ticks at 60 Hz."""
+def record(role: Role, trials: Sequence[Trial], ticks: int, checkpoint: Checkpoint = go_on) -> Recording:
+    """Plays trials side by side for `ticks` ticks at 60 Hz; calls `checkpoint` before each."""
     start, sent = _beginnings(role, trials)
     state = StageState(
         casts={role.name: _cast(role, trials, start)},
@@ -104,6 +105,7 @@ def record(role: Role, trials: Sequence[Trial], ticks: int) -> Recording:
     due = _commands(role, trials, sent)
     roles, shots = {role.name: role}, [_shot(role, state, Effects())]
     for tick in range(1, ticks):
+        checkpoint()
         state, effects = advance(roles, state, due.get(tick - 1, []), 1 / RATE, 0)
         shots.append(_shot(role, state, effects))
     rows, targets, *shown = (np.stack(column) for column in zip(*shots, strict=True))

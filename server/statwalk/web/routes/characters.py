@@ -6,6 +6,8 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends, Response
 
+from statwalk.character.feet import feet_of
+from statwalk.character.foot_contacts import contacts_of
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import UploadedCharacter
 from statwalk.web.bounded_json import BoundedRoute
@@ -18,6 +20,7 @@ from statwalk.web.schemas.character import (
     ShippedCharacterView,
     UploadedCharacterView,
 )
+from statwalk.web.schemas.measured import FeetView, feet_view
 
 router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
 CatalogueDep = Annotated[Catalogue, Depends(catalogue_of)]
@@ -64,6 +67,14 @@ def get_character(name: str, catalogue: CatalogueDep) -> CharacterView:
         notes=list(character.notes),
         model=f"/api/characters/{name}/model.glb",
     )
+
+
+@router.get("/{name}/feet")
+def get_character_feet(name: str, catalogue: CatalogueDep) -> FeetView:
+    """Returns the feet that the names of the joints tell, and the spans of the clips in which they stand."""
+    character = catalogue.character(name)
+    feet = feet_of(character)
+    return feet_view(character.skeleton, feet, contacts_of(character, feet))
 
 
 @router.get(
