@@ -24,11 +24,12 @@ def test_the_walker_has_two_legs():
 
 def test_soles_are_the_lowest_points_and_as_long_as_the_foot():
     world = world_from_local(WALKER.skeleton, WALKER.bind_pose).astype(float)
+    lowest = min(part.positions[:, 1].min() for part in WALKER.vertices(WALKER.bind_pose))
     for foot in feet_of(WALKER):
         points = transform.apply(world[foot.carriers], foot.points)
         assert np.abs(points - foot.skin.at(world)).max() < 1e-6
-        assert points[:, 1].min() == pytest.approx(min(part.positions[:, 1].min() for part in WALKER.parts))
-        assert np.ptp(points[:, 1]) < 0.02
+        assert points[:, 1].min() == pytest.approx(lowest, abs=1e-6)
+        assert np.ptp(points[:, 1]) < 0.03
         assert 0.2 < np.ptp(points[:, 2]) < 0.3
         assert points[foot.is_front, 2].min() > points[~foot.is_front, 2].max()
         assert 4 <= len(points) <= MOST_POINTS

@@ -1,5 +1,6 @@
 """`statwalk measure`: what it prints, and its exit status."""
 
+import os
 import subprocess
 import sys
 
@@ -9,7 +10,7 @@ from paths import MACHINES
 
 def run(*arguments):
     command = [sys.executable, "-m", "statwalk.cli", "measure", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, env={"COLUMNS": "240"})
+    return subprocess.run(command, capture_output=True, text=True, env={**os.environ, "COLUMNS": "240"})
 
 
 def with_budgets(tmp_path, budgets):

@@ -21,7 +21,8 @@ SIDES = {"left": "Left", "right": "Right"}
 BONES = {"hip": "UpperLeg", "knee": "LowerLeg", "ankle": "Foot", "toe": "Toes"}
 SOLE = 0.02
 """metres above the lowest point of a foot at rest, for a leg of one metre: the height of its sole"""
-MOST_POINTS = 48
+AZIMUTHS, TILTS = np.linspace(0, 2 * np.pi, 16, endpoint=False), np.radians([15, 60, 88])
+MOST_POINTS = len(AZIMUTHS) * len(TILTS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,14 +139,16 @@ def _sole(character: Character, below: list[int], world: Floats) -> SkinPoints:
     height = points.heights(world)
     leg = max(float(world[below[0], 1, 3] - height.min()), float(np.ptp(world[:, 1, 3])), 1e-6)
     low = np.flatnonzero(height <= height.min() + SOLE * leg)
-    return points.take(_spread(points.at(world)[low][:, ::2], low))
+    return points.take(_spread(points.at(world)[low], low))
 
 
-def _spread(flat: Floats, rows: Ints) -> Ints:
-    """At most MOST_POINTS of some rows: those that lie furthest out in directions all round (K, 2)."""
+def _spread(points: Floats, rows: Ints) -> Ints:
+    """At most MOST_POINTS of some rows: those that lie furthest out (K, 3) in directions all round and down,
+    the corners on which a foot can stand.
+    """
     if len(rows) <= MOST_POINTS:
         return rows
-    angles = np.linspace(0, 2 * np.pi, MOST_POINTS, endpoint=False)
-    directions = np.stack([np.cos(angles), np.sin(angles)], -1)
-    outermost: Ints = rows[np.unique((flat @ directions.T).argmax(0))]
+    turn, tilt = (grid.ravel() for grid in np.meshgrid(AZIMUTHS, TILTS))
+    directions = np.stack([np.cos(turn) * np.cos(tilt), -np.sin(tilt), np.sin(turn) * np.cos(tilt)])
+    outermost: Ints = rows[np.unique((points @ directions).argmax(0))]
     return outermost

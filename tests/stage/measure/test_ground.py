@@ -32,6 +32,13 @@ def test_in_the_air_nothing_slides_and_each_contact_counts_by_itself():
     assert slides(recording(joints), (foot(),), EVERY)[0] == pytest.approx(0.04)
 
 
+def test_a_point_above_the_floor_counts_less():
+    joints = standing(10)
+    joints[:, ANKLE, 2] = 0.01 * np.arange(10)
+    joints[:, ANKLE, 1] = NEAR / 2
+    assert slides(recording(joints), (foot(),), EVERY)[0] == pytest.approx(0.09 * (2 - 2**0.5))
+
+
 def test_only_watched_ticks_count():
     joints = standing(10)
     joints[:, ANKLE, 2] = 0.01 * np.arange(10)

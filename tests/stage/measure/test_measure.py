@@ -21,7 +21,7 @@ def test_the_walk_by_itself_holds_the_ground():
     row = WALKER.role.machine.states.index("WALK")
     (walk,) = measure_motions(WALKER, [row])
     assert (walk.name, walk.trials) == ("WALK", 1)
-    assert walk.figures["slide"].worst < 0.009
+    assert walk.figures["slide"].worst < 0.012
     assert walk.figures["sink"].worst < 0.001
     assert walk.figures["knee"].worst == 0
 
