@@ -17,8 +17,8 @@ def slides(recording: Recording, feet: tuple[Foot, ...], watched: Bools) -> Floa
     """Returns (N,) metres: the farthest that a sole point moves over the floor in one contact of a foot.
 
     A contact lasts while any point of the sole is near the floor; a point counts from tick to tick while it
-    is near itself: wholly on the floor, less above it (`2 - 2 ** (height / NEAR)`: Zhang et al., *Mode-Adaptive
-    Neural Networks*, 2018). `watched` (T, N): the ticks that count.
+    is near itself: wholly on the floor, less above it (`2 - 2 ** (height / NEAR)`: Zhang et al.,
+    *Mode-Adaptive Neural Networks*, 2018). `watched` (T, N): the ticks that count.
     """
     farthest = np.zeros(recording.heading.shape[1])
     for foot in feet:
