@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,37 +14,28 @@ from statwalk.character.colliders import Colliders
 from statwalk.character.feet import Foot
 from statwalk.character.foot_contacts import ClipContacts
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
+from statwalk.character.packed_role import PackedRole
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
 from statwalk.character.role_feet import check_feet, contacts_in, feet_in
 from statwalk.character.solver_memory import SolverMemory
+from statwalk.character.solvers import Solvers, solvers_of
 from statwalk.errors import UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine, MotionFacts, build
-from statwalk.machine.compile.program import PROGRAM, Program
+from statwalk.machine.compile.program import PROGRAM
 from statwalk.machine.compile.resolved_table import ResolvedTable, resolved_tables
 from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.verify import verify
 from statwalk.maths.arrays import Bools, Floats
-from statwalk.maths.packed import PackedColumns, packed
+from statwalk.maths.clamp_table import CLAMP_TABLE
+from statwalk.maths.packed import packed
 from statwalk.motion.blend_space import BlendSpace, Motion
 from statwalk.motion.layer_lanes import MASKS, LayerMasks
 from statwalk.motion.layers import Mask
 from statwalk.motion.tables.motion_tables import MotionTables
-
-
-class PackedRole(NamedTuple):
-    """The data of a role that a tick reads, packed."""
-
-    program: PackedColumns[Program]
-    motions: PackedColumns[MotionTables]
-    poses: PackedColumns[PoseTables]
-    masks: PackedColumns[LayerMasks]
-
-    @property
-    def arguments(self) -> tuple[Any, Any, Any, Any]:
-        """Returns all tables as arguments of kernels."""
-        return self.program.argument, self.motions.argument, self.poses.argument, self.masks.argument
+from statwalk.solve.chains import CHAINS
+from statwalk.solve.foot_tables import FEET
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +93,7 @@ class Role:
             root,
             stock,
         )
-        role.colliders  # noqa: B018 - made now, so that an unknown joint is an error now and not in a tick
+        role.colliders, role.solvers  # noqa: B018 - made now: an unknown joint is an error now, not in a tick
         return role
 
     @cached_property
@@ -145,7 +135,16 @@ class Role:
     def packed(self) -> PackedRole:
         """Returns the arrays of the role as arguments of kernels."""
         program, motions = packed(self.machine.program, PROGRAM), self.stock.tables(self.motions)
-        return PackedRole(program, motions, packed(self.pose_tables, POSES), packed(self.layer_masks, MASKS))
+        poses, masks, solvers = self.pose_tables, self.layer_masks, self.solvers
+        return PackedRole(
+            program,
+            motions,
+            packed(poses, POSES),
+            packed(masks, MASKS),
+            packed(solvers.legs, FEET),
+            packed(solvers.chains, CHAINS),
+            packed(solvers.clamps, CLAMP_TABLE),
+        )
 
     @cached_property
     def colliders(self) -> Colliders:
@@ -174,9 +173,14 @@ class Role:
         return frozenset(touched) | frozenset(flock.avoid if flock else ())
 
     @cached_property
+    def solvers(self) -> Solvers:
+        """Returns what the solvers of the role read."""
+        return solvers_of(self.character, self.machine, self.definition, self.motions)
+
+    @property
     def solver_memory(self) -> SolverMemory:
         """Returns what the solvers of the role keep from tick to tick."""
-        return SolverMemory({})
+        return self.solvers.memory
 
     @cached_property
     def measures(self) -> bool:

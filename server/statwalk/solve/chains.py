@@ -53,6 +53,8 @@ class Chain:
     """0 (the joint stays) … 1 (it turns as much as the solver wants) for each joint; default 1"""
     middle: int = 1
     """two-bone: the index in `joints` of the joint that bends"""
+    hinge: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """two-bone: the axis about which the middle joint bends, in the frame of the first joint; zero: as it bends"""
     softening: float = 0.0
     """metres before full stretch from which the chain eases towards it, 0 or more"""
     tolerance: float = 1e-4
@@ -81,6 +83,7 @@ class Chains(NamedTuple):
     ancestor: Annotated[NDArray[np.int32], "ancestor"]
     """the ancestors of a chain's start, parents first"""
     middle: Annotated[NDArray[np.int32], "chain"]
+    hinge: Annotated[NDArray[np.float32], "chain, xyz"]
     softening: Annotated[NDArray[np.float32], "chain"]
     tolerance: Annotated[NDArray[np.float32], "chain"]
     iterations: Annotated[NDArray[np.int32], "chain"]
@@ -110,6 +113,7 @@ def chain_tables(parent: Ints, chains: Sequence[Chain], limits: ClampTable) -> C
             first_ancestor=_starts(ancestors),
             ancestor=np.array(sum(ancestors, ()), np.int32),
             middle=np.array([chain.middle for chain in chains], np.int32),
+            hinge=np.array([chain.hinge for chain in chains], np.float32).reshape(-1, 3),
             softening=np.array([chain.softening for chain in chains], np.float32),
             tolerance=np.array([chain.tolerance for chain in chains], np.float32),
             iterations=np.array([chain.iterations for chain in chains], np.int32),

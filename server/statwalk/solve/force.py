@@ -9,12 +9,21 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_elementary import of
-from statwalk.maths.simd.lane_functions import any_above, least, most, root, size, where_below, with_sign
+from statwalk.maths.simd.lane_functions import (
+    any_above,
+    either,
+    least,
+    most,
+    root,
+    size,
+    where_below,
+    with_sign,
+)
 from statwalk.maths.simd.lane_quat import conjugate, minus, mul, normalized, plus, rotated, vector_square
 from statwalk.maths.simd.lane_vector import added, cross, length
 from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import load3, load4, store3, store4
-from statwalk.solve.chain_lanes import AIM, JOINT, LOCAL, OFFSET
+from statwalk.solve.chain_lanes import AIM, JOINT, LOCAL, OFFSET, place_joints
 from statwalk.solve.iterate import FAR, keep_better, limited, take_best
 
 ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
@@ -37,11 +46,13 @@ def solve_force(
     active = where_below(zero, active, where_below(tolerance, best, one, zero), zero)
     iterations, last, per_length = zero, of(FAR), one / most(whole, of(1e-12))
     gain = spread(chains.gain, number) / of(float(count - 1))
-    pulled = _pulled(goal, whole, scratch)
+    pulled, is_far = _pulled(goal, whole, scratch)
+    now = length(minus(pulled, place_joints(scratch, count, LOCAL)))
+    best = either(is_far, now, best)
     for _ in range(chains.iterations[number]):
         if not any_above(active, zero):
             break
-        distance = length(minus(goal, _step(chains, clamps, number, pulled, gain, per_length, scratch)))
+        distance = length(minus(pulled, _step(chains, clamps, number, pulled, gain, per_length, scratch)))
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
         best = keep_better(scratch, count, better, distance, best)
@@ -79,14 +90,14 @@ def _step(chains: Any, clamps: Any, number: int, goal: Any, gain: Any, per_lengt
 
 @inlined
 def _pulled(goal: Any, whole: Any, scratch: Any) -> Any:
-    """Where the force pulls to: beyond a target at full stretch or out of reach, so that the chain becomes
-    straight.
+    """Where the force pulls to: to half a length beyond full stretch for a target there or out of reach, so
+    that the chain becomes straight; and 1 in lanes with such a target, else 0.
     """
-    start = load3(scratch, OFFSET)
+    start, zero, one = load3(scratch, OFFSET), broadcast(ZERO), broadcast(ONE)
     aim = minus(goal, start)
     far = most(length(aim), of(1e-12))
-    further = where_below(whole * of(1 - 1e-4), far, whole * broadcast(HALF) / far, broadcast(ZERO))
-    return added(goal, aim, further)
+    is_far = where_below(whole * of(1 - 1e-4), far, one, zero)
+    return added(start, aim, either(is_far, whole * of(1.5) / far, one)), is_far
 
 
 @inlined

@@ -91,7 +91,9 @@ def _solve(chains: Any, clamps: Any, number: int, target: Any, pole: Any, weight
     softening = spread(chains.softening, number)
     if solver == TWO_BONE:
         middle = chains.middle[number]
-        target = solve_two_bone(scratch, count, middle, target, pole, softening)
+        at = 3 * number
+        hinge = spread(chains.hinge, at), spread(chains.hinge, at + 1), spread(chains.hinge, at + 2)
+        target = solve_two_bone(scratch, count, middle, target, pole, hinge, softening)
         if chains.is_free[number]:
             return broadcast(ZERO)
         clamp_limb(chains, clamps, number, middle, scratch)

@@ -25,13 +25,16 @@ NEAREST = 1e-5
 
 
 @inlined
-def solve_two_bone(scratch: Any, count: int, middle: int, target: Any, pole: Any, softening: Any) -> Any:
+def solve_two_bone(
+    scratch: Any, count: int, middle: int, target: Any, pole: Any, hinge_of_start: Any, softening: Any
+) -> Any:
     """Turns the first and the middle joint so that the last of `count` joints comes to the target; returns
     the softened target.
 
     `pole` is the direction in which the middle joint bends; zero: as it bends now. For a target out of
     reach the limb is straight and points at it; for a target that is too near it is folded. A knee keeps the
-    axis about which it is bent now.
+    axis about which it is bent now, or bends about `hinge_of_start` in the frame of the first joint if that is
+    not zero; then a knee that is bent backwards is bent forwards again.
     """
     place_joints(scratch, count, LOCAL)
     at = middle * JOINT
@@ -61,7 +64,10 @@ def solve_two_bone(scratch: Any, count: int, middle: int, target: Any, pole: Any
     per_lengths = broadcast(ONE) / (upper_length * lower_length)
     old_x = scaled(upper, broadcast(ONE) / upper_length)
     hinge = _old_hinge(hinge, upper_length * lower_length, old_x, new_x, new_hinge)
-    old_cosine, old_sine = dot(upper, lower) * per_lengths, length(cross(upper, lower)) * per_lengths
+    given = rotated(load4(scratch, LOCAL), hinge_of_start)
+    given = unit(added(given, old_x, -dot(given, old_x)))
+    hinge = where3_below(broadcast(ZERO), vector_square(hinge_of_start), given, hinge)
+    old_cosine, old_sine = dot(upper, lower) * per_lengths, dot(cross(upper, lower), hinge) * per_lengths
     new_cosine = (reach * reach - upper_length * upper_length - lower_length * lower_length) * (
         broadcast(HALF) * per_lengths
     )

@@ -20,12 +20,15 @@ from statwalk.machine.runtime.result import StepResult, result_of
 from statwalk.machine.runtime.state import STATE
 from statwalk.machine.runtime.surroundings import Inputs
 from statwalk.maths.arrays import Ints
+from statwalk.maths.clamp_table import CLAMP_TABLE
 from statwalk.maths.compiling import FLOAT, LONG, kernel, write
 from statwalk.maths.packed import ADDRESSES, opened
 from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.layer_lanes import MASKS
 from statwalk.motion.tables.motion_tables import MOTIONS
 from statwalk.rig.hierarchy import model_block
+from statwalk.solve.chains import CHAINS
+from statwalk.solve.foot_tables import FEET
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
 from statwalk.stage.steps._kernels import (
@@ -43,6 +46,7 @@ from statwalk.stage.steps.offset_begin import begins_here
 from statwalk.stage.steps.offset_clocks import advance_clocks, blend_root_delta, release_slots
 from statwalk.stage.steps.offset_cuts import cuts_here, forget_cuts
 from statwalk.stage.steps.offset_lanes import add_block
+from statwalk.stage.steps.plant_feet import plant_feet
 from statwalk.stage.steps.step_machines import NOT_MEASURED, MeasuredFrom, step_machines
 
 DOUBLE = types.float64
@@ -53,6 +57,7 @@ _program, _motions, _poses, _masks, _state = (
     opened(MASKS),
     opened(STATE),
 )
+_feet, _chains, _clamps = opened(FEET), opened(CHAINS), opened(CLAMP_TABLE)
 _offsets, _effects, _memory = opened(OFFSETS), opened(EFFECTS), opened(MEMORY)
 
 
@@ -95,7 +100,15 @@ def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: boo
     places = cast.position, cast.heading, cast.root_delta, cast.solver_memory, cast.hash
     buffers, machine = (cast.previous.values, cast.shown.values), memory.machine(cast.machine).argument
     _pose_blocks(
-        *cast.role.packed.arguments, machine, *work, *buffers, *places, cast.shown.used, dt, is_looked_at
+        *cast.role.packed.arguments,
+        *cast.role.packed.solvers,
+        machine,
+        *work,
+        *buffers,
+        *places,
+        cast.shown.used,
+        dt,
+        is_looked_at,
     )
     model = memory.model if is_looked_at else None
     return Cast(
@@ -104,18 +117,21 @@ def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: boo
 
 
 @kernel(
-    ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, write(FLOAT, 3),
+    ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES,
+    ADDRESSES, ADDRESSES, write(FLOAT, 3),
     write(FLOAT, 3), write(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 2), write(DOUBLE, 2),
     write(types.uint64, 1), LONG,
     DOUBLE, types.boolean,
 )  # fmt: skip
 def _pose_blocks(
-    program: Any, motions: Any, poses: Any, moved: Any, machine: Any, offsets: Any, effects: Any, memory: Any,
+    program: Any, motions: Any, poses: Any, moved: Any, feet: Any, reach: Any, limits: Any, machine: Any,
+    offsets: Any, effects: Any, memory: Any,
     previous: Any, shown: Any, position: Any, heading: Any, root_delta: Any, solver_memory: Any,
     hashes: Any, used: int, dt: float, is_looked_at: bool,
 ) -> None:  # fmt: skip
     """Writes the poses of all blocks into `previous`; `offsets` has room for all transitions that begin."""
     p, m, t, masks = _program(program), _motions(motions), _poses(poses), _masks(moved)
+    f, chains, clamps = _feet(feet), _chains(reach), _clamps(limits)
     s, o, done, mem = _state(machine), _offsets(offsets), _effects(effects), _memory(memory)
     note_transitions(t, s, done, mem)
     for block in range(shown.shape[0]):
@@ -138,10 +154,12 @@ def _pose_blocks(
         release_slots(o, block)
         # 5 express, 6 limit: not yet; they will change `mem.coming` here
         keep_block(mem.coming, previous, block)
+        # 8 reach: planted feet stay where they stand
+        if f.hip.shape[0] > 0:
+            plant_feet(f, chains, clamps, m, s, mem, previous, position, heading, solver_memory, block, dt)
         # 7 world: the joints that colliders ride on, in model space, once for all readers
         # (`Cast.model`: touches, flocks); the matrices of all joints are computed when they are read
         # (`Actor.world`, the server's frames)
         if is_looked_at:
             model_block(t.model_joints, t.model_parents, previous, mem.model, block)
-        # 8 reach: not yet; it will read `mem.model`, and change what is kept
         hash_block(hashes, previous, used, o, block, mem.scratch)

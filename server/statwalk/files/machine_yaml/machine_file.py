@@ -23,6 +23,8 @@ from statwalk.files.machine_yaml import (
     senses,
     whole_table,
 )
+from statwalk.files.machine_yaml.ground import foot_lock as read_foot_lock
+from statwalk.files.machine_yaml.ground import ground as read_ground
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
@@ -47,7 +49,7 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
-    *("properties", "feet", "contacts", "budgets"),
+    *("properties", "feet", "contacts", "budgets", "foot_lock", "ground"),
 )
 
 
@@ -149,6 +151,8 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         parameters=parameters,
         senses=sense_events,
         colliders=colliders,
+        foot_lock=read_foot_lock(entries.get("foot_lock"), parameters),
+        ground=read_ground(entries.get("ground")),
         flock=flock_part.flock(entries.get("flock"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
         feet=feet.feet(entries.get("feet")),

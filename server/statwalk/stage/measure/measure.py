@@ -13,10 +13,10 @@ import numpy as np
 from statwalk.machine.compile.alternatives import NOW
 from statwalk.maths.arrays import Ints
 from statwalk.stage.measure.figures import Figure, Played
-from statwalk.stage.measure.ground import sinks, slides
 from statwalk.stage.measure.jump import Jump, jump_of
 from statwalk.stage.measure.limbs import hand_accelerations, knees
 from statwalk.stage.measure.response import arrivals, visible
+from statwalk.stage.measure.slide import sinks, slides
 from statwalk.stage.measure.subject import Cell, Subject
 from statwalk.stage.measure.trials import RATE, WARM_UP, Recording, Trial, record
 from statwalk.stage.measure.windows import change_ticks, end_of_blend, span

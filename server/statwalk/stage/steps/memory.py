@@ -22,8 +22,11 @@ from statwalk.maths.pose_buffer import channels
 from statwalk.maths.random import actor_keys
 from statwalk.maths.simd.aligned import zeros
 from statwalk.maths.simd.lanes import LANES
-from statwalk.maths.simd.pose_layout import zero_blocks
+from statwalk.maths.simd.pose_layout import blocks, zero_blocks
+from statwalk.rig.hierarchy import MATRIX
 from statwalk.rig.model_buffer import ModelBuffer
+from statwalk.solve.chain_lanes import scratch_floats
+from statwalk.solve.chains import input_rows
 from statwalk.stage.state.pose_offsets import OFFSETS, PoseOffsets
 from statwalk.stage.steps.offset_lanes import scratch_size
 
@@ -50,6 +53,12 @@ class PoseMemory(NamedTuple):
     """seconds into the motions a tick later"""
     model: Annotated[NDArray[np.float32], "block, joint, number, lane"]
     """the joints of colliders in model space, of all actors (`rig.model_buffer`)"""
+    legs: Annotated[NDArray[np.float32], "block, joint, number, lane"]
+    """the joints of legs in model space, before feet are planted"""
+    leg_rows: Annotated[NDArray[np.float32], "foot, row, lane"]
+    """inputs and outputs of the legs' chains (`solve.chains`)"""
+    chain: Annotated[NDArray[np.float32], "number"]
+    """memory of the solver of chains"""
     old_state: Annotated[NDArray[np.int64], "actor, layer"]
     """at the tick before"""
     part_before: Annotated[NDArray[np.float32], "1, channel, lane"]
@@ -124,6 +133,11 @@ def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> Po
         scratch=zeros(scratch_size(layers) * LANES).reshape(-1, LANES),
         layer_weight=np.zeros((actors, layers)),
         ahead=np.zeros((actors, layers)),
+        legs=zeros(blocks(actors) * len(role.solvers.legs.joints) * MATRIX * LANES).reshape(
+            blocks(actors), -1, MATRIX, LANES
+        ),
+        leg_rows=input_rows(1, len(role.solvers.legs.hip))[0],
+        chain=zeros(scratch_floats(3)),
         old_state=np.zeros((actors, layers), np.int64),
         mixed_state=np.zeros((actors, layers), np.int64),
         mixed_time=np.zeros((actors, layers)),

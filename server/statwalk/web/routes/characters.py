@@ -1,13 +1,18 @@
-"""GET /api/characters: the characters, their joints and clips, their models."""
+"""/api/characters: the characters, their joints, clips and models; inverse kinematics of their poses."""
 
 from __future__ import annotations
 
 from typing import Annotated
 
+import numpy as np
 from fastapi import APIRouter, Depends, Response
 
+from statwalk.character.chain_of_names import chain_joints
+from statwalk.character.character import Character
 from statwalk.character.feet import feet_of
 from statwalk.character.foot_contacts import contacts_of
+from statwalk.maths import quat
+from statwalk.maths.pose import Pose
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import UploadedCharacter
 from statwalk.web.bounded_json import BoundedRoute
@@ -21,6 +26,7 @@ from statwalk.web.schemas.character import (
     UploadedCharacterView,
 )
 from statwalk.web.schemas.measured import FeetView, feet_view
+from statwalk.web.schemas.solve import NewSolve, PoseSource, SolvedJointView, SolveView
 
 router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
 CatalogueDep = Annotated[Catalogue, Depends(catalogue_of)]
@@ -84,3 +90,51 @@ def get_model(name: str, catalogue: CatalogueDep) -> Response:
     """Returns the model as a .glb, which any glTF viewer opens."""
     headers = {"Cache-Control": "no-cache"}
     return Response(catalogue.model_glb(name), media_type="model/gltf-binary", headers=headers)
+
+
+@router.post("/{name}/solve")
+def solve(name: str, body: NewSolve, catalogue: CatalogueDep) -> SolveView:
+    """Returns the joints of a chain after its end was brought to the target; nothing on a stage changes."""
+    character = catalogue.character(name)
+    answer = character.solve(
+        _pose(character, body.pose),
+        body.chain,
+        body.target,
+        body.solver,
+        weight=body.weight,
+        pole=body.pole,
+        pole_point=body.pole_point,
+        rotation=body.rotation,
+        softening=body.softening,
+        tolerance=body.tolerance,
+        iterations=body.iterations,
+        sensitivity=body.sensitivity,
+        forward=body.forward,
+    )
+    joints, _middle = chain_joints(character.skeleton, body.chain, body.solver)
+    places = character.world(answer.pose)
+    return SolveView(
+        joints=[
+            SolvedJointView(
+                name=character.skeleton.names[joint],
+                rotation=tuple(answer.pose.rotation[joint].tolist()),
+                position=tuple(places[joint, :3, 3].tolist()),
+            )
+            for joint in joints
+        ],
+        reached=bool(answer.reached),
+        distance=float(answer.distance),
+        iterations=int(answer.iterations),
+    )
+
+
+def _pose(character: Character, source: PoseSource) -> Pose:
+    """The pose of a body.
+
+    :raises UnknownNameError: when the character has no such clip or joint.
+    """
+    pose = character.bind_pose if source.clip is None else character.clip(source.clip).sample(source.time)
+    pose = pose.copy()
+    for joint, rotation in source.rotations.items():
+        pose.rotation[character.skeleton.index(joint)] = quat.normalize(np.array(rotation))
+    return pose

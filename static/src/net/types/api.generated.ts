@@ -78,6 +78,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/characters/{name}/solve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Solve
+         * @description Returns the joints of a chain after its end was brought to the target; nothing on a stage changes.
+         */
+        post: operations["solve_api_characters__name__solve_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/characters/{name}/mapping": {
         parameters: {
             query?: never;
@@ -1107,6 +1127,68 @@ export interface components {
             value: number | number[];
             actor?: number | null;
         };
+        /**
+         * @description A chain of joints and its target, in model space, metres; the other members have the defaults of
+         *     `Character.solve`.
+         */
+        NewSolve: {
+            chain: string[];
+            target: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * @default two-bone
+             * @enum {string}
+             */
+            solver?: "two-bone" | "ccd" | "fabrik" | "force" | "look-at";
+            /**
+             * @default {
+             *       "time": 0,
+             *       "rotations": {}
+             *     }
+             */
+            pose?: components["schemas"]["PoseSource"];
+            /** @default 1 */
+            weight?: number;
+            pole?: [
+                number,
+                number,
+                number
+            ] | null;
+            pole_point?: [
+                number,
+                number,
+                number
+            ] | null;
+            rotation?: [
+                number,
+                number,
+                number,
+                number
+            ] | null;
+            /** @default 0 */
+            softening?: number;
+            /** @default 0.0001 */
+            tolerance?: number;
+            iterations?: number | null;
+            sensitivity?: {
+                [key: string]: number;
+            };
+            /**
+             * @default [
+             *       0,
+             *       0,
+             *       1
+             *     ]
+             */
+            forward?: [
+                number,
+                number,
+                number
+            ];
+        };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
         NewStage: {
             seed?: number | null;
@@ -1183,6 +1265,23 @@ export interface components {
             root: components["schemas"]["RootView"];
         };
         /**
+         * @description The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations on
+         *     top.
+         */
+        PoseSource: {
+            clip?: string | null;
+            /** @default 0 */
+            time?: number;
+            rotations?: {
+                [key: string]: [
+                    number,
+                    number,
+                    number,
+                    number
+                ];
+            };
+        };
+        /**
          * @description The answer to a dry run whose text would be refused: what is wrong in words, the places, and the
          *     findings that the text would add (none if it cannot be read).
          */
@@ -1252,6 +1351,28 @@ export interface components {
              * @constant
              */
             uploaded: false;
+        };
+        /** @description The solved chain, from start to end; `distance`: metres from the end to the target. */
+        SolveView: {
+            joints: components["schemas"]["SolvedJointView"][];
+            reached: boolean;
+            distance: number;
+            iterations: number;
+        };
+        /** @description A joint of the chain afterwards: its local rotation x y z w, its place in model space, metres. */
+        SolvedJointView: {
+            name: string;
+            rotation: [
+                number,
+                number,
+                number,
+                number
+            ];
+            position: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description The speed of the clock; 1 is real time. */
         Speed: {
@@ -1830,6 +1951,7 @@ export type NewCell = components['schemas']['NewCell'];
 export type NewEvent = components['schemas']['NewEvent'];
 export type NewMachine = components['schemas']['NewMachine'];
 export type NewParameter = components['schemas']['NewParameter'];
+export type NewSolve = components['schemas']['NewSolve'];
 export type NewStage = components['schemas']['NewStage'];
 export type NewText = components['schemas']['NewText'];
 export type NewTravel = components['schemas']['NewTravel'];
@@ -1838,6 +1960,7 @@ export type PartView = components['schemas']['PartView'];
 export type PauseBody = components['schemas']['PauseBody'];
 export type PlanView = components['schemas']['PlanView'];
 export type PoseAnswer = components['schemas']['PoseAnswer'];
+export type PoseSource = components['schemas']['PoseSource'];
 export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
 export type RootView = components['schemas']['RootView'];
@@ -1846,6 +1969,8 @@ export type SeekBody = components['schemas']['SeekBody'];
 export type SendChange = components['schemas']['SendChange'];
 export type SetChange = components['schemas']['SetChange'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
+export type SolveView = components['schemas']['SolveView'];
+export type SolvedJointView = components['schemas']['SolvedJointView'];
 export type Speed = components['schemas']['Speed'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];
@@ -2026,6 +2151,36 @@ export interface operations {
                 };
                 content: {
                     "model/gltf-binary": unknown;
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    solve_api_characters__name__solve_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewSolve"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SolveView"];
                 };
             };
             /** @description Client Error */

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from recordings_by_hand import ANKLE, foot, recording, standing
 from statwalk.character.skin_points import SkinPoints
-from statwalk.stage.measure.ground import NEAR, sinks, slides
+from statwalk.stage.measure.slide import NEAR, sinks, slides
 
 EVERY = np.ones((10, 1), bool)
 

@@ -1,0 +1,178 @@
+"""Builds the tables of the foot lock from a character's feet and their contacts in its clips."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.character.character import Character
+from statwalk.character.feet import Foot
+from statwalk.character.foot_contacts import ClipContacts
+from statwalk.character.skin_points import SkinPoints, bound_points
+from statwalk.maths import transform
+from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.columns import locked
+from statwalk.motion.blend_space import Motion
+from statwalk.rig.evaluate import world_from_local
+from statwalk.rig.model_buffer import JointList
+from statwalk.solve.chains import POLE_DIRECTION, Chain
+from statwalk.solve.foot_tables import OF_ACTOR, OF_FOOT, SINCE, FootTables
+
+SOFTENING = 0.02
+"""of the length of a leg"""
+SLOPES = 0.25, 1.2
+"""how far the directions lean in which the points of a sole are looked for"""
+ROUND = 8
+
+
+def leg_chain(character: Character, foot: Foot) -> Chain:
+    """Returns the two-bone chain of a leg: hip, knee, ankle."""
+    rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
+    along = character.bind_pose.translation[foot.knee].astype(np.float64)
+    x, y, z = np.cross(bend_of(character, foot), along / np.linalg.norm(along)).tolist()
+    softening = SOFTENING * foot.length(rest)
+    return Chain(
+        "two-bone", foot.leg, hinge=(x, y, z), softening=softening, pole_kind=POLE_DIRECTION, turns_end=True
+    )
+
+
+def foot_memory(feet: int) -> tuple[float, ...]:
+    """Returns the numbers of a new actor in the memory of the foot lock."""
+    foot = [0.0] * OF_FOOT
+    foot[SINCE] = -1.0
+    return (0.0,) * OF_ACTOR + tuple(foot) * feet
+
+
+def has_leg(character: Character, foot: Foot) -> bool:
+    """Returns whether a foot hangs on a hip by two bones, as the solver of legs needs it."""
+    parent = character.skeleton.parent
+    return min(foot.leg) >= 0 and parent[foot.ankle] == foot.knee and parent[foot.knee] == foot.hip
+
+
+def leg_tables(
+    character: Character,
+    feet: Sequence[Foot],
+    contacts: Mapping[str, ClipContacts],
+    motions: Sequence[Motion | None],
+    weight: tuple[float, int] = (1.0, -1),
+    ground: NDArray[np.float64] | None = None,
+    memory: int = 0,
+) -> FootTables:
+    """Returns the tables for feet with legs; `weight`: a number, and the parameter that replaces it or -1;
+    `memory`: the first column of the foot lock in the solvers' memory.
+    """
+    rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
+    soles = [_sole(character, foot, rest) for foot in feet]
+    pelvis = _pelvis(character, feet)
+    above = int(character.skeleton.parent[pelvis]) if pelvis >= 0 else -1
+    wanted = {joint for foot in feet for joint in foot.leg} | {above} - {-1}
+    carriers = np.concatenate([carrier for carrier, _ in soles] or [np.zeros(0, np.int64)])
+    joints = JointList.of(character.skeleton, sorted(wanted | set(carriers.tolist())))
+    spans = _spans(feet, contacts, motions)
+    return locked(
+        FootTables(
+            joints=joints.joints,
+            parents=joints.parents,
+            pelvis=np.array([pelvis], np.int32),
+            above_pelvis=joints.places(np.array([above])).astype(np.int32),
+            hip=joints.places(np.array([foot.hip for foot in feet], np.int64)).astype(np.int32),
+            ankle=joints.places(np.array([foot.ankle for foot in feet], np.int64)).astype(np.int32),
+            ahead=_rows([_local(rest, foot.ankle, _ahead(foot, rest)) for foot in feet]),
+            bend=_rows([bend_of(character, foot) for foot in feet]),
+            length=np.array([foot.length(rest) for foot in feet], np.float64),
+            first_point=_firsts([len(points) for _, points in soles]),
+            carrier=joints.places(carriers).astype(np.int32),
+            point=_rows([point for _, points in soles for point in points]),
+            first_span=_firsts([len(row) for row in spans]),
+            span=np.array([span for row in spans for span in row], np.float64).reshape(-1, 2),
+            weight=np.array([weight[0]]),
+            weight_parameter=np.array([weight[1]], np.int64),
+            ground=np.zeros((0, 7)) if ground is None else ground,
+            memory=np.array([memory], np.int64),
+        )
+    )
+
+
+def _rows(vectors: Sequence[Floats]) -> NDArray[np.float64]:
+    return np.array(vectors, np.float64).reshape(-1, 3)
+
+
+def _firsts(counts: Sequence[int]) -> NDArray[np.int32]:
+    return np.concatenate([[0], np.cumsum(counts, dtype=np.int64)]).astype(np.int32)
+
+
+def _pelvis(character: Character, feet: Sequence[Foot]) -> int:
+    """The deepest joint above all hips, -1 without feet."""
+    paths = [_above(character, foot.hip) for foot in feet]
+    common = set(paths[0]).intersection(*paths[1:]) if paths else set[int]()
+    return max(common, default=-1)
+
+
+def _above(character: Character, joint: int) -> list[int]:
+    """The joints above a joint."""
+    above = []
+    while (joint := int(character.skeleton.parent[joint])) >= 0:
+        above.append(joint)
+    return above
+
+
+def _sole(character: Character, foot: Foot, rest: Floats) -> tuple[Ints, Floats]:
+    """The points of a foot's skin that lie lowest in the pose of rest and in feet that lean to any side:
+    their carriers, and where they are in the frames of their carriers.
+    """
+    skin = bound_points(character, foot.joints)
+    skin = skin if skin.count else SkinPoints.of_joints_themselves(foot.joints, len(character.skeleton))
+    points = skin.at(rest)
+    angles = np.arange(ROUND) * (2 * np.pi / ROUND)
+    directions = [(0.0, -1.0, 0.0)]
+    directions += [(np.cos(a) * lean, -1.0, np.sin(a) * lean) for lean in SLOPES for a in angles]
+    chosen = np.unique((points @ np.array(directions).T).argmax(0))
+    carriers = skin.carriers[chosen]
+    return carriers, transform.apply(transform.invert(rest[carriers]), points[chosen])
+
+
+def _ahead(foot: Foot, rest: Floats) -> Floats:
+    """The horizontal direction from the ankle to the middle of the ball; forward if there is none."""
+    points = foot.skin.at(rest)[foot.is_front] - rest[foot.ankle, :, 3]
+    ahead = points.mean(0) * (1.0, 0.0, 1.0) if len(points) else np.zeros(3)
+    length = float(np.linalg.norm(ahead))
+    return ahead / length if length > 1e-6 else np.array([0.0, 0.0, 1.0])
+
+
+def _local(rest: Floats, joint: int, direction: Floats) -> Floats:
+    """A direction in the frame of a joint."""
+    local: Floats = rest[joint, :, :3].T @ direction
+    return local / max(float(np.linalg.norm(local)), 1e-12)
+
+
+def bend_of(character: Character, foot: Foot) -> Floats:
+    """Returns the direction in which a knee bends, in the frame of the hip: its mean in the clips; where all
+    hold the leg straight, the direction of the foot.
+    """
+    rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
+    total = 1e-3 * _local(rest, foot.hip, _ahead(foot, rest))
+    for clip in character.clips.values():
+        world = world_from_local(character.skeleton, clip.sample(np.linspace(0, clip.duration, 16)))
+        hip, knee, ankle = (world[:, joint, :, 3].astype(np.float64) for joint in foot.leg)
+        onward = ankle - hip
+        onward /= np.maximum(np.linalg.norm(onward, axis=-1, keepdims=True), 1e-9)
+        bend = knee - hip
+        bend -= (bend * onward).sum(-1, keepdims=True) * onward
+        total += np.einsum("tji,tj->i", world[:, foot.hip, :, :3].astype(np.float64), bend)
+    return total / float(np.linalg.norm(total))
+
+
+def _spans(
+    feet: Sequence[Foot], contacts: Mapping[str, ClipContacts], motions: Sequence[Motion | None]
+) -> list[Sequence[tuple[float, float]]]:
+    """The contacts of each member of the motions and each foot; none where a clip walks on the spot."""
+    spans: list[Sequence[tuple[float, float]]] = []
+    for motion in motions:
+        for member in motion.members if motion is not None else ():
+            known = contacts.get(member.clip.name)
+            runs = known is None or any(known.drift)
+            of_foot = {} if known is None or runs else {foot.foot: foot.planted for foot in known.feet}
+            spans += [of_foot.get(foot.name, ()) for foot in feet]
+    return spans

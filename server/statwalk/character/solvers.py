@@ -1,0 +1,60 @@
+"""The solvers of a role: which chains a tick solves, and what they keep from tick to tick."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from statwalk.character.character import Character
+from statwalk.character.leg_tables import foot_memory, has_leg, leg_chain, leg_tables
+from statwalk.character.role_feet import contacts_in, feet_in
+from statwalk.character.solver_memory import SolverMemory
+from statwalk.machine.compile.machine import Machine
+from statwalk.machine.definition.machine_definition import MachineDefinition
+from statwalk.machine.settings import parameter_indices
+from statwalk.maths.clamp_table import ClampTable, clamp_table
+from statwalk.motion.blend_space import Motion
+from statwalk.solve.chains import Chains, chain_tables
+from statwalk.solve.foot_tables import FootTables
+
+FOOT_LOCK = "foot lock"
+"""name of the foot lock in the solvers' memory"""
+
+
+class Solvers(NamedTuple):
+    """What the solvers of a role read; chain k is the leg of foot k."""
+
+    legs: FootTables
+    chains: Chains
+    clamps: ClampTable
+    memory: SolverMemory
+
+
+def solvers_of(
+    character: Character, machine: Machine, definition: MachineDefinition, motions: Sequence[Motion | None]
+) -> Solvers:
+    """Returns the solvers that a machine file asks for.
+
+    :raises MachineError: when it asks for a foot lock, and the character has no feet with legs.
+    """
+    every = feet_in(character, definition) if definition.foot_lock else ()
+    feet = tuple(foot for foot in every if has_leg(character, foot))
+    if definition.foot_lock and not feet:
+        raise definition.refuse("foot_lock: the character has no feet with legs; name them under `feet`", 0)
+    clamps = clamp_table({}, character.bind_pose)
+    chains = [leg_chain(character, foot) for foot in feet]
+    memory = SolverMemory({FOOT_LOCK: foot_memory(len(feet))} if feet else {})
+    contacts = contacts_in(character, definition, every) if feet else {}
+    ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
+    weight = _weight(machine, definition.foot_lock)
+    legs = leg_tables(character, feet, contacts, motions, weight, ground)
+    return Solvers(legs, chain_tables(character.skeleton.parent, chains, clamps), clamps, memory)
+
+
+def _weight(machine: Machine, written: float | str) -> tuple[float, int]:
+    """A weight, and the parameter that replaces it or -1."""
+    if isinstance(written, str):
+        return 0.0, parameter_indices(machine, written)[0]
+    return written, -1

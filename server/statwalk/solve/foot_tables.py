@@ -1,0 +1,70 @@
+"""What the foot lock knows of the feet of a role: legs, points of the soles, and where the clips plant the feet."""
+
+from __future__ import annotations
+
+from typing import Annotated, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.maths.columns import columns
+
+
+class FootTables(NamedTuple):
+    """F feet, n joints of the legs and above, K points of all soles, M members of motions."""
+
+    joints: Annotated[NDArray[np.int32], "joint"]
+    """hips, knees, ankles, carriers of the soles, and all above them, parents first"""
+    parents: Annotated[NDArray[np.int32], "joint"]
+    """the index of each joint's parent in `joints`, -1 a root"""
+    pelvis: Annotated[NDArray[np.int32], "1"]
+    """the joint that carries all legs, and gives way to them"""
+    above_pelvis: Annotated[NDArray[np.int32], "1"]
+    """the index in `joints` of the pelvis's parent, -1 none"""
+    hip: Annotated[NDArray[np.int32], "foot"]
+    """index in `joints`"""
+    ankle: Annotated[NDArray[np.int32], "foot"]
+    """index in `joints`"""
+    ahead: Annotated[NDArray[np.float64], "foot, xyz"]
+    """the direction of the foot in the frame of the ankle"""
+    bend: Annotated[NDArray[np.float64], "foot, xyz"]
+    """the direction in which the knee bends, in the frame of the hip"""
+    length: Annotated[NDArray[np.float64], "foot"]
+    """metres from hip to knee to ankle"""
+    first_point: Annotated[NDArray[np.int32], "foot + 1"]
+    carrier: Annotated[NDArray[np.int32], "point"]
+    """the index in `joints` of the joint that carries a point"""
+    point: Annotated[NDArray[np.float64], "point, xyz"]
+    """metres, in the frame of its carrier"""
+    first_span: Annotated[NDArray[np.int32], "member · foot + 1"]
+    """for each member of `MotionTables` and foot"""
+    span: Annotated[NDArray[np.float64], "span, 2"]
+    """phases at which a foot comes down and at which it leaves the ground; the second may be beyond 1"""
+    weight: Annotated[NDArray[np.float64], "1"]
+    """0…1, if `weight_parameter` is -1"""
+    weight_parameter: Annotated[NDArray[np.int64], "1"]
+    ground: Annotated[NDArray[np.float64], "piece, 7"]
+    """x and z of two corners of a level or sloping rectangle, and a, b, c of its height a + b·x + c·z on the
+    stage; where rectangles overlap the highest counts, beside them the height is 0
+    """
+    memory: Annotated[NDArray[np.int64], "1"]
+    """the first column of the foot lock in the solvers' memory"""
+
+
+FEET = columns(FootTables, readonly=True)
+"""the numba type of FootTables"""
+OF_ACTOR = 3
+"""numbers of an actor in the solvers' memory, before the numbers of the feet"""
+DROP, DROP_RATE, LIFT_RATE = range(OF_ACTOR)
+"""metres by which the pelvis is lowered; m/s at which it gives way, and at which the ground lifts the root"""
+OF_FOOT = 18
+"""numbers of a foot"""
+(
+    PLANTED, PIVOT, PIVOT_X, PIVOT_Z, YAW, SINCE, EAGER, X, Z, TURN, Y, X_RATE, Z_RATE, TURN_RATE, Y_RATE,
+    LOWEST, LOWEST_X, LOWEST_Z,
+) = range(OF_FOOT)  # fmt: skip
+"""whether the foot is planted; the point of the sole that it stands on, and where that point is shown on the
+stage; the foot's yaw; seconds since it was planted or released (below 0: a new actor); how fast it goes back to
+its motion (1/s; planted: 1 if the leg is too short); the shown foot relative to the animated one, in metres and
+radians, and the rates; the lowest animated point, and where it was
+"""

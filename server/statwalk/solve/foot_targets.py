@@ -1,0 +1,152 @@
+"""From locked feet to legs: how far the pelvis gives way, and the targets of the legs' two-bone solver.
+
+Arguments as in `foot_lock`; `rows` are the inputs of the legs' chains for one block (`chains`).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from statwalk.maths.compiling import inlined
+from statwalk.maths.reference import called
+from statwalk.maths.scalar import sincos
+from statwalk.maths.simd.pose_layout import joint_channel, place_of
+from statwalk.maths.springs import settled
+from statwalk.solve.chains import POLE, ROTATION, TARGET, WEIGHT
+from statwalk.solve.foot_lock import ankle_of, on_stage
+from statwalk.solve.foot_tables import (
+    DROP,
+    DROP_RATE,
+    EAGER,
+    LIFT_RATE,
+    OF_ACTOR,
+    OF_FOOT,
+    PLANTED,
+    TURN,
+    X,
+    Y,
+    Z,
+)  # fmt: skip
+from statwalk.solve.ground import ground_at
+
+STRETCH = 0.99
+"""of the length of a leg: to keep a planted foot in this reach, the pelvis gives way"""
+MOST_DROP, MOST_DROP_ON_GROUND = 0.05, 0.35
+"""metres by which the pelvis is lowered, on a level floor and on uneven ground; a foot that needs more is
+released
+"""
+GIVE, FOLLOW = 21.0, 14.0
+"""1/s: how eagerly the pelvis gives way, and the root follows the ground"""
+
+
+@called
+def lower_pelvis(f: Any, legs: Any, keep: Any, row: int, root: Any, dt: float) -> Any:
+    """Returns by how much the pelvis is lowered (metres), so that planted feet stay in reach."""
+    memory, most = f.memory[0], MOST_DROP if f.ground.shape[0] == 0 else MOST_DROP_ON_GROUND
+    wanted = 0.0
+    for foot in range(f.hip.shape[0]):
+        at = memory + OF_ACTOR + foot * OF_FOOT
+        if keep[row, at + PLANTED] > 0.0:
+            need = _missing(f, legs, keep, row, foot, at, root)
+            keep[row, at + EAGER] = 1.0 if need > most else 0.0
+            wanted = max(wanted, min(need, most))
+    old = keep[row, memory + DROP] - wanted
+    drop, rate = settled(old, keep[row, memory + DROP_RATE], GIVE, dt)
+    keep[row, memory + DROP], keep[row, memory + DROP_RATE] = drop + wanted, rate
+    return drop + wanted
+
+
+@inlined
+def begin_pelvis(f: Any, keep: Any, row: int) -> None:
+    """Forgets how far the pelvis is lowered: a new motion begins in the pose that is shown."""
+    keep[row, f.memory[0] + DROP], keep[row, f.memory[0] + DROP_RATE] = 0.0, 0.0
+
+
+@inlined
+def _missing(f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, root: Any) -> Any:
+    """How much lower a hip must be for its leg to reach the shown ankle."""
+    block, lane = place_of(row)
+    place, reach = f.hip[foot], STRETCH * f.length[foot]
+    x, y, z = on_stage(
+        legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
+    )
+    ankle = ankle_of(f, legs, row, foot, root)
+    x, z = x - ankle[0] - keep[row, at + X], z - ankle[2] - keep[row, at + Z]
+    y -= ankle[1] + keep[row, at + Y]
+    return y - math.sqrt(max(reach * reach - x * x - z * z, 0.0))
+
+
+@inlined
+def move_pelvis(f: Any, legs: Any, values: Any, row: int, drop: float) -> None:
+    """Lowers the pelvis of the pose in a block of `values` by `drop` metres."""
+    block, lane = place_of(row)
+    channel, place = joint_channel(f.pelvis[0]), f.above_pelvis[0]
+    for axis in range(3):
+        part = 1.0 if axis == 1 else 0.0
+        if place >= 0:  # the part of the direction up along an axis of the parent
+            a, b = legs[block, place, axis, lane], legs[block, place, 4 + axis, lane]
+            c = legs[block, place, 8 + axis, lane]
+            part = b / max(a * a + b * b + c * c, 1e-12)
+        values[block, channel + axis, lane] -= part * drop
+
+
+@called
+def aim_leg(f: Any, legs: Any, keep: Any, rows: Any, row: int, foot: int, root: Any, weight: float) -> None:
+    """Writes the inputs of a leg's chain: the shown ankle, its rotation, and where the knee bends to."""
+    block, lane = place_of(row)
+    at, inputs = f.memory[0] + OF_ACTOR + foot * OF_FOOT, rows[foot]
+    ankle = ankle_of(f, legs, row, foot, root)
+    x, z = ankle[0] + keep[row, at + X] - root[0], ankle[2] + keep[row, at + Z] - root[2]
+    inputs[TARGET, lane] = x * root[4] - z * root[3]
+    inputs[TARGET + 1, lane] = ankle[1] + keep[row, at + Y] - root[1]
+    inputs[TARGET + 2, lane] = z * root[4] + x * root[3]
+    for axis in range(3):
+        bend = 0.0
+        for column in range(3):
+            bend += legs[block, f.hip[foot], 4 * axis + column, lane] * f.bend[foot, column]
+        inputs[POLE + axis, lane] = bend
+    _write_rotation(legs, inputs, block, f.ankle[foot], lane, keep[row, at + TURN])
+    inputs[WEIGHT, lane] = weight
+
+
+@inlined
+def _write_rotation(legs: Any, inputs: Any, block: int, place: int, lane: int, turn: float) -> None:
+    """The rotation of the animated ankle in model space, turned about the vertical."""
+    x, y, z, w = _quaternion(legs, block, place, lane)
+    sine, cosine = sincos(0.5 * turn)
+    inputs[ROTATION, lane] = cosine * x + sine * z
+    inputs[ROTATION + 1, lane] = cosine * y + sine * w
+    inputs[ROTATION + 2, lane] = cosine * z - sine * x
+    inputs[ROTATION + 3, lane] = cosine * w - sine * y
+
+
+@inlined
+def _quaternion(legs: Any, block: int, place: int, lane: int) -> Any:
+    """The rotation x y z w of a model matrix, its scale taken as even."""
+    a, b, c = legs[block, place, 0, lane], legs[block, place, 4, lane], legs[block, place, 8, lane]
+    size = 1.0 / math.sqrt(max(a * a + b * b + c * c, 1e-30))
+    xx, yx, zx = a * size, b * size, c * size
+    xy, yy = legs[block, place, 1, lane] * size, legs[block, place, 5, lane] * size
+    zy, xz = legs[block, place, 9, lane] * size, legs[block, place, 2, lane] * size
+    yz, zz = legs[block, place, 6, lane] * size, legs[block, place, 10, lane] * size
+    if xx + yy + zz > 0.0:
+        x, y, z, w = zy - yz, xz - zx, yx - xy, 1.0 + xx + yy + zz
+    elif xx > yy and xx > zz:
+        x, y, z, w = 1.0 + xx - yy - zz, xy + yx, xz + zx, zy - yz
+    elif yy > zz:
+        x, y, z, w = xy + yx, 1.0 + yy - xx - zz, yz + zy, xz - zx
+    else:
+        x, y, z, w = xz + zx, yz + zy, 1.0 + zz - xx - yy, yx - xy
+    unit = 1.0 / math.sqrt(x * x + y * y + z * z + w * w)
+    return x * unit, y * unit, z * unit, w * unit
+
+
+@inlined
+def follow_ground(f: Any, keep: Any, position: Any, row: int, dt: float) -> None:
+    """Moves the root to the height of the ground below it."""
+    if f.ground.shape[0] > 0:
+        ground = ground_at(f.ground, position[row, 0], position[row, 2], 0.0)
+        at = f.memory[0] + LIFT_RATE
+        height, keep[row, at] = settled(position[row, 1] - ground, keep[row, at], FOLLOW, dt)
+        position[row, 1] = ground + height
