@@ -5,7 +5,7 @@ import pytest
 from paths import MACHINES
 from statwalk.errors import CancelledError
 from statwalk.services.library.load import load_role
-from statwalk.stage.measure.trials import NEVER, WARM_UP, Trial, motion_alone, placed, record
+from statwalk.stage.measure.trials import NEVER, WARM_UP, CellTrial, motion_alone, placed, record
 from statwalk.stage.stage import Stage
 
 WALKER = load_role(MACHINES / "faq-walker")
@@ -35,8 +35,8 @@ def on_stage(events, ticks):
 def test_a_trial_shows_what_a_stage_shows():
     """STAT begins at 0; after the warm-up it gets FORWARD, and STOP 20 ticks later."""
     duration = WALKER.machine.duration[STAT]
-    trial = Trial(STAT, WARM_UP / 60 / duration, FORWARD, 20, STOP)
-    recording = record(WALKER, [trial, Trial(STAT, 0.5)], 60)
+    trial = CellTrial(STAT, WARM_UP / 60 / duration, FORWARD, 20, STOP)
+    recording = record(WALKER, [trial, CellTrial(STAT, 0.5)], 60)
     wanted = on_stage({WARM_UP: "FORWARD", WARM_UP + 20: "STOP"}, 60)
     assert recording.sent[0] == WARM_UP
     assert np.abs(recording.joints[:, 0] - wanted).max() < 1e-5
@@ -50,7 +50,7 @@ def test_a_trial_shows_what_a_stage_shows():
 
 
 def test_a_motion_goes_on_as_it_is_by_itself():
-    recording = record(WALKER, [Trial(WALK, 0.3)], 40)
+    recording = record(WALKER, [CellTrial(WALK, 0.3)], 40)
     still = recording.joints[:, 0] - recording.joints[0, 0, 0] * [1, 0, 1]
     steps = np.linalg.norm(np.diff(still, axis=0), axis=-1)
     alone = np.linalg.norm(np.diff(motion_alone(WALKER, WALK, 0.0), axis=0), axis=-1)
@@ -58,8 +58,8 @@ def test_a_motion_goes_on_as_it_is_by_itself():
 
 
 def test_a_trial_is_the_same_in_a_crowd():
-    alone = record(WALKER, [Trial(WALK, 0.3, STOP)], 40)
-    crowd = record(WALKER, [Trial(WALK, phase, STOP) for phase in (0, 0.1, 0.2, 0.3)], 40)
+    alone = record(WALKER, [CellTrial(WALK, 0.3, STOP)], 40)
+    crowd = record(WALKER, [CellTrial(WALK, phase, STOP) for phase in (0, 0.1, 0.2, 0.3)], 40)
     assert np.array_equal(alone.joints[:, 0], crowd.joints[:, 3])
 
 
@@ -68,4 +68,4 @@ def test_recording_can_be_cancelled():
         raise CancelledError("enough")
 
     with pytest.raises(CancelledError):
-        record(WALKER, [Trial(WALK, 0.0)], 40, cancel)
+        record(WALKER, [CellTrial(WALK, 0.0)], 40, cancel)

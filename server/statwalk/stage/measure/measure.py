@@ -18,7 +18,7 @@ from statwalk.stage.measure.limbs import hand_accelerations, knees
 from statwalk.stage.measure.response import arrivals, visible
 from statwalk.stage.measure.slide import sinks, slides
 from statwalk.stage.measure.subject import Cell, Subject
-from statwalk.stage.measure.trials import RATE, WARM_UP, Recording, Trial, record
+from statwalk.stage.measure.trials import RATE, WARM_UP, CellTrial, Recording, record
 from statwalk.stage.measure.windows import change_ticks, end_of_blend, span
 
 PHASES = np.linspace(0, 0.9, 10)
@@ -79,7 +79,7 @@ def _play_motion(subject: Subject, row: int) -> Played:
     machine = subject.role.machine
     duration = min(_seconds(subject, row), LONGEST_WAIT)
     ticks = round(duration * RATE) * (1 + bool(machine.loop[row]))
-    recording = record(subject.role, [Trial(row, 0.0)], max(ticks, 3), subject.checkpoint)
+    recording = record(subject.role, [CellTrial(row, 0.0)], max(ticks, 3), subject.checkpoint)
     watched = np.ones((len(recording.left), 1), bool)
     values = {
         "slide": slides(recording, subject.feet, watched),
@@ -94,8 +94,8 @@ def _play_cell(subject: Subject, row: int, column: int) -> Played:
     """The figures of all trials of a cell that were taken."""
     layer = int(subject.role.machine.layer_of[row])
     phases = _phases(subject, row, column)
-    plain = [Trial(row, phase, column) for phase in phases]
-    twins = [Trial(row, phase) for phase in phases]
+    plain = [CellTrial(row, phase, column) for phase in phases]
+    twins = [CellTrial(row, phase) for phase in phases]
     every = record(subject.role, [*plain, *twins], _ticks(subject, row, column), subject.checkpoint)
     changed = change_ticks(every, layer, column)[: len(plain)]
     taken = np.flatnonzero(changed >= 0)
@@ -117,7 +117,7 @@ def _play_interruptions(subject: Subject, cell: Cell, plain: Played, waits: Ints
     row, column = cell
     starts = list(zip(plain.phase, waits.tolist(), strict=True))
     trials = [
-        Trial(row, phase, column, wait + later - 1, second)
+        CellTrial(row, phase, column, wait + later - 1, second)
         for second, later, (phase, wait) in product(subject.interruptions(row, column), LATER, starts)
     ]
     ticks = _ticks(subject, row, column) + max(LATER)
@@ -127,7 +127,7 @@ def _play_interruptions(subject: Subject, cell: Cell, plain: Played, waits: Ints
     return plain
 
 
-def _play_interrupted(subject: Subject, column: int, trials: Sequence[Trial], ticks: int) -> Played:
+def _play_interrupted(subject: Subject, column: int, trials: Sequence[CellTrial], ticks: int) -> Played:
     """The figures of interrupted trials of a cell in which both events were taken."""
     recording = record(subject.role, trials, ticks, subject.checkpoint)
     layer = int(subject.role.machine.layer_of[trials[0].state])
@@ -140,7 +140,7 @@ def _play_interrupted(subject: Subject, column: int, trials: Sequence[Trial], ti
 
 
 def _played(
-    subject: Subject, recording: Recording, trials: Sequence[Trial], changes: tuple[Ints, Ints]
+    subject: Subject, recording: Recording, trials: Sequence[CellTrial], changes: tuple[Ints, Ints]
 ) -> Played:
     """The figures of trials whose state changed first and last in the ticks `changes`."""
     first, last = changes

@@ -36,7 +36,7 @@ LEAST = 2
 NEVER = -1
 
 
-class Trial(NamedTuple):
+class CellTrial(NamedTuple):
     """An actor in a state of the machine at a phase, and the events that it gets."""
 
     state: int
@@ -93,7 +93,7 @@ def placed(points: Floats, position: Floats, heading: Floats) -> Floats:
     return turned + position[..., None, :]
 
 
-def record(role: Role, trials: Sequence[Trial], ticks: int, checkpoint: Checkpoint = go_on) -> Recording:
+def record(role: Role, trials: Sequence[CellTrial], ticks: int, checkpoint: Checkpoint = go_on) -> Recording:
     """Plays trials side by side for `ticks` ticks at 60 Hz; calls `checkpoint` before each."""
     start, sent = _beginnings(role, trials)
     state = StageState(
@@ -114,7 +114,7 @@ def record(role: Role, trials: Sequence[Trial], ticks: int, checkpoint: Checkpoi
     return Recording(role, sent, machine, event, position, heading, left, *worlds)
 
 
-def _beginnings(role: Role, trials: Sequence[Trial]) -> tuple[Floats, Ints]:
+def _beginnings(role: Role, trials: Sequence[CellTrial]) -> tuple[Floats, Ints]:
     """For each trial the seconds into its motion at which it is put on the stage, and the tick of its
     event.
     """
@@ -128,7 +128,7 @@ def _beginnings(role: Role, trials: Sequence[Trial]) -> tuple[Floats, Ints]:
     return np.where(machine.loop[states], np.mod(start, laps), start), ticks.astype(np.int64)
 
 
-def _commands(role: Role, trials: Sequence[Trial], sent: Ints) -> dict[int, list[Press]]:
+def _commands(role: Role, trials: Sequence[CellTrial], sent: Ints) -> dict[int, list[Press]]:
     """The inputs by the tick before they count; END is no input."""
     due: dict[int, list[Press]] = {}
     events = role.machine.events
@@ -151,7 +151,7 @@ def machines_at(role: Role, states: Ints, times: Floats) -> MachineState:
     return machine
 
 
-def _cast(role: Role, trials: Sequence[Trial], start: Floats) -> CastState:
+def _cast(role: Role, trials: Sequence[CellTrial], start: Floats) -> CastState:
     """The actors where they begin: in the pose of their motion, which moves as the motion moves."""
     nowhere = np.zeros((len(trials), 3))
     cast = enter(role, range(1, len(trials) + 1), nowhere, nowhere[:, 0])
