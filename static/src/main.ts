@@ -13,6 +13,7 @@ import { Picker } from "./panels/picker/picker";
 import { byId, el, onTheme, reducedMotion } from "./ui/dom";
 import { dropZone } from "./panels/importDialog/dropZone";
 import { EventsPanel } from "./panels/events/events";
+import { FeetStrip } from "./panels/feet/feet";
 import { GraphPanel } from "./panels/graph/graph";
 import { HelpDialog } from "./panels/help/help";
 import { StateBadge, modeBar, notices, toggleMode } from "./panels/viewControls/viewControls";
@@ -143,6 +144,7 @@ function start(name: string): void {
   );
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
   const badge = new StateBadge(byId("badge"), session, stageView);
+  const feet = new FeetStrip(byId("badge").parentElement ?? byId("badge"), session);
   new ParametersPanel(byId("parameters"), session);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
@@ -173,6 +175,7 @@ function start(name: string): void {
     stageView.update();
     if (scene.draw(dt)) drawn.add(now);
     badge.update(phase);
+    feet.update(phase);
     transport.update();
     timeline.update(now);
     requestAnimationFrame(loop);

@@ -15,7 +15,11 @@ export class VersionBar {
   });
   private readonly measure = el(
     "button",
-    { type: "button", class: "plain", title: "play every transition, and measure it: feet, knees, hands, jumps" },
+    {
+      type: "button",
+      class: "plain",
+      title: "play every transition, and measure it: feet, knees, hands, jumps",
+    },
     "measure",
   );
   private readonly undo = el(
