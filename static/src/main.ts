@@ -144,7 +144,7 @@ function start(name: string): void {
   );
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
   const badge = new StateBadge(byId("badge"), session, stageView);
-  const feet = new FeetStrip(byId("badge").parentElement ?? byId("badge"), session);
+  const feet = new FeetStrip(byId("badge"), session);
   new ParametersPanel(byId("parameters"), session);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
