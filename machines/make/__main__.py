@@ -8,6 +8,7 @@ import cannon
 import coin
 import door
 import goose
+import joints
 
 PLACES = {
     "playground/door/door.glb": door,
@@ -21,3 +22,4 @@ if __name__ == "__main__":
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[1]
     for path, maker in PLACES.items():
         maker.make().write(folder / path)
+    joints.make_all(folder)

@@ -12,6 +12,7 @@ import { ImportDialog } from "./panels/importDialog/importDialog";
 import { Picker } from "./panels/picker/picker";
 import { byId, el, onTheme, reducedMotion } from "./ui/dom";
 import { dropZone } from "./panels/importDialog/dropZone";
+import { clampedPanel } from "./panels/clamped/clamped";
 import { EventsPanel } from "./panels/events/events";
 import { FeetStrip } from "./panels/feet/feet";
 import { GraphPanel } from "./panels/graph/graph";
@@ -32,7 +33,7 @@ import { Player } from "./state/player";
 import { Session } from "./state/session";
 import { exposeForTests } from "./testHook";
 import { Travel } from "./state/travel";
-import { StageView } from "./view/stageView";
+import { type Modes, StageView } from "./view/stageView";
 import { chooseQuality, rendererName } from "./view/quality";
 import { Scene } from "./view/scene";
 import "./style/panels.css";
@@ -46,7 +47,7 @@ function viewerKeys(
   transport: Transport,
   help: () => void,
 ): Shortcut[] {
-  const mode = (key: string, name: "skin" | "wire" | "bones" | "tetra"): Shortcut => ({
+  const mode = (key: string, name: keyof Modes): Shortcut => ({
     keys: [key],
     words: `show ${name}`,
     act: () => toggleMode(stageView, name),
@@ -61,6 +62,7 @@ function viewerKeys(
     mode("2", "wire"),
     mode("3", "bones"),
     mode("4", "tetra"),
+    mode("5", "limits"),
     {
       keys: ["g"],
       words: "pose stream, glb stream",
@@ -95,10 +97,25 @@ function freeFocus(): void {
 }
 
 /** Imports your own character: dropped on the page, or chosen as a file. */
-function importOwn(picker: Picker): void {
-  const dialog = new ImportDialog((machine) => picker.open(machine));
+function importOwn(picker: Picker, session: Session, travel: Travel): void {
+  const made = async (machine: string, state = ""): Promise<void> => {
+    await picker.open(machine);
+    if (state) playOnce(session, machine, () => void travel.go(state));
+  };
+  const dialog = new ImportDialog(made, () => session.machine.value?.character ?? null);
   dropZone((files) => dialog.take(files));
   byId("add").addEventListener("click", () => dialog.choose());
+}
+
+/** Calls `then` as soon as the page knows the machine that it has begun to watch. */
+function playOnce(session: Session, machine: string, then: () => void): void {
+  let done = false;
+  const forget = session.machine.on((known) => {
+    if (done || known?.name !== machine || session.cast?.machine !== machine) return;
+    done = true;
+    queueMicrotask(() => forget());
+    then();
+  });
 }
 
 /** Makes the why panel; you can try its remedies in the table and on the stage. */
@@ -146,11 +163,12 @@ function start(name: string): void {
   const badge = new StateBadge(byId("badge"), session, stageView);
   const feet = new FeetStrip(byId("badge"), session);
   new ParametersPanel(byId("parameters"), session);
+  clampedPanel(byId("clamped"), session);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
   layerTabs(byId("layers"), session);
   routeBar(byId("route"), session, travel);
-  importOwn(new Picker(byId("picker"), session, stages));
+  importOwn(new Picker(byId("picker"), session, stages), session, travel);
   modeBar(byId("modes"), session, stageView);
   new ActionCounter(byId("action-counter"), session);
   notices(byId("notices"), session);

@@ -17,17 +17,15 @@ WALKER = read_model((MACHINES / "faq-walker" / "walker.glb").read_bytes(), "walk
 JOINT = {name: index for index, name in enumerate(WALKER.skeleton.names)}
 BONES = 20  # the last joint is the node of the mesh
 SIDES = ("Left", "Right")
+STOPS = tuple(f"come-to-stop-{side}-{number}" for side in ("left", "right") for number in range(1, 7))
+SHORT_STOPS = ("come-to-stop-short-1", "come-to-stop-short-2")
+JUMPS = tuple(f"jump-{side}-{number}" for side in ("left", "right") for number in range(1, 5))
 MEETINGS = [
-    *(
-        ("start-walk", "walk"),
-        ("walk", "walk"),
-        ("walk", "come-to-stop"),
-        ("walk", "jump"),
-        ("stand", "stand"),
-    ),
-    *(("come-to-stop", "stand"), ("turn-left", "stand"), ("turn-right", "stand"), ("stand-up", "stand")),
-    *(("stand", "start-walk"), ("stand", "turn-left"), ("stand", "turn-right")),
-    *(("jump", "fly"), ("fly", "land"), ("land", "crouch"), ("crouch", "stand-up")),
+    *(("start-walk", "walk"), ("walk", "walk"), ("stand", "stand"), ("stand-up", "stand"), ("rise", "stand")),
+    *((name, "stand") for name in (*STOPS, *SHORT_STOPS, "come-to-rest", "turn-left", "turn-right")),
+    *(("stand", "start-walk"), ("stand", "turn-left"), ("stand", "turn-right"), ("stand", "crouch")),
+    *((name, "fly") for name in JUMPS),
+    *(("fly", "land"), ("land", "absorb"), ("absorb", "rise"), ("crouch", "stand-up")),
 ]
 # guide to motion: degrees at the eight keys, from this leg's heel strike
 HIP = (30, 25, 11, -3, -10, 0, 23, 32)
@@ -73,20 +71,9 @@ def hardest(name: str) -> float:
     return float(np.linalg.norm(np.diff(joints(name)[::2], 2, axis=0), axis=-1).max()) * (RATE / 2) ** 2
 
 
-def test_eleven_motions() -> None:
-    expected = {
-        "stand",
-        "start-walk",
-        "walk",
-        "come-to-stop",
-        "turn-left",
-        "turn-right",
-        "jump",
-        "fly",
-        "land",
-        "crouch",
-        "stand-up",
-    }
+def test_the_motions_of_eleven_states() -> None:
+    others = "stand start-walk walk come-to-rest turn-left turn-right walk-turn-left walk-turn-right fly land"
+    expected = {*STOPS, *SHORT_STOPS, *JUMPS, *others.split(), "absorb", "rise", "crouch", "stand-up"}
     assert set(WALKER.clips) == expected
 
 
@@ -107,7 +94,7 @@ def test_the_bones_of_the_faq() -> None:
 def test_planted_feet_do_not_slide(name: str) -> None:
     dragged = [slide for side in SIDES for slide in slides(soles(name)[side])]
     assert dragged, "no foot ever touches the ground"
-    assert max(dragged) < 0.010
+    assert max(dragged) < 0.014  # in the two ticks in which it comes down or leaves
 
 
 @pytest.mark.parametrize("name", WALKER.clips)
@@ -125,7 +112,7 @@ def test_knees_and_elbows_bend_their_way_and_never_lock(name: str) -> None:
 
 @pytest.mark.parametrize("name", WALKER.clips)
 def test_no_joint_jerks(name: str) -> None:
-    assert hardest(name) < (250 if name in ("jump", "fly", "land") else 125)
+    assert hardest(name) < (250 if name in (*JUMPS, "fly", "land") else 125)
 
 
 @pytest.mark.parametrize(("first", "second"), MEETINGS)
@@ -170,7 +157,11 @@ def test_walk_keeps_to_clinical_averages(
 
 
 @pytest.mark.parametrize(
-    ("name", "angle"), [("turn-left", 60.0), ("turn-right", -60.0), ("walk", 0.0), ("come-to-stop", 0.0)]
+    ("name", "angle"),
+    [
+        *(("turn-left", 60.0), ("turn-right", -60.0), ("walk-turn-left", 60.0), ("walk-turn-right", -60.0)),
+        *(("walk", 0.0), ("come-to-stop-left-1", 0.0)),
+    ],
 )
 def test_turns_go_the_way_they_say(name: str, angle: float) -> None:
     ahead = [
@@ -179,6 +170,42 @@ def test_turns_go_the_way_they_say(name: str, angle: float) -> None:
     ]
     start, end = (np.degrees(np.arctan2(way[0], way[2])) for way in ahead)
     assert end - start == pytest.approx(angle, abs=0.1)
+
+
+@pytest.mark.parametrize("name", WALKER.clips)
+def test_no_hand_is_faster_than_60_metres_a_second_squared(name: str) -> None:
+    hands = joints(name)[::2, [JOINT["Left.hand"], JOINT["Right.hand"]]]
+    assert np.linalg.norm(np.diff(hands, 2, axis=0), axis=-1).max() * (RATE / 2) ** 2 < 60
+
+
+def test_arms_swing_back_as_far_as_forward() -> None:
+    """Hands against their shoulders, along the path."""
+    for side in SIDES:
+        reach = joints("walk")[:, JOINT[f"{side}.hand"], 2] - joints("walk")[:, JOINT[f"{side}.upperarm"], 2]
+        assert reach.max() == pytest.approx(-reach.min(), abs=0.06)
+
+
+def test_crouching_hands_rest_on_the_thighs_and_are_not_mirrored() -> None:
+    pose = joints("crouch")[-1]
+    along = []
+    for side in SIDES:
+        hip, knee, wrist = (pose[JOINT[f"{side}.{bone}"]] for bone in ("upperleg", "lowerleg", "hand"))
+        thigh = knee - hip
+        along.append((wrist - hip) @ thigh / (thigh @ thigh))
+        assert np.linalg.norm(wrist - hip - along[-1] * thigh) < 0.13  # a thigh is 7 cm thick
+    assert 0.02 < along[0] - along[1] < 0.2
+
+
+@pytest.mark.parametrize("number", range(1, 7))
+def test_a_stop_has_its_mirror_image(number: int) -> None:
+    """The feet, seen from where they come to rest; the pelvis then leans on the left foot in both."""
+    left, right = (joints(f"come-to-stop-{side}-{number}") for side in ("left", "right"))
+    ways = []
+    for path, (last, other) in ((left, ("Left", "Right")), (right, ("Right", "Left"))):
+        ways.append(
+            [path[-1, JOINT[f"{side}.foot"], 2] - path[0, JOINT[f"{side}.foot"], 2] for side in (last, other)]
+        )
+    assert ways[0] == pytest.approx(ways[1], abs=0.06)
 
 
 def test_standing_breathes_and_shifts_its_weight() -> None:

@@ -12,6 +12,7 @@ LASTS = {
     state: round(float(seconds) * 60)
     for state, seconds in zip(WALKER.machine.states, WALKER.machine.duration, strict=True)
 }
+LASTS |= {"TLFT": 60, "TRGT": 60, "CRCH": 5, "STUP": 18}  # on the spot; after a landing
 SENT = 90  # the tick in which the event of a cell counts, unless the state is over sooner
 
 WALK = 1 + LASTS["STWK"]  # FORWARD counts in tick 1; STWK plays once
@@ -56,7 +57,7 @@ CELLS = [
     ("FLY", JUMPING, None, LAND, "LAND"),
     ("LAND", JUMPING, None, CRCH, "CRCH"),
     ("CRCH", JUMPING, None, STUP, "STUP"),
-    ("CRCH", JUMPING, ("CROUCH", CRCH + 5), STUP, "CRCH"),
+    ("CRCH", JUMPING, ("CROUCH", CRCH + 3), STUP, "CRCH"),
     ("STUP", JUMPING, None, STUP + LASTS["STUP"], "STAT"),
 ]
 
@@ -103,3 +104,15 @@ def test_actions_come_once_in_order():
         (1, JUMP, "jump"),
         (2, LAND, "land"),
     ]
+
+
+def test_a_landing_gives_control_back_within_half_a_second():
+    stage = Stage()
+    actor = stage.add(WALKER)
+    for now in range(1, LAND + 31):
+        if now in JUMPING:
+            stage.send(actor, JUMPING[now])
+        if now == FLY + 5:
+            stage.hold(actor, "FORWARD")
+        stage.step()
+    assert actor.state == "STWK"

@@ -22,6 +22,7 @@ class Writer:
     def __init__(self) -> None:
         self.file = gl.GLTF2(asset=gl.Asset(version="2.0", generator="machines/faq-walker/make"))
         self.blob = bytearray()
+        self.written: dict[bytes, int] = {}
 
     def add(
         self, rows: NDArray[np.generic], component: int, *, target: int | None = None, bounds: bool = False
@@ -45,9 +46,20 @@ class Writer:
         self.file.accessors.append(accessor)
         return len(self.file.accessors) - 1
 
+    def turns(self, rows: Array) -> int:
+        """Append rotations (N, 4) as normalized 16-bit integers, half as long as floats: a hand at the end of
+        an arm is off by less than 0.1 mm.
+        """
+        self.file.accessors[at := self.add(np.round(rows * 32767).astype(np.int16), 5122)].normalized = True
+        return at
+
     def floats(self, rows: Array, **how: bool | int | None) -> int:
-        """Append rows as 32-bit floats."""
-        return self.add(rows.astype(np.float32), FLOAT, **how)  # type: ignore[arg-type]
+        """Append rows as 32-bit floats; the same rows are written once."""
+        numbers = rows.astype(np.float32)
+        key = repr((numbers.shape, how)).encode() + numbers.tobytes()
+        if key not in self.written:
+            self.written[key] = self.add(numbers, FLOAT, **how)  # type: ignore[arg-type]
+        return self.written[key]
 
 
 def _add_body(out: Writer, body: Body) -> None:
@@ -108,7 +120,8 @@ def _add_motion(out: Writer, motion: Motion) -> None:
         *((joint, "rotation", rotation[:, joint]) for joint in range(len(NAMES))),
     ]
     for joint, path, values in tracks:
-        clip.samplers.append(gl.AnimationSampler(input=at, output=out.floats(values), interpolation="LINEAR"))
+        output = out.turns(values) if path == "rotation" else out.floats(values)
+        clip.samplers.append(gl.AnimationSampler(input=at, output=output, interpolation="LINEAR"))
         target = gl.AnimationChannelTarget(node=joint, path=path)
         clip.channels.append(gl.AnimationChannel(sampler=len(clip.samplers) - 1, target=target))
     out.file.animations.append(clip)

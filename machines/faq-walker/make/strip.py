@@ -17,7 +17,7 @@ from skeleton import PARENT, rest_translation
 from statwalk.maths import quat
 
 SCALE = 100.0  # pixels a metre
-TALL = ("jump", "fly", "land", "crouch", "stand-up")  # need room overhead
+TALL = ("jump", "fly", "land", "absorb", "rise", "crouch", "stand-up")  # need room overhead
 
 
 def world_matrices(rotation: Array, root: Array) -> Array:

@@ -12,11 +12,12 @@ from bake import write_glb  # noqa: E402
 from gestures import GESTURES  # noqa: E402
 from mesh.body import make_body  # noqa: E402
 from moves.stand import STAND  # noqa: E402
-from moves.start_stop import COME_TO_STOP, START_WALK  # noqa: E402
+from moves.start import START_WALK  # noqa: E402
+from moves.stop import NOT_GONE, SHORT_STOPS, STOPS  # noqa: E402
 from moves.walk import WALK  # noqa: E402
 from run import RUN  # noqa: E402
 
-MOTIONS = [STAND, START_WALK, WALK, RUN, COME_TO_STOP, *GESTURES]
+MOTIONS = [STAND, START_WALK, WALK, RUN, *STOPS, *SHORT_STOPS, NOT_GONE, *GESTURES]
 
 if __name__ == "__main__":
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE.parent / "walker.glb"

@@ -74,7 +74,9 @@ class Body:
 
 
 def world_rotations(skeleton: Skeleton, local: Floats) -> Floats:
-    """Returns the rotations (…, J, 4) of joints in the character's space; scales are even and play no part."""
+    """Returns the rotations (…, J, 4) of joints in the character's space; even scales play
+    no part.
+    """
     world = np.empty_like(local)
     for joint, parent in enumerate(skeleton.parent.tolist()):
         own = quat.normalize(local[..., joint, :])
@@ -83,7 +85,7 @@ def world_rotations(skeleton: Skeleton, local: Floats) -> Floats:
 
 
 def _axes(position: Floats, bones: Mapping[str, int]) -> Floats:
-    """Returns the turn from the file's axes to the body's: up from the hips to the head, left from leg to leg."""
+    """Returns the turn from the file's axes to the body's: up from hips to head, left from leg to leg."""
     up = np.array([0.0, 1.0, 0.0])
     for top in ("Head", "Neck", "UpperChest", "Chest", "Spine"):
         if top in bones and "Hips" in bones:

@@ -1,8 +1,8 @@
 """The bones that bodies have in common, found by the names that Mixamo, VRM, Unreal, Rigify, CMU, KayKit,
 Quaternius, Biped, OptiTrack, Poser and the FAQ give them.
 
-Hips and spine are found by their place: the hips carry both legs, the spine leads from there to the arms. Names
-like `Hips` and `Body` mean another joint in every rig.
+Hips and spine are found by their place: the hips carry both legs, the spine leads from there to the arms.
+Names like `Hips` and `Body` mean another joint in every rig.
 """
 
 from __future__ import annotations
@@ -58,8 +58,8 @@ NEEDED = ("Hips", *(side + bone for side in SIDES for bone in ("UpperLeg", "Lowe
 
 
 def body_bones(skeleton: Skeleton, chosen: Mapping[str, str] | None = None) -> dict[str, int]:
-    """Returns the joint of each bone that the names of a skeleton tell; `chosen` (bone -> joint's name, "" for
-    none) comes first.
+    """Returns the joint of each bone that the names of a skeleton tell; `chosen` (bone -> joint's name, ""
+    for none) comes first.
 
     :raises ContentError: when a bone has no such name.
     :raises UnknownNameError: when the skeleton has no joint of a name.
@@ -77,8 +77,8 @@ def body_bones(skeleton: Skeleton, chosen: Mapping[str, str] | None = None) -> d
 
 
 def words_of(name: str) -> tuple[str, list[str]]:
-    """Returns the side that a joint's name tells ("" for none) and its other words, in lower case, without the
-    prefixes that tools add: `mixamorig:LeftUpLeg` is Left, up, leg.
+    """Returns the side that a joint's name tells ("" for none) and its other words, in lower case, without
+    the prefixes that tools add: `mixamorig:LeftUpLeg` is Left, up, leg.
     """
     words = [word.lower() for word in _WORD.findall(re.split(r"[:|]", name)[-1])]
     sides = [word for word in words if word in _SIDE_WORDS]
@@ -96,17 +96,17 @@ def _by_name(skeleton: Skeleton) -> dict[str, int]:
         named.setdefault((side, "".join(words)), joint)
     found: dict[str, int] = {}
     taken: set[int] = set()
+
     wanted = [("", bone, names) for bone, names in _MIDDLE.items()]
     wanted += [(side, bone, names) for side in SIDES for bone, names in _LIMBS.items()]
     for side, bone, names in wanted:
         joints = [named[side, name] for name in names.split() if (side, name) in named]
         parent = found.get(PARENTS.get(side + bone, "")) if bone in _CHAINED else None
         carried = [joint for joint in joints if parent is None or parent in ancestors(skeleton, joint)[1:]]
-        free = (joint for joint in (carried or joints if bone == "Foot" else carried) if joint not in taken)
-        joint = next(free, None)
-        if joint is not None:
-            found[side + bone] = joint
-            taken.add(joint)
+        free = [joint for joint in (carried or joints if bone == "Foot" else carried) if joint not in taken]
+        if free:
+            found[side + bone] = free[0]
+            taken.add(free[0])
     return found | _fingers(named)
 
 
@@ -131,7 +131,7 @@ def ancestors(skeleton: Skeleton, joint: int) -> list[int]:
     return path
 
 
-def _carrier(skeleton: Skeleton, joints: list[int]) -> int | None:
+def carrier(skeleton: Skeleton, joints: list[int]) -> int | None:
     """Returns the lowest joint that carries all of them."""
     paths = [ancestors(skeleton, joint)[1:] for joint in joints]
     common = set.intersection(*map(set, paths)) if paths else set()
@@ -141,7 +141,7 @@ def _carrier(skeleton: Skeleton, joints: list[int]) -> int | None:
 def _find_hips(skeleton: Skeleton, found: dict[str, int]) -> None:
     """Makes the joint that carries both legs the hips, whatever its name."""
     legs = [found[side + "UpperLeg"] for side in SIDES if side + "UpperLeg" in found]
-    hips = _carrier(skeleton, legs) if len(legs) == 2 else None
+    hips = carrier(skeleton, legs) if len(legs) == 2 else None
     if hips is not None:
         found["Hips"] = hips
 
@@ -152,7 +152,7 @@ def _spine(skeleton: Skeleton, found: Mapping[str, int]) -> dict[str, int]:
     tops = tops if len(tops) == 2 else [found[bone] for bone in ("Neck", "Head") if bone in found]
     if "Hips" not in found or not tops:
         return {}
-    top = _carrier(skeleton, tops) if len(tops) > 1 else int(skeleton.parent[tops[0]])
+    top = carrier(skeleton, tops) if len(tops) > 1 else int(skeleton.parent[tops[0]])
     path = ancestors(skeleton, top)[::-1] if top is not None and top >= 0 else []
     if found["Hips"] not in path:
         return {}

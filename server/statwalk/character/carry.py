@@ -1,5 +1,5 @@
-"""Carries the turns of one body over to another: each bone turns from its rest as the other's does from its own,
-after the rest poses are brought into line.
+"""Carries the turns of one body over to another: each bone turns from its rest as the other's does from its
+own, after the rest poses are brought into line.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _FOLLOWS = {side + "Hand": side + "LowerArm" for side in SIDES} | {
 }
 
 
-class Motion(NamedTuple):
+class CapturedMotion(NamedTuple):
     """A captured motion in the space of the body that it was captured from.
 
     times     (F,) seconds from 0
@@ -52,7 +52,7 @@ class Motion(NamedTuple):
     places: dict[str, Floats]
 
 
-def motion_of(body: Body, poses: Pose, times: Floats) -> Motion:
+def motion_of(body: Body, poses: Pose, times: Floats) -> CapturedMotion:
     """Returns how the bones of a body turn and move in poses with a leading axis of frames (F)."""
     exact = Pose(*(array.astype(np.float64) for array in poses))
     turns = world_rotations(body.character.skeleton, exact.rotation)
@@ -61,10 +61,10 @@ def motion_of(body: Body, poses: Pose, times: Floats) -> Motion:
         bone: quat.mul(turns[:, joint], quat.conjugate(body.rotation[joint]))
         for bone, joint in body.bones.items()
     }
-    return Motion(times, turned, {bone: places[:, joint] for bone, joint in body.bones.items()})
+    return CapturedMotion(times, turned, {bone: places[:, joint] for bone, joint in body.bones.items()})
 
 
-def to_world(source: Body, target: Body, motion: Motion) -> Floats:
+def to_world(source: Body, target: Body, motion: CapturedMotion) -> Floats:
     """Returns the rotation (4,) from the space of the captured motion to the target's: up is up, and over the
     first second the character faces as the target does at rest.
     """
@@ -82,7 +82,7 @@ def to_world(source: Body, target: Body, motion: Motion) -> Floats:
     return quat.mul(quat.from_axis_angle(np.array([0.0, 1.0, 0.0]), yaw), upright)
 
 
-def rotations(source: Body, target: Body, motion: Motion, world: Floats) -> dict[str, Floats]:
+def rotations(source: Body, target: Body, motion: CapturedMotion, world: Floats) -> dict[str, Floats]:
     """Returns for each bone that both bodies have its rotation (F, 4) in the target's space."""
     onto = quat.mul(source.axes, quat.conjugate(target.axes))
     lined_up = _lined_up(source, target, onto)
@@ -95,8 +95,8 @@ def rotations(source: Body, target: Body, motion: Motion, world: Floats) -> dict
     return carried
 
 
-def _turned(source: Body, target: Body, motion: Motion) -> dict[str, Floats]:
-    """Returns the turns of the target's bones; a spine of another number of joints bends as a whole as much."""
+def _turned(source: Body, target: Body, motion: CapturedMotion) -> dict[str, Floats]:
+    """Returns the turns of the target's bones; a spine with more or fewer joints bends as much as a whole."""
     turned = {
         bone: turn for bone, turn in motion.turned.items() if bone in target.bones and bone not in SPINE
     }
@@ -111,7 +111,7 @@ def _turned(source: Body, target: Body, motion: Motion) -> dict[str, Floats]:
 
 
 def _lined_up(source: Body, target: Body, onto: Floats) -> dict[str, Floats]:
-    """Returns the turns (4,) in the source's space that bring the target's limbs at rest along the source's."""
+    """Returns the turns (4,) in the source's space that bring the target's limbs along the source's."""
     turns: dict[str, Floats] = {}
     for bone, child in _LIMBS:
         ours, theirs = target.direction(bone, child), source.direction(bone, child)

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from statwalk.character.solve_pose import SolveAnswer, SolverOptions, solve_pose
 from statwalk.errors import UnknownNameError
 from statwalk.maths import transform
+from statwalk.maths.clamp_table import JointLimit
 from statwalk.maths.columns import lock_fields
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Clip
@@ -34,6 +35,7 @@ class Character:
     bind_pose    the pose at rest, unbatched, float32
     clips        by name, in the order of the file; unnamed and repeated names are made unique
     materials    glTF material objects, in the order of the parts' indices
+    limits       the limits of joints, by name (SK5, SK6)
     notes        the repairs made when the file was read
     model_glb    the model as a .glb for any viewer
     """
@@ -46,6 +48,7 @@ class Character:
     skins: tuple[Skin, ...] = ()
     parts: tuple[Primitive, ...] = ()
     materials: tuple[Mapping[str, Any], ...] = ()
+    limits: Mapping[str, JointLimit] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     model_glb: bytes = b""
 

@@ -35,7 +35,7 @@ _LETTERS = {"L": "Left", "R": "Right"}
 
 
 def point_of(marker: str) -> str | None:
-    """Returns the point of the body that a marker shows (`LeftLowerLeg`: the knee), None for other markers."""
+    """Returns the point that a marker shows (`LeftLowerLeg`: the knee), None for other markers."""
     name = marker.split(":")[-1]
     side, words = words_of(name)
     plain = "".join(word for word in words if not word.isdecimal())

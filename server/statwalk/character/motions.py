@@ -58,11 +58,10 @@ def _motion(
         check_places(places, tuple(blend.clips))
     except ContentError as error:
         raise definition.refuse(str(error), blend.line) from None
-    parameters = [parameter.name for parameter in machine.parameters]
     return BlendSpace(
         motions=tuple(stock.single(clip, loop) for clip in blend.clips),
         places=places,
-        columns=tuple(parameters.index(name) for name in blend.over),
+        columns=tuple(machine.axis(row, name) for name in blend.over),
         marks=(
             machine.markers[row],
             *(marks_of(stock.character.clips[clip], blend) for clip in list(blend.clips)[1:]),

@@ -22,7 +22,7 @@ LONGEST_REACH = 0.998
 Y = np.array([0.0, 1.0, 0.0])
 
 
-class Path(NamedTuple):
+class CapturedPath(NamedTuple):
     """The captured places in the target's space and scale, before the target stands on its own ground.
 
     hips   (F, 3)
@@ -35,7 +35,7 @@ class Path(NamedTuple):
     drop: float
 
 
-class Keys(NamedTuple):
+class BodyKeys(NamedTuple):
     """The target's motion in its own space.
 
     turns    by bone, (F, 4)
@@ -46,11 +46,11 @@ class Keys(NamedTuple):
     places: dict[str, Floats]
 
 
-def planted(body: Body, turns: dict[str, Floats], path: Path) -> Keys:
+def planted(body: Body, turns: dict[str, Floats], path: CapturedPath) -> BodyKeys:
     """Returns the turns of the bones with the legs on the ground, and where the hips are."""
     soles = soles_of(body)
-    ground = ground_of(body, soles)
-    hips = _hips(body, path, soles, ground)
+    ground = ground_of(soles)
+    hips = _hips(body, path, soles)
     solved, places = dict(turns), {"Hips": hips}
     for side in SIDES:
         leg = [side + bone for bone in ("UpperLeg", "LowerLeg", "Foot")]
@@ -58,14 +58,17 @@ def planted(body: Body, turns: dict[str, Floats], path: Path) -> Keys:
             target = _ankle(body, turns, hips, path, leg[2])
             target = _lifted(body, turns, target, (leg[2], soles[leg[2]], ground))
             solved |= _leg(body, turns, hips, target, leg)
-    return Keys(solved, places | _detached(body, solved, places))
+    return BodyKeys(solved, places | _detached(body, solved, places))
 
 
-def _hips(body: Body, path: Path, soles: dict[str, Floats], ground: float) -> Floats:
-    """Returns the hips (F, 3): the hip joints as high above the standing ankle as the captured ones, in scale."""
+def _hips(body: Body, path: CapturedPath, soles: dict[str, Floats]) -> Floats:
+    """Returns the hips (F, 3): the hip joints as high above the standing ankle as the captured ones,
+    in scale.
+    """
     if not path.feet or not soles:
         rest = body.at("Hips")[1] - path.hips[0, 1]
-        return path.hips + Y * rest
+        raised: Floats = path.hips + Y * rest
+        return raised
     standing = min(float(np.percentile(ankle[:, 1], STANDING_SHARE)) for ankle in path.feet.values())
     ankle = min(float(body.at(foot)[1]) for foot in soles)
     legs = [bone for bone in ("LeftUpperLeg", "RightUpperLeg") if bone in body.bones]
@@ -73,8 +76,8 @@ def _hips(body: Body, path: Path, soles: dict[str, Floats], ground: float) -> Fl
     return path.hips + Y * (ankle - standing + drop - path.drop)
 
 
-def _ankle(body: Body, turns: dict[str, Floats], hips: Floats, path: Path, foot: str) -> Floats:
-    """Returns where an ankle goes (F, 3): as the captured one, as far aside as the target's hips are wider."""
+def _ankle(body: Body, turns: dict[str, Floats], hips: Floats, path: CapturedPath, foot: str) -> Floats:
+    """Returns where an ankle goes (F, 3): as the captured one, further aside by as much as hips are wider."""
     captured = path.feet[foot]
     standing = float(np.percentile(captured[:, 1], STANDING_SHARE))
     free = _freely(body, turns, hips, foot)
@@ -121,9 +124,12 @@ def _lifted(body: Body, turns: dict[str, Floats], ankle: Floats, sole: tuple[str
     """Returns the ankle (F, 3), lifted where the sole would be below the ground."""
     foot, points, ground = sole
     turn = quat.mul(turns[foot], quat.conjugate(body.rotation[body.bones[foot]]))
-    arms = points - body.at(foot)
-    rows = quat.rotate(turn[:, None, :], arms[None])[..., 1].min(-1)
-    return ankle + Y * np.maximum(ground - (ankle[:, 1] + rows), 0)[:, None]
+    heights = quat.to_matrix(turn)[:, 1, :]
+    lowest = np.full(len(ankle), np.inf)
+    for arm in points - body.at(foot):
+        np.minimum(lowest, vector.dot(heights, arm), out=lowest)
+    lifted: Floats = ankle + Y * np.maximum(ground - (ankle[:, 1] + lowest), 0)[:, None]
+    return lifted
 
 
 def _leg(

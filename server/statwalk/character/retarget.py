@@ -2,9 +2,9 @@
 
     clip, report = retarget(walk.clips["walk"], walk, knight)
 
-Bones are found by their names (`body_bones`). Each turns from its rest as its counterpart does, after the rest
-poses are brought into line; lengths follow the legs' lengths; the feet go where the captured feet go, and the
-soles stay on the ground (`plant`). The clip begins at the origin and faces +Z.
+Bones are found by their names (`body_bones`). Each turns from its rest as its counterpart does, after the
+rest poses are brought into line; lengths follow the legs' lengths; the feet go where the captured feet go,
+and the soles stay on the ground (`plant`). The clip begins at the origin and faces +Z.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ import numpy as np
 
 from statwalk.character.body import Body
 from statwalk.character.body_bones import BODY_BONES, NEEDED, body_bones
-from statwalk.character.carry import Motion, motion_of, rotations, to_world
+from statwalk.character.carry import CapturedMotion, motion_of, rotations, to_world
 from statwalk.character.character import Character
-from statwalk.character.joint_keys import channels_of
-from statwalk.character.plant import Path, planted
+from statwalk.character.joint_keys import channels_of, travelling_joint
+from statwalk.character.plant import CapturedPath, planted
 from statwalk.errors import ContentError, UnknownNameError
 from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
@@ -40,6 +40,7 @@ class Retargeted:
     unmapped_source   the source's joints that move, and whose motion no joint takes
     unmapped_target   the target's joints that no motion reaches; they rest
     scale             the target's metres per unit of the source
+    root              the joint that travels: `root:` of a machine file
     notes             what else was done
     """
 
@@ -48,6 +49,7 @@ class Retargeted:
     unmapped_source: tuple[str, ...]
     unmapped_target: tuple[str, ...]
     scale: float
+    root: str
     notes: tuple[str, ...] = ()
 
 
@@ -78,7 +80,8 @@ def retarget(
 ) -> tuple[Clip, Retargeted]:
     """Returns the clip of `source` as a clip of `target`, and a report; the arguments are those of `Wish`.
 
-    :raises ContentError: when the two have too few bones in common, a bone or joint does not exist, or the clip
+    :raises ContentError: when the two have too few bones in common, a bone or joint does not exist, or the
+        clip
         is too long.
     """
     return retargeted(clip, source, target, Wish(bones, target_bones, start, end))
@@ -101,7 +104,8 @@ def retargeted(clip: Clip, source: Character, target: Character, wish: Wish) -> 
     keys = planted(theirs, turns, path)
     channels = channels_of(theirs, keys, motion.times)
     carried = Clip(clip.name, channels, float(np.float32(motion.times[-1])), target.bind_pose)
-    return carried, _report(ours, theirs, turns, clip, scale, notes)
+    root = target.skeleton.names[travelling_joint(theirs, keys)]
+    return carried, _report(ours, theirs, turns, clip, (scale, root, notes))
 
 
 def _bones(character: Character, chosen: Mapping[str, str] | None, key: str) -> dict[str, int]:
@@ -118,7 +122,7 @@ def _check(common: list[str], source: Body, target: Body) -> None:
         missing = [bone for bone in NEEDED if bone not in body.bones]
         if missing:
             raise ContentError(
-                f"the names of {body.character.name[:60]!r} do not tell which joints are {', '.join(missing)}; "
+                f"the names of {body.character.name[:60]!r} do not tell {', '.join(missing)}; "
                 f"name them: {key}: {{{missing[0]}: JOINT}}",
                 place=key,
             )
@@ -140,8 +144,8 @@ def _times(clip: Clip, body: Body, wish: Wish) -> tuple[Floats, tuple[str, ...]]
     kept = kept if len(kept) else np.array([wish.start])
     if len(kept) * len(body.character.skeleton) > MOST_JOINT_FRAMES:
         raise ContentError(
-            f"{len(kept)} frames of {len(body.character.skeleton)} joints are too many at once; choose a piece with "
-            "start and end",
+            f"{len(kept)} frames of {len(body.character.skeleton)} joints are too many at once; choose "
+            "a piece with start and end",
             place="end",
         )
     if wish.start == 0 and _begins_with_reference(clip, body, kept):
@@ -159,7 +163,7 @@ def _begins_with_reference(clip: Clip, body: Body, times: Floats) -> bool:
     return bool(angles[0] > JUMP and angles[0] > TIMES_USUAL * angles[1:].max())
 
 
-def _path(source: Body, target: Body, motion: Motion, world: Floats) -> tuple[Path, float]:
+def _path(source: Body, target: Body, motion: CapturedMotion, world: Floats) -> tuple[CapturedPath, float]:
     """Returns the places of hips and ankles in the target's space before they are planted, and the scale."""
     ours, theirs = source.leg(), target.leg()
     scale = theirs / ours if ours > 0 and theirs > 0 else _height(target) / _height(source)
@@ -169,10 +173,11 @@ def _path(source: Body, target: Body, motion: Motion, world: Floats) -> tuple[Pa
         """Relative to the ground point below the first frame's hips."""
         turned = quat.rotate(world, motion.places[bone])
         start = quat.rotate(world, first) * np.array([1.0, 0.0, 1.0])
-        return (turned - start) * scale
+        place: Floats = (turned - start) * scale
+        return place
 
     feet = {bone: placed(bone) for bone in ("LeftFoot", "RightFoot") if bone in source.bones}
-    return Path(placed("Hips"), feet, _drop(source, source.up) * scale), scale
+    return CapturedPath(placed("Hips"), feet, _drop(source, source.up) * scale), scale
 
 
 def _height(body: Body) -> float:
@@ -188,7 +193,11 @@ def _drop(body: Body, up: Floats) -> float:
 
 
 def _report(
-    source: Body, target: Body, turns: Mapping[str, Floats], clip: Clip, scale: float, notes: tuple[str, ...]
+    source: Body,
+    target: Body,
+    turns: Mapping[str, Floats],
+    clip: Clip,
+    facts: tuple[float, str, tuple[str, ...]],
 ) -> Retargeted:
     ours, theirs = source.character.skeleton.names, target.character.skeleton.names
     bones = {
@@ -206,6 +215,5 @@ def _report(
         tuple(bone for bone in NEEDED if bone not in source.bones or bone not in target.bones),
         tuple(ours[joint] for joint in sorted(moving - used)),
         tuple(name for joint, name in enumerate(theirs) if joint not in taken),
-        scale,
-        notes,
+        *facts,
     )

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,6 +14,7 @@ from statwalk.character.character import Character
 from statwalk.character.colliders import Colliders
 from statwalk.character.feet import Foot
 from statwalk.character.foot_contacts import ClipContacts
+from statwalk.character.joint_limits import limits_of
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.packed_role import PackedRole
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
@@ -28,7 +30,7 @@ from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.verify import verify
 from statwalk.maths.arrays import Bools, Floats
-from statwalk.maths.clamp_table import CLAMP_TABLE
+from statwalk.maths.clamp_table import CLAMP_TABLE, JointLimit
 from statwalk.maths.packed import packed
 from statwalk.motion.blend_space import BlendSpace, Motion
 from statwalk.motion.layer_lanes import MASKS, LayerMasks
@@ -137,14 +139,14 @@ class Role:
         program, motions = packed(self.machine.program, PROGRAM), self.stock.tables(self.motions)
         poses, masks, solvers = self.pose_tables, self.layer_masks, self.solvers
         return PackedRole(
-            program,
-            motions,
-            packed(poses, POSES),
-            packed(masks, MASKS),
-            packed(solvers.legs, FEET),
-            packed(solvers.chains, CHAINS),
-            packed(solvers.clamps, CLAMP_TABLE),
-        )
+            program, motions, packed(poses, POSES), packed(masks, MASKS), packed(solvers.legs, FEET),
+            packed(solvers.chains, CHAINS), packed(solvers.clamps, CLAMP_TABLE),
+        )  # fmt: skip
+
+    @cached_property
+    def limits(self) -> Mapping[int, JointLimit]:
+        """Returns the limits of the character's joints: the machine's, else the character's."""
+        return limits_of(self.character, self.definition)
 
     @cached_property
     def colliders(self) -> Colliders:

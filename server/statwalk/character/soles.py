@@ -8,19 +8,19 @@ from statwalk.character.body import Body
 from statwalk.character.body_bones import SIDES, ancestors
 from statwalk.maths.arrays import Bools, Floats
 
-MOST_POINTS = 200
+MOST_POINTS = 64
 SOLE_SHARE = 0.35
 """of the ankle's height: points below count as sole"""
 
 
 def soles_of(body: Body) -> dict[str, Floats]:
-    """Returns by foot bone the points (K, 3) of its sole in the character's space at rest; a foot without a mesh
-    has its joints.
+    """Returns by foot bone the points (K, 3) of its sole in the character's space at rest; a foot without a
+    mesh has its joints.
     """
     return {side + "Foot": _sole(body, side) for side in SIDES if side + "Foot" in body.bones}
 
 
-def ground_of(body: Body, soles: dict[str, Floats]) -> float:
+def ground_of(soles: dict[str, Floats]) -> float:
     """Returns the height (metres) of the ground that the character stands on at rest."""
     return min((float(points[:, 1].min()) for points in soles.values()), default=0.0)
 
@@ -31,10 +31,12 @@ def _sole(body: Body, side: str) -> Floats:
     carried = np.array([not roots.isdisjoint(ancestors(skeleton, joint)) for joint in range(len(skeleton))])
     points = _points(body, carried)
     if not len(points):
-        return body.position[carried]
+        joints: Floats = body.position[carried]
+        return joints
     low, ankle = points[:, 1].min(), body.at(side + "Foot")[1]
-    sole = points[points[:, 1] <= low + SOLE_SHARE * max(ankle - low, 0.0) + 1e-6]
-    return sole[:: -(-len(sole) // MOST_POINTS)]
+    sole: Floats = points[points[:, 1] <= low + SOLE_SHARE * max(ankle - low, 0.0) + 1e-6]
+    spread: Floats = sole[:: -(-len(sole) // MOST_POINTS)]
+    return spread
 
 
 def _points(body: Body, carried: Bools) -> Floats:

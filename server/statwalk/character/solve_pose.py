@@ -127,16 +127,17 @@ def _chain(
     skeleton: Skeleton, names: Sequence[str], options: SolverOptions, pole_kind: int, turns_end: bool
 ) -> Chain:
     joints, middle = chain_joints(skeleton, names, options.solver)
+    direction = np.asarray(options.forward) / np.linalg.norm(options.forward)
     return Chain(
-        options.solver,
-        joints,
-        sensitivities(skeleton, names, joints, options.solver, options.sensitivity),
-        middle,
-        options.softening,
-        options.tolerance,
-        options.iterations or DEFAULT_ITERATIONS[options.solver],
-        pole_kind,
-        tuple(np.asarray(options.forward) / np.linalg.norm(options.forward)),
+        solver=options.solver,
+        joints=joints,
+        sensitivity=sensitivities(skeleton, names, joints, options.solver, options.sensitivity),
+        middle=middle,
+        softening=options.softening,
+        tolerance=options.tolerance,
+        iterations=options.iterations or DEFAULT_ITERATIONS[options.solver],
+        pole_kind=pole_kind,
+        forward=(float(direction[0]), float(direction[1]), float(direction[2])),
         turns_end=turns_end,
     )
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from statwalk.character.character import Character
+from statwalk.character.joint_limits import limits_of
 from statwalk.character.leg_tables import foot_memory, has_leg, leg_chain, leg_tables
 from statwalk.character.role_feet import contacts_in, feet_in
 from statwalk.character.solver_memory import SolverMemory
@@ -37,13 +38,14 @@ def solvers_of(
 ) -> Solvers:
     """Returns the solvers that a machine file asks for.
 
-    :raises MachineError: when it asks for a foot lock, and the character has no feet with legs.
+    :raises MachineError: when it asks for a foot lock, and the character has no feet with legs; when it
+        limits a joint that the character does not have.
     """
     every = feet_in(character, definition) if definition.foot_lock else ()
     feet = tuple(foot for foot in every if has_leg(character, foot))
     if definition.foot_lock and not feet:
         raise definition.refuse("foot_lock: the character has no feet with legs; name them under `feet`", 0)
-    clamps = clamp_table({}, character.bind_pose)
+    clamps = clamp_table(limits_of(character, definition), character.bind_pose)
     chains = [leg_chain(character, foot) for foot in feet]
     memory = SolverMemory({FOOT_LOCK: foot_memory(len(feet))} if feet else {})
     contacts = contacts_in(character, definition, every) if feet else {}

@@ -16,7 +16,7 @@ from rich.markup import escape
 from statwalk.errors import StatwalkError
 from statwalk.maths.prepare import prepare, prepare_once
 
-VERBS = ("serve", "play", "verify", "measure", "new", "pose")
+VERBS = ("serve", "play", "verify", "measure", "new", "pose", "convert")
 
 
 def command(verb: str | None) -> typer.Typer:

@@ -2,17 +2,34 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from statwalk.character.character import Character
 from statwalk.errors import ContentError
 from statwalk.files.bvh import read_bvh
-from statwalk.files.bvh.read import Position
-from statwalk.files.trc.read import read_trc
+from statwalk.files.bvh.bvh_file import Position
+from statwalk.files.gltf import write
+from statwalk.files.trc.trc_file import read_trc
+from statwalk.motion.filter_clip import Filter, filtered
 
 SUFFIXES = (".bvh", ".trc")
 LARGEST_BYTES = 64 << 20
 _BEGINS = {b"HIERARCHY": ".bvh", b"PATHFILETYPE": ".trc"}
+
+
+@dataclass(frozen=True)
+class Reading:
+    """How a capture is read.
+
+    position   whether BVH position channels replace a joint's offset, or are added to it
+    scale      multiplies all lengths
+    filter     what is taken out of its clip
+    """
+
+    position: Position = "replace"
+    scale: float = 1.0
+    filter: Filter = field(default_factory=Filter)
 
 
 def kind_of(start: bytes) -> str:
@@ -21,17 +38,23 @@ def kind_of(start: bytes) -> str:
     return next((kind for word, kind in _BEGINS.items() if head.startswith(word)), "")
 
 
-def read_capture(
-    data: bytes, kind: str, name: str, position: Position = "replace", scale: float = 1.0
-) -> Character:
+def read_capture(data: bytes, kind: str, name: str, how: Reading | None = None) -> Character:
     """Reads a capture of a kind (".bvh", ".trc") as a Character with one clip, both called `name`.
 
-    :raises TextError: when the file is refused; `place` is the line.
+    :raises ContentError: when the file is refused; `place` is the line.
     """
-    return read_bvh(data, name, position, scale) if kind == ".bvh" else read_trc(data, name, scale)
+    how = how or Reading()
+    read = (
+        read_bvh(data, name, how.position, how.scale) if kind == ".bvh" else read_trc(data, name, how.scale)
+    )
+    if how.filter == Filter():
+        return read
+    clean = {key: filtered(clip, how.filter.low_pass, how.filter.spikes) for key, clip in read.clips.items()}
+    character = replace(read, clips=clean)
+    return replace(character, model_glb=write.model_glb(character))
 
 
-def load_capture(path: Path, position: Position = "replace", scale: float = 1.0) -> Character:
+def load_capture(path: Path, how: Reading | None = None) -> Character:
     """Reads the capture of a file; its clip is called as the file without its suffix.
 
     :raises ContentError: when the file does not exist, is too large, or is refused.
@@ -41,6 +64,6 @@ def load_capture(path: Path, position: Position = "replace", scale: float = 1.0)
     if path.stat().st_size > LARGEST_BYTES:
         raise ContentError(f"a capture may have {LARGEST_BYTES >> 20} MiB at most", file=str(path))
     try:
-        return read_capture(path.read_bytes(), path.suffix.lower(), path.stem, position, scale)
+        return read_capture(path.read_bytes(), path.suffix.lower(), path.stem, how)
     except ContentError as error:
         raise error.in_file(str(path)) from None

@@ -19,21 +19,24 @@ from pathlib import Path
 import numpy as np
 
 from statwalk.character.character import Character
-from statwalk.errors import ContentError, TextError
+from statwalk.errors import ContentError, TextError, UnknownNameError
 from statwalk.files import tetrahedra
 from statwalk.files.faq.key_frame_clip import INTERPOLATIONS, ClipForm, check_names, clip_of, keyed_lengths
 from statwalk.files.faq.key_frame_text import KeyFrame, read_keys
 from statwalk.files.faq.skeleton_text import SHIPPED, read_skeleton, read_text
 from statwalk.files.gltf import write
+from statwalk.files.joint_limits import joint_limits, table_limits
 from statwalk.files.yaml.yaml_text import Node, parse
+from statwalk.machine.definition.limit_definition import LimitDefinition
 from statwalk.maths import pose as poses
 from statwalk.maths.arrays import Floats
+from statwalk.maths.clamp_table import JointLimit
 from statwalk.motion.clip import Clip
 from statwalk.rig.bones import Bones
 from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.primitive import Primitive, Skin
 
-_KEYS = ("name", "skeleton", "scale", "clips")
+_KEYS = ("name", "skeleton", "scale", "joints", "limits", "clips")
 _CLIP_KEYS = ("keys", "interpolation", "loop")
 _SCALES = (1e-6, 1e6)
 
@@ -56,7 +59,9 @@ def load_character(path: Path) -> Character:
         name, bones, scale, [frame for clip_frames in frames.values() for frame in clip_frames]
     )
     animated = replace(
-        character, clips={name: _clip(name, node, form, frames[name]) for name, node in clips.items()}
+        character,
+        clips={name: _clip(name, node, form, frames[name]) for name, node in clips.items()},
+        limits=_limits(root, character.skeleton, scale, path.parent),
     )
     return replace(animated, model_glb=write.model_glb(animated))
 
@@ -76,6 +81,31 @@ def _skeleton(node: Node, folder: Path) -> Bones:
         return read_skeleton(read_text(path))
     except ContentError as error:
         raise error.in_file(str(path)) from None
+
+
+def _limits(root: Node, skeleton: Skeleton, scale: float, folder: Path) -> dict[str, JointLimit]:
+    """Reads `joints` and `limits`; `limits` may name a file with the FAQ's table of constraints."""
+    entries = root.entries(*_KEYS)
+    joints, limits = entries.get("joints"), entries.get("limits")
+    is_file = limits is not None and limits.is_text and limits.style is None and limits.value != ""
+    read = joint_limits(joints, None if is_file else limits, scale)
+    in_file: dict[str, LimitDefinition] = {}
+    if limits is not None and is_file:
+        path = _beside(limits, folder)
+        in_file = table_limits(limits, read_text(path), scale, file=str(path))
+        for name in in_file.keys() & read.keys():
+            raise limits.refuse(f"{name} stands under `joints` and in {path.name}")
+        _check_joints(in_file, skeleton, str(path))
+    _check_joints(read, skeleton, root.file)
+    read |= in_file
+    return {name: definition.limit for name, definition in read.items()}
+
+
+def _check_joints(limits: Mapping[str, LimitDefinition], skeleton: Skeleton, file: str) -> None:
+    for name, definition in limits.items():
+        if name not in skeleton.names:
+            message = f"limits: {UnknownNameError('joint', name, skeleton.names)}"
+            raise TextError(message, file=file, place=f"line {definition.line}")
 
 
 def _frames(node: Node, bones: Bones, folder: Path) -> tuple[KeyFrame, ...]:

@@ -22,6 +22,17 @@ _LOCKED, _ROUNDING = 1e-5, {"f": 5e-7, "d": 1e-15}
 _OTHER = np.array([np.pi, np.pi, np.pi])
 
 
+class ClampedAngles(NamedTuple):
+    """Angles about X, then Y, then Z, in radians."""
+
+    excess: Floats
+    """(…) by how much the farthest angle leaves its range"""
+    clamped: Floats
+    """(…, 3)"""
+    angles: Floats
+    """(…, 3) not clamped"""
+
+
 class Turn(NamedTuple):
     """Rotations taken apart in the frames of their joints: swing after twist."""
 
@@ -53,9 +64,9 @@ def clamp_rotation(table: ClampTable, rows: Ints, rotation: Floats) -> Floats:
     excess, clamped = _clamp_swing_twist(table, rows, relative)
     is_euler = kind == EULER
     if is_euler.any():
-        of_angles, angles = clamp_angles(relative, table.angles[rows].astype(dtype))
-        excess = np.where(is_euler, of_angles, excess)
-        clamped = np.where(is_euler[:, None], quat.from_euler_xyz(angles), clamped)
+        nearest = clamp_angles(relative, table.angles[rows].astype(dtype))
+        excess = np.where(is_euler, nearest.excess, excess)
+        clamped = np.where(is_euler[:, None], quat.from_euler_xyz(nearest.clamped), clamped)
     back = quat.mul(quat.mul(quat.conjugate(table.into[rows].astype(dtype)), clamped),
                     quat.conjugate(table.frame[rows].astype(dtype)))  # fmt: skip
     is_outside = (excess > TOLERANCE) & (kind != FREE)
@@ -110,9 +121,9 @@ def nearest_of_ellipse(x: Floats, y: Floats, a: Floats, b: Floats) -> tuple[Floa
     return a * (a * x / (t + beyond_a)), b * (b * y / (t + beyond_b))
 
 
-def clamp_angles(q: Floats, ends: Floats) -> tuple[Floats, Floats]:
-    """Returns by how many radians the FAQ's angles of rotations (…, 4) leave their limits at most -> (…),
-    and the angles clamped (…, 3); `ends` (…, 6): middles and halves of the ranges about X, Y and Z.
+def clamp_angles(q: Floats, ends: Floats) -> ClampedAngles:
+    """Clamps the FAQ's angles of rotations (…, 4); `ends` (…, 6): middles and halves of the ranges about X, Y
+    and Z.
 
     Of the two triples of angles of a rotation the nearer counts; with Y at a quarter turn, the nearest of
     all.
@@ -131,16 +142,17 @@ def clamp_angles(q: Floats, ends: Floats) -> tuple[Floats, Floats]:
     first = np.stack([about_x, about_y, about_z], -1)
     known = np.minimum(plus, minus)
     noise = np.where(known < _LOCKED, 0, _ROUNDING[q.dtype.char] / np.maximum(known, _LOCKED))
-    pairs = [_clamped(angles, middle, half) for angles in (first, first * np.array([1, -1, 1]) + _OTHER)]
-    (excess, angles), (other_excess, other) = pairs
-    nearer = np.where((other_excess < excess)[..., None], other, angles)
-    return np.minimum(excess, other_excess) - noise, nearer
+    second = first * np.array([1, -1, 1]) + _OTHER
+    one, two = (_clamped(angles, middle, half) for angles in (first, second))
+    is_second = (two.excess < one.excess)[..., None]
+    nearest = [np.where(is_second, *pair) for pair in ((two.clamped, one.clamped), (two.angles, one.angles))]
+    return ClampedAngles(np.minimum(one.excess, two.excess) - noise, *nearest)
 
 
-def _clamped(angles: Floats, middle: Floats, half: Floats) -> tuple[Floats, Floats]:
+def _clamped(angles: Floats, middle: Floats, half: Floats) -> ClampedAngles:
     way = _wrapped(angles - middle)
     within = np.clip(way, -half, half)
-    return np.abs(way - within).max(-1), middle + within
+    return ClampedAngles(np.abs(way - within).max(-1), middle + within, middle + way)
 
 
 def _wrapped(angle: Floats) -> Floats:

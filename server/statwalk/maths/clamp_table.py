@@ -42,6 +42,14 @@ class JointLimit:
     """smallest and largest angles about X, Y and Z of `EULER`"""
     slide: tuple[Range, Range, Range] | None = None
     """smallest and largest translation along X, Y and Z; None: not limited"""
+    pitch: float = 0.0
+    """of a helical joint: translation along Y for a radian of twist; 0: not coupled"""
+    order: str = "PPR"
+    """of a planar joint: slide along X, slide along Z and turn about Y; what comes after R turns with it"""
+    type: str = ""
+    """one of `rig.joints.TYPES`; empty: limits for each axis, as in the FAQ's table"""
+    form: str = ""
+    """of a type with several forms"""
 
 
 class ClampTable(NamedTuple):
@@ -66,6 +74,10 @@ class ClampTable(NamedTuple):
     """(L, 6): middles about X, Y and Z, then halves of the ranges"""
     slide: Annotated[NDArray[np.float32], "row, number"]
     """(L, 6): smallest along X, Y and Z, then largest"""
+    screw: Annotated[NDArray[np.float32], "row, number"]
+    """(L, 3) of helical joints: pitch, smallest and largest twist, which may be several turns; else 0"""
+    turning: Annotated[NDArray[np.bool_], "row, axis"]
+    """(L, 2) of planar joints: whether the slide along X, and along Z, turns with the joint"""
 
 
 CLAMP_TABLE = columns(ClampTable, readonly=True)
@@ -79,7 +91,12 @@ def clamp_table(limits: Mapping[int, JointLimit], rest: Pose) -> ClampTable:
     frame = np.array([limit.frame for limit in chosen], np.float32).reshape(-1, 4)
     row = np.full(rest.rotation.shape[-2], -1, np.int32)
     row[joints] = np.arange(len(joints))
-    numbers = [np.array([_numbers(limit)[part] for limit in chosen], np.float32) for part in range(4)]
+    turning = np.array([_turning(limit.order) for limit in chosen], np.bool_).reshape(-1, 2)
+    numbers = [_numbers(limit) for limit in chosen]
+    twist, swing, angles, slide, screw = (
+        np.array([row[part] for row in numbers], np.float32).reshape(len(chosen), width)
+        for part, width in enumerate((4, 4, 6, 6, 3))
+    )
     return locked(
         ClampTable(
             row,
@@ -89,7 +106,12 @@ def clamp_table(limits: Mapping[int, JointLimit], rest: Pose) -> ClampTable:
             quat.conjugate(quat.mul(rest.rotation[joints], frame)).astype(np.float32),
             frame,
             rest.translation[joints].astype(np.float32),
-            *(column.reshape(len(chosen), -1 if chosen else 0) for column in numbers),
+            twist,
+            swing,
+            angles,
+            slide,
+            screw,
+            turning,
         )
     )
 
@@ -113,8 +135,13 @@ def frame_of(axis: ArrayLike, side: ArrayLike | None = None) -> Floats:
     return quat.from_matrix(np.stack([x, y, vector.cross(x, y)], -1))
 
 
-def _numbers(limit: JointLimit) -> tuple[list[float], list[float], list[float], list[float]]:
-    """The rows of `twist`, `swing`, `angles` and `slide`."""
+def _turning(order: str) -> list[bool]:
+    first, second = (place for place, letter in enumerate(order) if letter == "P")
+    return [first > order.index("R"), second > order.index("R")]
+
+
+def _numbers(limit: JointLimit) -> tuple[list[float], ...]:
+    """The rows of `twist`, `swing`, `angles`, `slide` and `screw`."""
     middle, half = _middle_and_half(limit.twist)
     twist = [np.sin(middle / 2), np.cos(middle / 2), np.sin(half / 2), np.cos(half / 2)]
     (x_least, x_most), (z_least, z_most) = limit.swing
@@ -124,7 +151,9 @@ def _numbers(limit: JointLimit) -> tuple[list[float], list[float], list[float], 
     around = [_middle_and_half(angle) for angle in limit.angles]
     angles = [middle for middle, _half in around] + [half for _middle, half in around]
     slide = limit.slide or ((-np.inf, np.inf),) * 3
-    return twist, swing, angles, [least for least, _most in slide] + [most for _least, most in slide]
+    ends = [least for least, _most in slide] + [most for _least, most in slide]
+    screw = [limit.pitch, *limit.twist] if limit.pitch else [0.0, 0.0, 0.0]
+    return twist, swing, angles, ends, screw
 
 
 def _middle_and_half(ends: Range) -> Range:

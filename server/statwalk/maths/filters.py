@@ -52,7 +52,8 @@ def continuous(turns: Floats) -> Floats:
     signs = np.concatenate(
         [np.ones((1, *turns.shape[1:-1])), np.where(np.cumsum(is_flipped, 0) % 2, -1.0, 1.0)]
     )
-    return turns * signs[..., None]
+    aligned: Floats = turns * signs[..., None]
+    return aligned
 
 
 def without_spikes(values: Floats, times_deviation: float = 4.0) -> Floats:
@@ -89,7 +90,8 @@ def _spikes(values: Floats, times_deviation: float) -> Bools:
     away = np.sqrt(((values - medians) ** 2).sum(-1))
     spread = np.median(np.sqrt(((windows - medians[..., None]) ** 2).sum(1)), -1)
     floor = 1e-3 * np.sqrt((np.ptp(values, axis=0) ** 2).sum())
-    return away > np.maximum(times_deviation * MEDIAN_TO_DEVIATION * spread, floor)
+    spikes: Bools = away > np.maximum(times_deviation * MEDIAN_TO_DEVIATION * spread, floor)
+    return spikes
 
 
 def _bridged(values: Floats, spikes: Bools) -> Floats:

@@ -31,7 +31,8 @@ class Filter:
     def __post_init__(self) -> None:
         if not 0 <= self.low_pass <= HIGHEST_CUTOFF:
             raise ContentError(
-                f"the cutoff of a low-pass filter is a number of Hz up to {HIGHEST_CUTOFF:g}, not {self.low_pass:g}"
+                f"the cutoff of a low-pass filter is a number of Hz up to {HIGHEST_CUTOFF:g}, not "
+                f"{self.low_pass:g}"
             )
 
 
@@ -51,7 +52,7 @@ def _filtered(channel: Channel, wanted: Filter) -> Channel:
     if channel.interpolation != "LINEAR" or len(channel.times) < 3:
         return channel
     even = _even(channel)
-    values = np.asarray(even.values, np.float64)
+    values: Floats = np.asarray(even.values, np.float64)
     rate = (len(even.times) - 1) / float(even.times[-1] - even.times[0])
     if even.path == "rotation":
         values = filters.without_rotation_spikes(values) if wanted.spikes else values
@@ -74,7 +75,7 @@ def _even(channel: Channel) -> Channel:
 
 
 def _values_at(channel: Channel, times: Floats) -> Floats:
-    values = np.asarray(channel.values, np.float64)
+    values: Floats = np.asarray(channel.values, np.float64)
     if channel.path == "rotation":
         values = filters.continuous(values)
     at = np.stack([np.interp(times, channel.times, column) for column in values.T], -1)

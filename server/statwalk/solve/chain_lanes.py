@@ -15,7 +15,7 @@ from statwalk.maths.simd.lane_elementary import of
 from statwalk.maths.simd.lane_functions import any_above, least, most, where_below
 from statwalk.maths.simd.lane_quat import minus, mul, normalized, plus, rotated, slerp
 from statwalk.maths.simd.lane_vector import added, length, times
-from statwalk.maths.simd.lanes import LANES, broadcast
+from statwalk.maths.simd.lanes import LANES, broadcast, store
 from statwalk.maths.simd.pose_lanes import ROTATION, SCALE, either4, joint_at, load3, load4, store3, store4
 
 ZERO, ONE = np.float32(0), np.float32(1)
@@ -82,11 +82,24 @@ def place_joints(scratch: Any, count: int, local: int) -> Any:
 
 
 @inlined
-def keep_best(scratch: Any, count: int, mask: Any) -> None:
-    """Keeps the rotations of the first `count` joints as the best, in lanes with a mask above 0."""
-    for place in range(count):
-        at = place * JOINT
-        store4(scratch, at + BEST, either4(mask, load4(scratch, at + LOCAL), load4(scratch, at + BEST)))
+def end_of(scratch: Any, count: int) -> Any:
+    """Returns the place of the last joint, from the rotations at LOCAL: without the places between."""
+    end = load3(scratch, (count - 1) * JOINT + OFFSET)
+    for step in range(count - 1):
+        at = (count - 2 - step) * JOINT
+        end = plus(load3(scratch, at + OFFSET), rotated(load4(scratch, at + LOCAL), end))
+    return end
+
+
+@inlined
+def chain_length(scratch: Any, count: int) -> Any:
+    """Returns the sum of the lengths of the bones, and writes each to LENGTH."""
+    whole = broadcast(ZERO)
+    for place in range(1, count):
+        bone = length(load3(scratch, place * JOINT + OFFSET))
+        store(scratch, place * JOINT + LENGTH, bone)
+        whole = whole + bone
+    return whole
 
 
 @inlined
@@ -97,6 +110,8 @@ def softened(target: Any, start: Any, reach: Any, softening: Any) -> Any:
     A target x · softening beyond the beginning of this zone is brought to softening · (1 − 1 / (1 + x/4)⁴)
     beyond it: the slope at the beginning is 1.
     """
+    if not any_above(softening, broadcast(ZERO)):
+        return target
     aim, softening = minus(target, start), least(softening, reach * of(0.5))
     distance, one = length(aim), broadcast(ONE)
     beyond = most(distance - (reach - softening), broadcast(ZERO))

@@ -54,7 +54,9 @@ class Chain:
     middle: int = 1
     """two-bone: the index in `joints` of the joint that bends"""
     hinge: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """two-bone: the axis about which the middle joint bends, in the frame of the first joint; zero: as it bends"""
+    """two-bone: the axis about which the middle joint bends, in the frame of the first joint; zero: as it
+    bends
+    """
     softening: float = 0.0
     """metres before full stretch from which the chain eases towards it, 0 or more"""
     tolerance: float = 1e-4

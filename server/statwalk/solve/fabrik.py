@@ -15,7 +15,7 @@ from statwalk.maths.simd.lane_functions import any_above, most, root, where_belo
 from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, rotated, vector_square
 from statwalk.maths.simd.lane_turns import between
 from statwalk.maths.simd.lane_vector import added, length
-from statwalk.maths.simd.lanes import broadcast, load, spread, store
+from statwalk.maths.simd.lanes import broadcast, load, spread
 from statwalk.maths.simd.pose_lanes import either3, load3, load4, store3, store4
 from statwalk.solve.chain_lanes import AIM, JOINT, LENGTH, LOCAL, OFFSET, POINT, place_joints
 from statwalk.solve.iterate import FAR, goes_on, keep_better, take_best, turned_by
@@ -36,8 +36,6 @@ def solve_fabrik(
     zero, one, tolerance = broadcast(ZERO), broadcast(ONE), spread(chains.tolerance, number)
     active = where_below(zero, active, where_below(tolerance, best, one, zero), zero)
     place_joints(scratch, count, LOCAL)
-    for place in range(1, count):
-        store(scratch, place * JOINT + LENGTH, length(load3(scratch, place * JOINT + OFFSET)))
     iterations, before, last = zero, active, of(FAR)
     is_free = chains.is_free[number]
     for _ in range(chains.iterations[number]):

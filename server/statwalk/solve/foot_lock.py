@@ -57,7 +57,9 @@ HARDEST, MOST_EAGER = 30.0, 24.0
 CLEARANCE, PER_METRE, PER_SPEED = 0.06, 0.3, 0.03
 """metres by which a foot on its way is lifted at most; for each metre from its motion; for each m/s"""
 LEAST_CLEARANCE = 0.004
-RISE = 56.0
+CLEAR, LONGEST_LEAVE = 0.007, 0.1
+"""a released foot keeps its place until it is so high (metres), for so long at most (seconds)"""
+RISE = 28.0
 """1/s: how eagerly a foot comes to its height"""
 ROLL = 0.001
 """metres by which another point of the sole must be lower, for the foot to roll on to it"""
@@ -162,7 +164,11 @@ def step_foot(
         _perhaps_release(keep, row, at, other, is_down)
         _take_rates(keep, row, at, old, dt)
     if keep[row, at + PLANTED] == 0.0:
-        _approach(keep, row, at, old, dt)
+        if _is_leaving(f, keep, row, at, low, root):
+            _hold(f, legs, keep, row, at, ankle, root)
+            _take_rates(keep, row, at, old, dt)
+        else:
+            _approach(keep, row, at, old, dt)
     _raise(f, keep, row, at, low, old[3], root, is_down, speed, dt)
     _perhaps_plant(f, keep, row, at, low, root, is_down, speed)
     if keep[row, at + PLANTED] > 0.0:
@@ -221,6 +227,14 @@ def _take_rates(keep: Any, row: int, at: int, old: Any, dt: float) -> None:
     keep[row, at + X_RATE] = (keep[row, at + X] - old[0]) / dt
     keep[row, at + Z_RATE] = (keep[row, at + Z] - old[1]) / dt
     keep[row, at + TURN_RATE] = (keep[row, at + TURN] - old[2]) / dt
+
+
+@inlined
+def _is_leaving(f: Any, keep: Any, row: int, at: int, low: Any, root: Any) -> Any:
+    """Whether a released foot is still on the ground: it rises before it goes."""
+    x, z = low[1] + keep[row, at + X], low[3] + keep[row, at + Z]
+    height = low[2] + keep[row, at + Y] - ground_at(f.ground, x, z, root[1])
+    return keep[row, at + SINCE] < LONGEST_LEAVE and height < CLEAR and keep[row, at + SINCE] >= 0.0
 
 
 @inlined

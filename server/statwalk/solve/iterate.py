@@ -50,15 +50,6 @@ def turned_by(chains: Any, clamps: Any, row: int, turn: Any, q: Any) -> Any:
     return limited(chains, clamps, row, renormalized(mul(turn, q)))
 
 
-@inlined
-def chain_length(scratch: Any, count: int) -> Any:
-    """Returns the sum of the lengths of the bones."""
-    whole = broadcast(ZERO)
-    for place in range(1, count):
-        whole = whole + length(load3(scratch, place * JOINT + OFFSET))
-    return whole
-
-
 @called
 def begin(chains: Any, clamps: Any, number: int, goal: Any, pole: Any, whole: Any, scratch: Any) -> Any:
     """Prepares the rotations at LOCAL for iterations: stretches chains towards targets out of reach (the

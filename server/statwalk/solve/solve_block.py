@@ -31,6 +31,8 @@ from statwalk.solve.chain_lanes import (
     OFFSET,
     TURN,
     base_frame,
+    chain_length,
+    end_of,
     place_joints,
     read_chain,
     softened,
@@ -51,7 +53,7 @@ from statwalk.solve.chains import (
 )
 from statwalk.solve.fabrik import solve_fabrik
 from statwalk.solve.force import solve_force
-from statwalk.solve.iterate import begin, chain_length, limited
+from statwalk.solve.iterate import begin, limited
 from statwalk.solve.look_at import missed, solve_look_at
 from statwalk.solve.two_bone import clamp_limb, solve_two_bone
 
@@ -123,11 +125,11 @@ def _write(
             store4(scratch, place * JOINT + LOCAL, solved)
     if is_look_at:
         return missed(chains, number, target, scratch)
-    end = place_joints(scratch, count, LOCAL)
     if chains.turns_end[number]:
+        place_joints(scratch, count, LOCAL)
         where = joint_at(values, block, chains.joint[first + count - 1])
         above = conjugate(load4(scratch, (count - 1) * JOINT + TURN))
         write_joint(
             values, where, limited(chains, clamps, first + count - 1, mul(above, end_rotation)), weight
         )
-    return length(minus(target, end))
+    return length(minus(target, end_of(scratch, count)))

@@ -33,8 +33,8 @@ def solve_two_bone(
 
     `pole` is the direction in which the middle joint bends; zero: as it bends now. For a target out of
     reach the limb is straight and points at it; for a target that is too near it is folded. A knee keeps the
-    axis about which it is bent now, or bends about `hinge_of_start` in the frame of the first joint if that is
-    not zero; then a knee that is bent backwards is bent forwards again.
+    axis about which it is bent now, or bends about `hinge_of_start` in the frame of the first joint if that
+    is not zero; then a knee that is bent backwards is bent forwards again.
     """
     place_joints(scratch, count, LOCAL)
     at = middle * JOINT
@@ -63,11 +63,14 @@ def solve_two_bone(
     new_hinge = cross(sideways, onward)
     per_lengths = broadcast(ONE) / (upper_length * lower_length)
     old_x = scaled(upper, broadcast(ONE) / upper_length)
-    hinge = _old_hinge(hinge, upper_length * lower_length, old_x, new_x, new_hinge)
-    given = rotated(load4(scratch, LOCAL), hinge_of_start)
-    given = unit(added(given, old_x, -dot(given, old_x)))
-    hinge = where3_below(broadcast(ZERO), vector_square(hinge_of_start), given, hinge)
-    old_cosine, old_sine = dot(upper, lower) * per_lengths, dot(cross(upper, lower), hinge) * per_lengths
+    raw, hinge_length = hinge, root(most(vector_square(hinge), of(1e-30)))
+    bent = hinge_length * per_lengths
+    hinge = _old_hinge(scaled(hinge, broadcast(ONE) / hinge_length), bent, old_x, new_x, new_hinge)
+    if any_above(vector_square(hinge_of_start), broadcast(ZERO)):
+        given = rotated(load4(scratch, LOCAL), hinge_of_start)
+        given = unit(added(given, old_x, -dot(given, old_x)))
+        hinge = where3_below(broadcast(ZERO), vector_square(hinge_of_start), given, hinge)
+    old_cosine, old_sine = dot(upper, lower) * per_lengths, dot(raw, hinge) * per_lengths
     new_cosine = (reach * reach - upper_length * upper_length - lower_length * lower_length) * (
         broadcast(HALF) * per_lengths
     )
@@ -107,19 +110,18 @@ def _sideways(pole: Any, upper: Any, onward: Any, upper_length: Any) -> Any:
     """The unit vector at right angles to `onward` on the side of the pole; of the present bend if the pole is
     parallel to `onward`; any if that is parallel too.
     """
-    straight = of(STRAIGHT)
-    pole, bend = unit(pole), scaled(upper, broadcast(ONE) / upper_length)
     aside = added(pole, onward, -dot(pole, onward))
-    present = added(bend, onward, -dot(bend, onward))
-    present = where3_below(straight, vector_square(present), present, perpendicular(onward))
-    return unit(where3_below(straight, vector_square(aside), aside, present))
+    present = added(upper, onward, -dot(upper, onward))
+    is_bent = of(STRAIGHT) * upper_length * upper_length
+    if any_above(is_bent, vector_square(present)):
+        present = where3_below(is_bent, vector_square(present), present, perpendicular(onward))
+    return unit(where3_below(of(STRAIGHT) * vector_square(pole), vector_square(aside), aside, present))
 
 
 @inlined
-def _old_hinge(hinge: Any, lengths: Any, old_x: Any, new_x: Any, new_hinge: Any) -> Any:
+def _old_hinge(axis: Any, sine: Any, old_x: Any, new_x: Any, new_hinge: Any) -> Any:
     """The unit axis about which the limb is bent; for a straight limb the axis with which it turns least."""
-    square, straight = vector_square(hinge), of(STRAIGHT) * lengths * lengths
-    axis = unit(hinge)
+    square, straight = sine * sine, of(STRAIGHT)
     if any_above(straight, square):
         axis = where3_below(square, straight, rotated(between(new_x, old_x), new_hinge), axis)
     return axis

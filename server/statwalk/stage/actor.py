@@ -11,9 +11,11 @@ from statwalk.character.role import Role
 from statwalk.maths import quat, transform
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
+from statwalk.rig.limits import ClampedJoint
 from statwalk.skin.primitive import Part
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.hashing import text
+from statwalk.stage.steps.limit_excess import clamped_joints
 
 _UP = np.array([0.0, 1.0, 0.0])
 
@@ -117,6 +119,12 @@ class Actor:
         cast = self._find(self.id).cast
         matrix = self.matrix
         return [_moved(part, matrix) for part in cast.role.character.vertices(self.pose)]
+
+    @property
+    def clamped(self) -> tuple[ClampedJoint, ...]:
+        """The joints that their limits changed in this tick, after sampling and blending, and by how much."""
+        cast, row, _ = self._find(self.id)
+        return clamped_joints(cast, np.array([row]))[0]
 
     @property
     def hash(self) -> str:

@@ -27,6 +27,7 @@ from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.layer_lanes import MASKS
 from statwalk.motion.tables.motion_tables import MOTIONS
 from statwalk.rig.hierarchy import model_block
+from statwalk.rig.limit_lanes import limit_block
 from statwalk.solve.chains import CHAINS
 from statwalk.solve.foot_tables import FEET
 from statwalk.stage.state.cast import Cast
@@ -92,8 +93,8 @@ def decide(cast: Cast, memory: Memory, inputs: Inputs, dt: float, now: int, seed
 
 
 def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: bool) -> Cast:
-    """Runs steps 3 sample, 4 blend and 7 world, for sixteen actors at a time; `changed`: the rows of the
-    actors whose state has changed.
+    """Runs steps 3 sample, 4 blend, 6 limit and 7 world, for sixteen actors at a time; `changed`: the rows of
+    the actors whose state has changed.
     """
     offsets = cast.offsets.with_room(changed) if len(changed) else cast.offsets
     work = memory.offsets(offsets).argument, memory.effects.argument, memory.poses.argument
@@ -152,7 +153,9 @@ def _pose_blocks(
             hashes[row] = hash_actor(hashes[row], s, o, position, heading, root_delta, solver_memory, row)
         add_block(o, masks, mem.coming, 0, block, 0.0, mem.scratch)
         release_slots(o, block)
-        # 5 express, 6 limit: not yet; they will change `mem.coming` here
+        # 5 express: not yet; it will change `mem.coming` here
+        # 6 limit: joints with limits are clamped, SK6
+        limit_block(clamps, mem.coming, 0)
         keep_block(mem.coming, previous, block)
         # 8 reach: planted feet stay where they stand
         if f.hip.shape[0] > 0:

@@ -21,6 +21,7 @@ from statwalk.web import errors, openapi, page
 from statwalk.web.long_work import LongWork
 from statwalk.web.routes import (
     actors,
+    captures,
     characters,
     edits,
     explain,
@@ -48,6 +49,7 @@ ROUTES = (
     scenes,
     history,
     actors,
+    captures,
     explain,
     stream,
 )

@@ -138,6 +138,8 @@ MODEL = BodyRules(
         "application/zip",
         "application/x-zip-compressed",
         "application/octet-stream",
+        "model/bvh",
+        "text/plain",
     ),
 )
 UPLOAD = re.compile(r"/api/characters/[^/]+")

@@ -1,6 +1,6 @@
 /** Calls the REST interface; a refusal becomes an ApiError with the server's words. */
 
-import type { Finding, LogHeader, LogLine, NewCell, Problem } from "./protocol";
+import type { Finding, LogHeader, LogLine, NewCell, NewClip, Problem } from "./protocol";
 import type { Answer, Extras, Method, Places, Route } from "./types/routes";
 
 export class ApiError extends Error {
@@ -98,9 +98,17 @@ export const undo = (name: string, version: number) =>
 export const characters = () => ask("get", "/api/characters", {});
 export const mapping = (name: string) => ask("get", "/api/characters/{name}/mapping", { name });
 export const removeCharacter = (name: string) => ask("delete", "/api/characters/{name}", { name });
-/** Makes a machine for an uploaded character; a clip with an empty state is left out. */
-export const makeMachine = (name: string, character: string, states: Record<string, string>) =>
-  ask("post", "/api/machines", {}, { body: { name, character, mapping: states } });
+export const character = (name: string) => ask("get", "/api/characters/{name}", { name });
+export const bones = (name: string) => ask("get", "/api/characters/{name}/bones", { name });
+/** Carries a clip of another character over to character `name`. */
+export const carryClip = (name: string, body: NewClip) =>
+  ask("post", "/api/characters/{name}/clips", { name }, { body });
+/**
+ * Makes a machine for an uploaded character; a clip with an empty state is left out. `root`: the joint that moves
+ * the character through the world.
+ */
+export const makeMachine = (name: string, character: string, states: Record<string, string>, root = "") =>
+  ask("post", "/api/machines", {}, { body: { name, character, mapping: states, root } });
 export const stages = () => ask("get", "/api/stages", {});
 export const stage = (stage_id: string) => ask("get", "/api/stages/{stage_id}", { stage_id });
 export const history = (stage_id: string) => ask("get", "/api/stages/{stage_id}/history", { stage_id });

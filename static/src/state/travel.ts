@@ -30,6 +30,7 @@ export class Travel {
       const plan = await actors.travel(stage, actor, state);
       this.actor = actor;
       if (actor === this.session.actor.value) this.plan.set(plan.steps.length ? plan : null);
+      this.arrived(this.session.stateName(this.session.state.value)); // it may be there before the answer is
     });
   }
 

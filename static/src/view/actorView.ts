@@ -4,6 +4,7 @@ import type { CastHello } from "../net/protocol";
 import { PosedModel } from "./posedModel";
 import { contactShadow } from "./ground";
 import type { Model } from "./model";
+import { LimitOverlay } from "./limitOverlay";
 import { BoneOverlay } from "./overlays";
 import type { Scene } from "./scene";
 import { type SkinLook, showSkin } from "./skinMode";
@@ -17,6 +18,7 @@ export interface ActorColours {
 export class ActorView {
   readonly view: PosedModel;
   readonly bones: BoneOverlay;
+  readonly limits: LimitOverlay;
   private readonly spot = contactShadow();
 
   constructor(
@@ -27,9 +29,10 @@ export class ActorView {
   ) {
     this.view = new PosedModel(id, cast, model, scene.quality === "high");
     this.bones = new BoneOverlay(this.view, scene.renderer.getPixelRatio());
+    this.limits = new LimitOverlay(this.view);
     // Hidden until the first frame: the bind pose is not shown.
     this.view.root.visible = this.spot.visible = false;
-    scene.world.add(this.view.root, this.bones.object, this.spot);
+    scene.world.add(this.view.root, this.bones.object, this.limits.object, this.spot);
   }
 
   /**
@@ -64,6 +67,7 @@ export class ActorView {
   private attach(): void {
     const { root } = this.view;
     this.bones.update();
+    this.limits.update();
     this.spot.visible = this.scene.quality === "low";
     this.spot.position.set(root.position.x, 0.002, root.position.z);
   }
@@ -76,6 +80,7 @@ export class ActorView {
 
   colour({ ink, accent, bone }: ActorColours): void {
     this.bones.colour(ink, accent, bone);
+    this.limits.colour(accent);
   }
 
   /** Sets the radius of the shadow, metres. */
@@ -85,6 +90,7 @@ export class ActorView {
 
   dispose(): void {
     this.bones.dispose();
+    this.limits.dispose();
     this.scene.world.remove(this.view.root, this.spot);
   }
 }

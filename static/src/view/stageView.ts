@@ -11,24 +11,27 @@ import { GlbStage } from "./glbStage";
 import { type Model, Models } from "./model";
 import type { Scene } from "./scene";
 import { showSkin, wireColour } from "./skinMode";
+import { Terrain } from "./terrain";
 
 export interface Modes {
   skin: boolean;
   wire: boolean;
   bones: boolean;
   tetra: boolean;
+  limits: boolean;
 }
 
 /** Actors within this distance, in sizes of the watched actor, are framed with it. */
 const COMPANY_REACH = 3;
 
 export class StageView {
-  readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false });
+  readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false, limits: true });
   /** True while the watched actor is drawn. */
   readonly ready = new Signal(false);
   readonly loading = new Signal<string>("");
   private readonly models = new Models();
   private readonly glb: GlbStage;
+  private readonly terrain = new Terrain();
   private actors = new Map<number, ActorView>();
   private generation = 0;
   /** Tick and stream of the drawn frame. */
@@ -46,6 +49,13 @@ export class StageView {
     session.hello.on((hello) => hello && void this.cast(hello));
     session.frames.on(() => this.switchStream());
     this.modes.on(() => this.restyle());
+    scene.world.add(this.terrain.mesh);
+    session.machine.on((machine) => {
+      this.limit();
+      this.terrain.show(machine?.ground ?? []);
+      scene.invalidate();
+    });
+    session.actor.on(() => this.limit());
   }
 
   /** Loads the models of a hello and puts its actors on the stage. */
@@ -182,11 +192,23 @@ export class StageView {
     return undefined;
   }
 
+  /** Draws the limits of the watched actor's joints. */
+  private limit(): void {
+    const limits = this.session.machine.value?.limits ?? [];
+    for (const actor of this.actors.values()) actor.limits.show(false);
+    const actor = this.actor;
+    if (!actor || this.session.cast?.machine !== this.session.machine.value?.name) return;
+    actor.limits.take(limits);
+    actor.limits.show(this.modes.value.limits);
+    this.scene.invalidate();
+  }
+
   private restyle(): void {
     const { skin, wire, bones, tetra } = this.modes.value;
     const look = { skin, wire, ghost: skin && tetra };
     for (const actor of this.actors.values()) actor.show(look, bones, tetra);
     showSkin(this.glb.meshes, look);
+    this.limit();
     this.scene.invalidate();
   }
 

@@ -160,7 +160,8 @@ def test_errors_name_file_line_and_name(old, new, message):
         (
             "robot.glb",
             "robot.exe",
-            "line 2: 'robot.exe' is no .glb, .gltf or .yaml file, nor the name of a shipped machine",
+            "line 2: 'robot.exe' is no .glb, .gltf, .yaml, .bvh or .trc file, nor the name of "
+            "a shipped machine",
         ),
         ("character: robot.glb", "", "the key `character` is missing"),
         (

@@ -9,7 +9,7 @@ import jsonschema
 import pytest
 from paths import GLTF, MACHINES, needs_assets
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml import cells, flock_part, layers, levels, states
+from statwalk.files.machine_yaml import capture_lines, cells, flock_part, layers, levels, states
 from statwalk.files.machine_yaml.machine_file import KEYS, SCHEMA_PATH, read_machine
 from statwalk.files.machine_yaml.new_machine import write_machine
 from statwalk.files.yaml.yaml_text import parse
@@ -42,6 +42,9 @@ states:
         state | PUNCH
         GUARD | HIT at left
     resume: true
+captures:
+  cmu: {file: walk.bvh, position: add, scale: 0.1, end: 2.5, loop: true, filter: {low_pass: 6, spikes: true}}
+  wave: {file: wave.trc, bones: {Hips: pelvis}, target_bones: {Head: top}}
 events: {LATE: {buffer: 1}, MORE: }
 table: |
   state | GO   | STOP | END
@@ -205,9 +208,13 @@ def test_wrong_files_fail_in_both(old, new):
         (("definitions", "choices", "items", "properties"), cells.CHOICE_KEYS),
         (("properties", "layers", "additionalProperties", "properties"), layers.LAYER_KEYS),
         (("properties", "budgets", "properties"), FIGURES),
+        (("properties", "captures", "additionalProperties", "properties"), capture_lines.KEYS),
         (("properties", "flock", "properties"), (*flock_part.NUMBERS, *flock_part.OTHERS)),
     ],
-    ids=["machine", "state", "composite", "cell", "alternative", "layer", "budgets", "flock"],
+    ids=[
+        *("machine", "state", "composite", "cell", "alternative", "layer"),
+        *("budgets", "captures", "flock"),
+    ],
 )
 def test_reader_and_schema_know_the_same_keys(place, keys):
     part = SCHEMA

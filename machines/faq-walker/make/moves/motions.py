@@ -1,10 +1,12 @@
 """All motions of the figure, in the order of the file."""
 
-from moves.crouch import STAND_UP
-from moves.jump import CROUCH, FLY, JUMP, LAND
+from moves.crouch import CROUCH, STAND_UP
+from moves.curve import CURVE_LEFT, CURVE_RIGHT
+from moves.jump import ABSORB, FLY, GET_UP, JUMPS, LAND
 from moves.motion import Motion
 from moves.stand import STAND
-from moves.start_stop import COME_TO_STOP, START_WALK
+from moves.start import START_WALK
+from moves.stop import NOT_GONE, SHORT_STOPS, STOPS
 from moves.turn import TURN_LEFT, TURN_RIGHT
 from moves.walk import WALK
 
@@ -12,12 +14,18 @@ MOTIONS: list[Motion] = [
     STAND,
     START_WALK,
     WALK,
-    COME_TO_STOP,
+    *STOPS,
+    *SHORT_STOPS,
+    NOT_GONE,
     TURN_LEFT,
     TURN_RIGHT,
-    JUMP,
+    CURVE_LEFT,
+    CURVE_RIGHT,
+    *JUMPS,
     FLY,
     LAND,
+    ABSORB,
+    GET_UP,
     CROUCH,
     STAND_UP,
 ]

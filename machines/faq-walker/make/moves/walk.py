@@ -80,7 +80,7 @@ def _arm(side: str, p: Array, size: float) -> dict[str, Array]:
     handles = {
         "raise": -1.0 + 0.6 * np.cos(4 * np.pi * p),
         "reach": 1.0 + 4.0 * (SHOULDER_CURVE(p + 0.02) + 5) / 17,
-        "swing": 3.0 + 1.12 * size * (swing + 3.0),
+        "swing": -4.5 + 1.15 * size * (swing + 3.0),
         "abduct": 7.0 - 1.2 * ahead,
         "twist": 10.0 + 6.0 * ahead,
         "elbow": 2.0 + size * ELBOW_CURVE(p - 0.03),

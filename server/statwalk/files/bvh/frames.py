@@ -62,7 +62,8 @@ def _seconds(line: str, number: int) -> float:
         seconds = float("nan")
     if not isfinite(seconds) or not SHORTEST_FRAME <= seconds <= LONGEST_FRAME:
         raise TextError(
-            f"here must stand Frame Time: and seconds from {SHORTEST_FRAME:g} to {LONGEST_FRAME:g}, not {line[:80]!r}",
+            f"here must stand Frame Time: and seconds from {SHORTEST_FRAME:g} to {LONGEST_FRAME:g}, "
+            f"not {line[:80]!r}",
             place=f"line {number}",
         )
     return seconds

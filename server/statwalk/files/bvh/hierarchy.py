@@ -18,7 +18,7 @@ CHANNELS = tuple(f"{axis}{kind}" for kind in ("position", "rotation") for axis i
 _SPELLING = {name.lower(): name for name in CHANNELS}
 
 
-class Line(NamedTuple):
+class BvhLine(NamedTuple):
     """A line that has words, and its number."""
 
     number: int
@@ -31,7 +31,7 @@ class Line(NamedTuple):
 
 
 @dataclass
-class Joint:
+class BvhJoint:
     """A joint as the file says it; an End Site is a joint without channels, called PARENT.end.
 
     parent   row of the parent, -1 for a root
@@ -49,23 +49,23 @@ class Joint:
 class _Reading:
     """What is known between two lines: the joints so far, and the rows of those whose braces are open."""
 
-    joints: list[Joint] = field(default_factory=list)
+    joints: list[BvhJoint] = field(default_factory=list)
     opened: list[int] = field(default_factory=list)
     waits_for_brace: bool = False
 
 
-def lines_of(text: str) -> Iterator[Line]:
+def lines_of(text: str) -> Iterator[BvhLine]:
     """Yields the lines with words; a brace always stands alone."""
     for number, line in enumerate(StringIO(text, newline="\n"), 1):
         words = line.split()
         while words and words[-1] in "{}" and len(words) > 1:
-            yield Line(number, words[:-1])
+            yield BvhLine(number, words[:-1])
             words = words[-1:]
         if words:
-            yield Line(number, words)
+            yield BvhLine(number, words)
 
 
-def read_hierarchy(lines: Iterator[Line]) -> tuple[list[Joint], Line]:
+def read_hierarchy(lines: Iterator[BvhLine]) -> tuple[list[BvhJoint], BvhLine]:
     """Reads joints until MOTION; returns them, parents first, and the line that says MOTION.
 
     :raises TextError: when a line is not what it should be, or the file ends too early; `place` is the line.
@@ -81,7 +81,7 @@ def read_hierarchy(lines: Iterator[Line]) -> tuple[list[Joint], Line]:
     raise TextError("the file ends before MOTION", place=last.place)
 
 
-def _finished(reading: _Reading, line: Line) -> list[Joint]:
+def _finished(reading: _Reading, line: BvhLine) -> list[BvhJoint]:
     if reading.opened or reading.waits_for_brace:
         name = reading.joints[reading.opened[-1] if reading.opened else -1].name
         raise TextError(f"MOTION begins before {name[:80]!r} is closed with }}", place=line.place)
@@ -90,7 +90,7 @@ def _finished(reading: _Reading, line: Line) -> list[Joint]:
     return reading.joints
 
 
-def _take(reading: _Reading, line: Line) -> None:
+def _take(reading: _Reading, line: BvhLine) -> None:
     """Reads one line of the hierarchy."""
     word = line.words[0].upper()
     if reading.waits_for_brace != (word == "{"):
@@ -111,7 +111,7 @@ def _take(reading: _Reading, line: Line) -> None:
         _detail(reading.joints[reading.opened[-1]], line, word)
 
 
-def _begin(reading: _Reading, line: Line, word: str) -> None:
+def _begin(reading: _Reading, line: BvhLine, word: str) -> None:
     if (word == "ROOT") == bool(reading.opened):
         right = "inside a joint, JOINT begins the next" if reading.opened else "the first joint is a ROOT"
         raise TextError(f"{line.words[0]} cannot stand here: {right}", place=line.place)
@@ -119,11 +119,11 @@ def _begin(reading: _Reading, line: Line, word: str) -> None:
         raise TextError(f"a skeleton may have at most {MOST_JOINTS} joints", place=line.place)
     parent = reading.opened[-1] if reading.opened else -1
     name = f"{reading.joints[parent].name}.end" if word == "END" else " ".join(line.words[1:])
-    reading.joints.append(Joint(name[:LONGEST_NAME], parent, line.number))
+    reading.joints.append(BvhJoint(name[:LONGEST_NAME], parent, line.number))
     reading.waits_for_brace = True
 
 
-def _close(reading: _Reading, line: Line) -> None:
+def _close(reading: _Reading, line: BvhLine) -> None:
     if len(line.words) > 1:
         raise TextError(f"}} stands alone on its line, without {line.words[1][:80]!r}", place=line.place)
     joint = reading.joints[reading.opened.pop()]
@@ -131,7 +131,7 @@ def _close(reading: _Reading, line: Line) -> None:
         raise TextError(f"{joint.name[:80]!r} has no OFFSET: three numbers", place=line.place)
 
 
-def _detail(joint: Joint, line: Line, word: str) -> None:
+def _detail(joint: BvhJoint, line: BvhLine, word: str) -> None:
     """Reads OFFSET or CHANNELS."""
     if word == "OFFSET" and not joint.offset:
         if len(line.words) != 4:
@@ -141,18 +141,18 @@ def _detail(joint: Joint, line: Line, word: str) -> None:
         joint.channels = _channels(line)
     else:
         raise TextError(
-            f"{' '.join(line.words)[:80]!r} cannot stand here: a joint has OFFSET and CHANNELS once, and JOINTs or "
-            "an End Site",
+            f"{' '.join(line.words)[:80]!r} cannot stand here: a joint has OFFSET and CHANNELS once, and "
+            "JOINTs or an End Site",
             place=line.place,
         )
 
 
-def _channels(line: Line) -> tuple[str, ...]:
+def _channels(line: BvhLine) -> tuple[str, ...]:
     count, names = line.words[1:2], line.words[2:]
     if count != [str(len(names))] or len(names) > MOST_CHANNELS:
         raise TextError(
-            f"CHANNELS needs a number from 0 to {MOST_CHANNELS} and as many names; here are {len(names)} names after "
-            f"{' '.join(count)[:20]!r}",
+            f"CHANNELS needs a number from 0 to {MOST_CHANNELS} and as many names; here are {len(names)} "
+            f"names after {' '.join(count)[:20]!r}",
             place=line.place,
         )
     for name in names:

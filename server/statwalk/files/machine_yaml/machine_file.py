@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
+from statwalk.files.joint_limits import joint_limits
 from statwalk.files.machine_yaml import (
     budgets,
     feet,
@@ -23,18 +24,17 @@ from statwalk.files.machine_yaml import (
     senses,
     whole_table,
 )
+from statwalk.files.machine_yaml.all_events import all_events
+from statwalk.files.machine_yaml.capture_lines import CaptureLine, read_captures
 from statwalk.files.machine_yaml.ground import foot_lock as read_foot_lock
 from statwalk.files.machine_yaml.ground import ground as read_ground
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import (
-    END,
     EventDefinition,
     LayerDefinition,
     MachineDefinition,
-    SenseDefinition,
-    TouchDefinition,
     nearest,
 )
 from statwalk.machine.definition.state_table import MOST_CELLS
@@ -49,7 +49,8 @@ SHIPPED = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 KEYS = (
     *("semantics", "title", "description", "character", "root", "initial", "idle", "fallback", "defaults"),
     *("states", "events", "table", "cells", "layers", "keys", "parameters", "senses", "colliders", "flock"),
-    *("properties", "feet", "contacts", "budgets", "foot_lock", "ground"),
+    "captures",
+    *("joints", "limits", "properties", "feet", "contacts", "budgets", "foot_lock", "ground"),
 )
 
 
@@ -65,6 +66,8 @@ class MachineFile:
     root_line: int
     text: str
     table_text: str
+    captures: tuple[CaptureLine, ...] = ()
+    """the captured motions that the character gets as clips"""
 
     def check_root(self, joints: Sequence[str]) -> None:
         """Checks that the root joint is one of the character's `joints`.
@@ -107,6 +110,7 @@ def machine_of(text: str, folder: Path, file: str = "") -> MachineFile:
         root_line=root.key_lines.get("root", 0),
         text=text,
         table_text=table_text,
+        captures=read_captures(entries.get("captures")),
     )
 
 
@@ -132,7 +136,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
     )
     layers.check_base(base, root)
     sense_events = senses.senses(entries.get("senses"), variables, colliders)
-    events = _all_events(entries, [base, *(part.flat for part in layer_parts.values())], sense_events)
+    events = all_events(entries, [base, *(part.flat for part in layer_parts.values())], sense_events)
     _check_size(root, [base, *(part.flat for part in layer_parts.values())], events)
     definition = MachineDefinition(
         name=name,
@@ -151,6 +155,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         parameters=parameters,
         senses=sense_events,
         colliders=colliders,
+        limits=joint_limits(entries.get("joints"), entries.get("limits")),
         foot_lock=read_foot_lock(entries.get("foot_lock"), parameters),
         ground=read_ground(entries.get("ground")),
         flock=flock_part.flock(entries.get("flock"), parameters),
@@ -181,32 +186,6 @@ def _layer_of(
         cells=whole_table.cells_of(flat, events, variables, file),
         rows=flat.top.table.rows,
     )
-
-
-def _all_events(
-    entries: Mapping[str, Node],
-    flats: Sequence[levels.FlatStates],
-    sensed: Mapping[str, SenseDefinition | TouchDefinition],
-) -> dict[str, EventDefinition]:
-    """Returns the columns: the events of the first table, of `events`, of the other tables, and of senses."""
-    tables = [
-        level.table.table.events
-        for flat in flats
-        for level in reversed(flat.levels)
-        if level.table is not None
-    ]
-    events = {
-        event: EventDefinition(line) for event, line in tables[0].items() if event != END
-    } | inputs.events(entries.get("events"))
-    for table in tables[1:]:
-        events |= {
-            event: EventDefinition(line)
-            for event, line in table.items()
-            if event != END and event not in events
-        }
-    return events | {
-        event: EventDefinition(sense.line) for event, sense in sensed.items() if event not in events
-    }
 
 
 def _check_size(
@@ -242,9 +221,10 @@ def _character_name(root: Node) -> str:
     """Returns the path of the character's file, or the name of the shipped machine whose character it is."""
     node = fields.required(root, "character")
     if not SHIPPED.fullmatch(node.text()) and not node.text().lower().endswith(
-        (".glb", ".gltf", ".yaml", ".yml")
+        (".glb", ".gltf", ".yaml", ".yml", ".bvh", ".trc")
     ):
         raise node.refuse(
-            f"{node.text()[:80]!r} is no .glb, .gltf or .yaml file, nor the name of a shipped machine"
+            f"{node.text()[:80]!r} is no .glb, .gltf, .yaml, .bvh or .trc file, nor the name of "
+            "a shipped machine"
         )
     return node.text()

@@ -46,12 +46,12 @@ def write_machine(character: Character, source: Path, folder: Path, copy: bool =
     return folder
 
 
-def write_folder(title: str, motions: list[Motion], model: Path, folder: Path) -> None:
+def write_folder(title: str, motions: list[Motion], model: Path, folder: Path, root: str = "") -> None:
     """Writes the machine file, and a large table beside it; nothing is written before the text is
-    complete.
+    complete. `root`: the joint that moves the character through the world; "": none.
     """
     inline = len(motions) <= LARGEST_INLINE
-    text = machine_text(title, motions, model, inline)
+    text = machine_text(title, motions, model, inline, root)
     folder.mkdir(parents=True, exist_ok=True)
     if not inline:
         (folder / TABLE_NAME).write_text(as_csv(table_of(motions)), encoding="utf-8", newline="")
@@ -157,7 +157,7 @@ def quoted(text: str) -> str:
     )
 
 
-def machine_text(title: str, motions: list[Motion], model: Path, inline: bool) -> str:
+def machine_text(title: str, motions: list[Motion], model: Path, inline: bool, root: str = "") -> str:
     """Returns the text of the machine file."""
     lines = [
         f"# Made by `statwalk new` from {quoted(model.name)}: a state for each clip. Edit it, then `statwalk "
@@ -165,6 +165,7 @@ def machine_text(title: str, motions: list[Motion], model: Path, inline: bool) -
         "semantics: 1",
         f"title: {quoted(title)}",
         f"character: {quoted(str(model))}",
+        *([f"root: {quoted(root)}"] if root else []),
         f"initial: {motions[0].state}",
         "defaults: {when: now, blend: 0.2, buffer: 0.3}",
         "",

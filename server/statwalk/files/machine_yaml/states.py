@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping
 from statwalk.files.machine_yaml import fields
 from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.compile.compile_machine import LARGEST_SPEED
+from statwalk.machine.conditions.variables import ENTRY
 from statwalk.machine.definition.machine_definition import (
     NO_MOTION,
     BlendDefinition,
@@ -46,7 +47,7 @@ def state(node: Node, composite: str, parameters: Mapping[str, ParameterDefiniti
 
 def motion(node: Node, parameters: Mapping[str, ParameterDefinition]) -> str | BlendDefinition:
     """Reads a clip's name, `none`, or a blend: `{over: speed, clips: {walk: 1.4, run: 3.2}, markers: {walk:
-    {left-down: 0.1}, …}}`.
+    {left-down: 0.1}, …}}`; `over` names parameters, or values at the entry of the state, as `entry speed`.
     """
     if node.is_text:
         if not node.text():
@@ -55,7 +56,7 @@ def motion(node: Node, parameters: Mapping[str, ParameterDefinition]) -> str | B
     entries = node.entries("over", "clips", "markers")
     over, clips = fields.required(node, "over"), fields.required(node, "clips")
     axes = [over] if over.is_text else over.items()
-    names = tuple(fields.chosen(axis, "parameter", parameters) for axis in axes)
+    names = tuple(fields.chosen(axis, "parameter", (*parameters, *ENTRY)) for axis in axes)
     if not 1 <= len(set(names)) == len(names) <= 2:
         raise entries["over"].refuse("a blend is over one parameter, or over two different parameters")
     clip_points = points(clips, len(names))

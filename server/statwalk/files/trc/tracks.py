@@ -1,4 +1,5 @@
-"""The tables of a TRC file: a head of five lines, then a row for each frame: number, time, x y z of every marker.
+"""The tables of a TRC file: a head of five lines, then a row for each frame: number, time, x y z of every
+marker.
 
     PathFileType  4  (X/Y/Z)  walk.trc
     DataRate  CameraRate  NumFrames  NumMarkers  Units  OrigDataRate  OrigDataStartFrame  OrigNumFrames

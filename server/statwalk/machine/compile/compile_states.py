@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from statwalk.machine.compile.resolve_defaults import enclosing
+from statwalk.machine.conditions.variables import ENTRY
 from statwalk.machine.definition.machine_definition import (
     BlendDefinition,
     MachineDefinition,
@@ -113,10 +114,10 @@ def _check_blends(tables: Mapping[str, MachineDefinition]) -> None:
         if not isinstance(motion, BlendDefinition):
             continue
         for over in motion.over:
-            if over not in table.parameters:
+            if over not in table.parameters and over not in ENTRY:
                 raise table.refuse(
                     f"{name} is blended over {over!r}, which is no "
-                    f"parameter{nearest(over, table.parameters)}",
+                    f"parameter{nearest(over, (*table.parameters, *ENTRY))}",
                     motion.line,
                 )
 

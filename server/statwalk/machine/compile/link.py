@@ -17,6 +17,7 @@ from statwalk.machine.compile.program import (
     program,
 )
 from statwalk.machine.conditions.condition_code import condition_arrays
+from statwalk.machine.conditions.variables import ENTRY
 from statwalk.maths.formula.postfix import Formula as Condition
 from statwalk.maths.phases import Warp, warp
 
@@ -51,6 +52,8 @@ def _program_of(machine: Machine) -> Program:
         **condition_arrays(conditions.values(), machine.variables, len(machine.parameters)),
         **_parameters(machine),
         **_senses(machine, conditions),
+        entry_state=[state for state, _ in machine.entry_values],
+        entry_kind=[ENTRY[name] for _, name in machine.entry_values],
         initials=machine.initials,
         idle=[machine.idle],
     )

@@ -25,6 +25,7 @@ from statwalk.machine.compile.alternatives import (
     Touch,
 )
 from statwalk.machine.compile.program import Program, ProgramText
+from statwalk.machine.conditions.variables import ENTRY
 from statwalk.machine.definition.cell_definition import ActionDefinition, CellTiming
 from statwalk.machine.definition.machine_definition import BlendDefinition
 
@@ -127,6 +128,29 @@ class Machine:
         return np.asarray(
             (at_end >= 0) | (at_end == UNDEFINED) | (at_end == MIXED) | ((at_end == BLANK) & idle_acts)
         )
+
+    @cached_property
+    def entry_values(self) -> tuple[tuple[int, str], ...]:
+        """Returns (V,) state and name, `entry speed`, of each value that a state keeps from its entry: those
+        that motions are blended over.
+        """
+        blends = enumerate(self.blends)
+        return tuple((row, name) for row, blend in blends if blend for name in blend.over if name in ENTRY)
+
+    @cached_property
+    def axes(self) -> tuple[tuple[str, ...], ...]:
+        """Returns (P + V,) the columns of `MachineState.smoothed`: a parameter's name, or layer, state and
+        name of an entry value.
+        """
+        kept = (
+            (self.layers[self.layer_of[row]].name, self.states[row], name) for row, name in self.entry_values
+        )
+        return (*((parameter.name,) for parameter in self.parameters), *kept)
+
+    def axis(self, state: int, name: str) -> int:
+        """Returns the column of `MachineState.smoothed` over which a state's motion is blended."""
+        layer = self.layers[self.layer_of[state]].name
+        return self.axes.index((layer, self.states[state], name) if name in ENTRY else (name,))
 
     @cached_property
     def columns(self) -> dict[str, int]:

@@ -115,6 +115,10 @@ class Program(NamedTuple):
     """(Q,) the condition of each sense"""
     sense_release: NDArray[np.int16]
     """(Q,) the condition that arms the sense again; NO_CONDITION: when `sense_when` is false"""
+    entry_state: NDArray[np.int16]
+    """(V,) the state that keeps each entry value, in column P + v of `smoothed`"""
+    entry_kind: NDArray[np.uint8]
+    """(V,) its row of `conditions.variables.NAMES`"""
     initials: NDArray[np.int16]
     """(L,) the state that each layer begins in"""
     idle: NDArray[np.int16]
@@ -188,6 +192,8 @@ KINDS: dict[str, tuple[Any, int]] = {
     "sense_event": (np.int16, 1),
     "sense_when": (np.int16, 1),
     "sense_release": (np.int16, 1),
+    "entry_state": (np.int16, 1),
+    "entry_kind": (np.uint8, 1),
     "initials": (np.int16, 1),
     "idle": (np.int16, 1),
 }

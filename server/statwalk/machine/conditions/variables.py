@@ -17,6 +17,10 @@ OBSERVED = ("phase", "time")
 NAMES = (*MEASURED, *OBSERVED)
 SPEED, TURNING, HEIGHT, PHASE, TIME = range(len(NAMES))
 COUNT_MEASURED = len(MEASURED)
+ENTRY = {f"entry {name}": kind for kind, name in enumerate(NAMES)}
+"""what a state's motion may be blended over beside parameters: a value at the moment in which the state was
+entered; the row of NAMES
+"""
 
 
 def variables_of(parameters: Iterable[str]) -> tuple[str, ...]:

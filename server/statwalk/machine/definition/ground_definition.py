@@ -22,6 +22,13 @@ class GroundDefinition:
     """x or z: the axis along which a slope rises"""
 
     @property
+    def heights(self) -> list[float]:
+        """Returns the heights of the four corners: x0 z0, x1 z0, x1 z1, x0 z1."""
+        _, _, _, _, level, along_x, along_z = self.numbers
+        (x0, z0), (x1, z1) = self.corner, self.opposite
+        return [level + along_x * x + along_z * z for x, z in ((x0, z0), (x1, z0), (x1, z1), (x0, z1))]
+
+    @property
     def numbers(self) -> tuple[float, ...]:
         """Returns both corners, and a, b, c of the height a + b·x + c·z."""
         rise = 0.0 if self.end_height is None else self.end_height - self.height

@@ -13,6 +13,7 @@ from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
 from statwalk.machine.definition.feet_definition import ContactDefinition, FootDefinition
 from statwalk.machine.definition.flock_definition import FlockDefinition
 from statwalk.machine.definition.ground_definition import GroundDefinition
+from statwalk.machine.definition.limit_definition import LimitDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
 END = "END"
@@ -194,6 +195,8 @@ class MachineDefinition:
     senses: Mapping[str, SenseDefinition | TouchDefinition] = field(default_factory=dict)
     """by the event that they raise"""
     colliders: Mapping[str, ColliderDefinition] = field(default_factory=dict)
+    limits: Mapping[str, LimitDefinition] = field(default_factory=dict)
+    """the limits of the character's joints, by joint; they replace the character's own"""
     foot_lock: float | str = 0.0
     """0…1 how much feet that stand are kept where they stand, or the parameter that says it; 0: no foot lock"""
     ground: tuple[GroundDefinition, ...] = ()

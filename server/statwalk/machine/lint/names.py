@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from statwalk.machine.compile.resolved_table import Motions
 from statwalk.machine.conditions.condition_info import condition_info
+from statwalk.machine.conditions.variables import ENTRY
 from statwalk.machine.definition.machine_definition import (
     BlendDefinition,
     MachineDefinition,
@@ -132,6 +133,7 @@ def _parameter_uses(
                 yield from (
                     (over, written.motion.line, state, f"what {state} is blended over")
                     for over in written.motion.over
+                    if over not in ENTRY
                 )
     for name, layer in definition.layers.items():
         if isinstance(layer.weight, str):

@@ -27,8 +27,8 @@ QUEUE = ("waiting_event", "waiting_for", "waiting_until", "waiting_held", "waiti
 
 
 class MachineState(NamedTuple):
-    """The machines of N actors: L layers, E events, P parameters, K senses, H composite states with history.
-    Times are in seconds and ticks.
+    """The machines of N actors: L layers, E events, P parameters, V entry values, K senses, H composite
+    states with history. Times are in seconds and ticks.
     """
 
     state: NDArray[np.int16]
@@ -64,7 +64,9 @@ class MachineState(NamedTuple):
     parameters: NDArray[np.float64]
     """(N, P) as set"""
     smoothed: NDArray[np.float64]
-    """(N, P) on their way to the set values: speeds, blends and conditions read these"""
+    """(N, P + V) on their way to the set values: speeds, blends and conditions read these; then the values
+    that states keep from their entry, see `Program.entry_state`
+    """
     smoothed_rate: NDArray[np.float64]
     """(N, P) per second"""
     sensing: NDArray[np.bool_]
@@ -123,7 +125,7 @@ def fresh(program: Program, n: int) -> MachineState:
         held=np.zeros((n, events), np.int32),
         stayed=np.full((n, layers, events), -1, np.int32),
         parameters=parameters,
-        smoothed=parameters.copy(),
+        smoothed=np.concatenate([parameters, np.zeros((n, len(program.entry_state)))], 1),
         smoothed_rate=np.zeros(parameters.shape),
         sensing=np.zeros((n, len(program.sense_event)), bool),
         last=np.full((n, program.inside.shape[1]), -1, np.int16),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from statwalk.machine.compile.program import Program
+from statwalk.machine.conditions.variables import COUNT_MEASURED, PHASE
 from statwalk.machine.runtime.effects import MachineEffects
 from statwalk.machine.runtime.event_queue import leave
 from statwalk.machine.runtime.reasons import TAKEN
@@ -49,7 +50,7 @@ def take(
     if p.action[alternative] >= 0:
         record_action(out, i, layer, p.action[alternative], other)
     if starts:
-        _change(p, s, out, i, layer, event, alternative, target)
+        _change(p, s, around, out, i, layer, event, alternative, target)
 
 
 @inlined
@@ -63,10 +64,29 @@ def _target_of(p: Program, s: MachineState, i: int, alternative: int) -> int:
     return p.to[alternative]
 
 
+@inlined
+def _keep_entry_values(
+    p: Program, s: MachineState, around: Measurements, out: MachineEffects, i: int, layer: int, target: int
+) -> None:
+    """Keeps the values that the motion of `target` is blended over, until the state is entered again: as
+    shown at the tick before, the phase as the old motion is left.
+    """
+    for k in range(p.entry_state.shape[0]):
+        if p.entry_state[k] == target:
+            kind, duration = p.entry_kind[k], p.duration[s.state[i, layer]]
+            value = out.work.conditions.observed[kind]
+            if kind < COUNT_MEASURED:
+                value = around.measured[kind, i]
+            elif kind == PHASE:
+                value = s.time[i, layer] / duration if duration > 0 else 0.0
+            s.smoothed[i, s.parameters.shape[1] + k] = value
+
+
 @called
 def _change(
     p: Program,
     s: MachineState,
+    around: Measurements,
     out: MachineEffects,
     i: int,
     layer: int,
@@ -80,6 +100,8 @@ def _change(
     scratch[CHANGES] += 1
     scratch[CARRIED] = scratch[ENDING]
     scratch[RESTARTED] = target == current and (scratch[AT_END] or scratch[RESTARTED])
+    if target != current:
+        _keep_entry_values(p, s, around, out, i, layer, target)
     s.state[i, layer] = target
     begin_motion(s, out.work, i, layer, seconds)
     record_change(p, out, i, layer, event, current, target, alternative, seconds)

@@ -59,12 +59,10 @@ def clamp_rotation(table: Any, row: int, q: Any) -> Any:
         )
         clamped = from_euler(angles)
     else:
-        excess, clamped = _clamp_swing_twist(table, row, relative)
+        excess, clamped = clamp_swing_twist(table, row, relative)
     if not any_above(excess, of(TOLERANCE)):
         return q
-    back = renormalized(mul(mul(conjugate(into), clamped), conjugate(frame)))
-    sign = fused(back[3], q[3], fused(back[2], q[2], fused(back[1], q[1], back[0] * q[0])))
-    back = (turned(back[0], sign), turned(back[1], sign), turned(back[2], sign), turned(back[3], sign))
+    back = same_sign(renormalized(mul(mul(conjugate(into), clamped), conjugate(frame))), q)
     return either4(excess - of(TOLERANCE), back, q)
 
 
@@ -77,9 +75,9 @@ def clamp_translation(table: Any, row: int, t: Any) -> Any:
     way = rotated(into, minus(t, rest))
     low, high = spread3(table.slide, 6 * row), spread3(table.slide, 6 * row + 3)
     within = (
-        _between(way[0], low[0], high[0]),
-        _between(way[1], low[1], high[1]),
-        _between(way[2], low[2], high[2]),
+        between(way[0], low[0], high[0]),
+        between(way[1], low[1], high[1]),
+        between(way[2], low[2], high[2]),
     )
     lack = minus(way, within)
     excess = most(size(lack[0]), most(size(lack[1]), size(lack[2])))
@@ -89,14 +87,22 @@ def clamp_translation(table: Any, row: int, t: Any) -> Any:
 
 
 @inlined
-def _between(x: Any, low: Any, high: Any) -> Any:
+def same_sign(q: Any, to: Any) -> Any:
+    """Returns q or -q, the same rotation, whichever is nearer to another."""
+    sign = fused(q[3], to[3], fused(q[2], to[2], fused(q[1], to[1], q[0] * to[0])))
+    return turned(q[0], sign), turned(q[1], sign), turned(q[2], sign), turned(q[3], sign)
+
+
+@inlined
+def between(x: Any, low: Any, high: Any) -> Any:
+    """Returns x, at least low and at most high."""
     return least(most(x, low), high)
 
 
 @inlined
-def _clamp_swing_twist(table: Any, row: int, q: Any) -> Any:
-    """The excess in radians, and the rotation with swing (about axes in the XZ plane, last) and twist (about
-    Y, first) clamped.
+def clamp_swing_twist(table: Any, row: int, q: Any) -> Any:
+    """Returns the excess in radians, and the rotation with swing (about axes in the XZ plane, last)
+    and twist (about Y, first) clamped.
     """
     x, y, z, w = q
     one, zero = broadcast(ONE), broadcast(ZERO)
@@ -169,7 +175,7 @@ def _nearest_swing(table: Any, row: int, u: Any, v: Any) -> Any:
     """The distance of a swing's rotation vector from the limits, and the nearest vector inside them."""
     low_u, low_v, high_u, high_v = spread4(table.swing, 4 * row)
     if table.kind[row] == RANGE:
-        new_u, new_v = _between(u, low_u, high_u), _between(v, low_v, high_v)
+        new_u, new_v = between(u, low_u, high_u), between(v, low_v, high_v)
         return most(size(u - new_u), size(v - new_v)), new_u, new_v
     zero, one = broadcast(ZERO), broadcast(ONE)
     a, b = where_below(u, zero, low_u, high_u), where_below(v, zero, low_v, high_v)

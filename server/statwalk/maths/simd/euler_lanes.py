@@ -19,18 +19,30 @@ ROUNDING = 5e-7
 
 
 @inlined
-def _around(y: Any, x: Any) -> Any:
-    """The angle -pi...pi of points (x, y)."""
+def around(y: Any, x: Any) -> Any:
+    """Returns the angle -pi...pi of points (x, y)."""
     acute = angle(size(y), size(x))
     return with_sign(where_below(x, broadcast(ZERO), broadcast(FLOAT(np.pi)) - acute, acute), y)
 
 
 @inlined
+def _turns(x: Any) -> Any:
+    """The whole number of turns nearest to an angle."""
+    big = of(1.5 * 2**23)
+    return fused(x, of(0.15915494309189535), big) - big
+
+
+@inlined
 def _wrapped(x: Any) -> Any:
     """The angle in -pi...pi; |x| up to some turns."""
-    big = of(1.5 * 2**23)
-    turns = (fused(x, of(0.15915494309189535), big)) - big
+    turns = _turns(x)
     return fused(turns, of(1.7484556000744883e-07), fused(turns, of(-6.2831854820251465), x))
+
+
+@inlined
+def whole_turns(x: Any) -> Any:
+    """Returns the nearest whole turns, in radians."""
+    return _turns(x) * of(6.283185307179586)
 
 
 @inlined
@@ -52,8 +64,8 @@ def euler_excess(q: Any, middle: Any, half: Any) -> Any:
         root(fused(plus_sine, plus_sine, plus_cosine * plus_cosine)),
         root(fused(minus_sine, minus_sine, minus_cosine * minus_cosine)),
     )
-    y_angle = of(2.0) * _around(minus - plus, minus + plus)
-    half_sum, half_difference = _around(plus_sine, plus_cosine), _around(minus_sine, minus_cosine)
+    y_angle = of(2.0) * around(minus - plus, minus + plus)
+    half_sum, half_difference = around(plus_sine, plus_cosine), around(minus_sine, minus_cosine)
     x_angle, z_angle = _unlocked(half_sum, half_difference, plus, minus, middle, half)
     noise = of(ROUNDING) / most(least(plus, minus), of(LOCKED))
     noise = where_below(least(plus, minus), of(LOCKED), broadcast(ZERO), noise)

@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 from statwalk.character.role import Role
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.random import Words
+from statwalk.rig.limits import ClampedJoint
 from statwalk.services.hosting.stage_replies import ActorFacts
 from statwalk.stage.stage import Stage
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.hashing import text
+from statwalk.stage.steps.limit_excess import clamped_joints
 
 
 class ActorColumns(NamedTuple):
@@ -32,6 +34,7 @@ class ActorColumns(NamedTuple):
     """(n, 3)"""
     headings: Floats
     hashes: Words
+    clamped: list[tuple[ClampedJoint, ...]]
 
     @classmethod
     def of(cls, cast: Cast, names: Mapping[int, str], rows: Ints | slice) -> ActorColumns:
@@ -39,13 +42,15 @@ class ActorColumns(NamedTuple):
         machine = cast.machine
         columns: tuple[Any, ...] = (cast.ids, machine.state, machine.time[:, 0])
         columns += cast.position, cast.heading, cast.hash
-        return cls(cast.role, names, *(column[rows].copy() for column in columns))
+        clamped = clamped_joints(cast, np.arange(len(cast.ids))[rows])
+        copies: Any = (*(column[rows].copy() for column in columns), clamped)
+        return cls(cast.role, names, *copies)
 
     def facts(self) -> Iterator[ActorFacts]:
         """Yields the facts of each actor."""
         machine = self.role.machine
-        for actor, states, time, position, heading, hashed in zip(
-            *(column.tolist() for column in self[2:]), strict=True
+        for actor, states, time, position, heading, hashed, clamped in zip(
+            *(column.tolist() for column in self[2:-1]), self.clamped, strict=True
         ):
             names = tuple(machine.states[state] for state in states)
             yield ActorFacts(
@@ -58,6 +63,7 @@ class ActorColumns(NamedTuple):
                 position=tuple(position),
                 heading=heading,
                 hash=text(hashed),
+                clamped=clamped,
             )
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from statwalk.machine.travel import Plan
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
+from statwalk.rig.limits import ClampedJoint
 from statwalk.services.hosting.commands import ClockKind
 from statwalk.stage.state.frame import Action, Verdict
 
@@ -36,6 +37,8 @@ class ActorFacts:
     position: tuple[float, float, float]
     heading: float
     hash: str
+    clamped: tuple[ClampedJoint, ...]
+    """the joints that their limits changed, and by how much"""
 
 
 @dataclass(frozen=True)

@@ -199,6 +199,8 @@ class Catalogue:
         if entry.file.text == text:
             return role
         file = machine_of(text, entry.folder, FILE_NAME)
+        if file.captures != entry.file.captures:
+            return load_role(entry.folder, entry.name, text, partial(self.checked.character_at, self.store))
         file.check_root(role.character.skeleton.names)
         return Role.build(role.name, role.character, file.definition, file.root_joint)
 

@@ -5,7 +5,6 @@ This module joins files and stage, which do not import each other.
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import radians
@@ -14,14 +13,16 @@ from pathlib import Path
 from statwalk.character.character import Character
 from statwalk.character.role import Role
 from statwalk.errors import ContentError, MachineError, UnknownNameError
-from statwalk.files import archive, captures
-from statwalk.files.bvh.read import Position
+from statwalk.files import captures
+from statwalk.files.bvh.bvh_file import Position
 from statwalk.files.character_yaml import load_character
 from statwalk.files.gltf import read_model
+from statwalk.files.machine_yaml.capture_lines import with_captures
 from statwalk.files.machine_yaml.machine_file import FILE_NAME as MACHINE_FILE
 from statwalk.files.machine_yaml.machine_file import MachineFile, load_machine, machine_of
 from statwalk.files.scene import FILE_NAME as SCENE_FILE
 from statwalk.files.scene import ActorLine, SceneFile, load_scene_file
+from statwalk.files.zipped_model import load_zip
 from statwalk.stage.actor import Actor
 from statwalk.stage.stage import Stage
 
@@ -64,8 +65,8 @@ def load(
     .trc) or a character file (.yaml); loads a Role from a machine folder or a shipped machine's name.
 
     `text`: the text of another version of the machine, as `replay` finds it in a log under `name@2`. For a
-    capture: `position` "replace" (a joint's position channels replace its offset) or "add", and `scale`, which
-    multiplies all lengths; the file's units are kept otherwise.
+    capture: `position` "replace" (a joint's position channels replace its offset) or "add", and `scale`,
+    which multiplies all lengths; the file's units are kept otherwise.
 
     :raises ContentError: when a file is refused.
     :raises UnknownNameError: when no file, folder or shipped machine has this name.
@@ -74,7 +75,7 @@ def load(
         return _load_version(str(source).partition("@")[0], text)
     path = Path(source)
     if path.suffix.lower() in captures.SUFFIXES:
-        return captures.load_capture(path, position, scale)
+        return captures.load_capture(path, captures.Reading(position, scale))
     if path.suffix.lower() in (*MODEL_SUFFIXES, ZIP_SUFFIX, *TEXT_SUFFIXES):
         return load_character_file(path)
     if path.is_dir():
@@ -114,7 +115,7 @@ def load_character_file(path: Path) -> Character:
     if path.suffix.lower() in captures.SUFFIXES:
         return captures.load_capture(path)
     if path.suffix.lower() == ZIP_SUFFIX:
-        return _load_zip(path)
+        return load_zip(path)
     if path.stat().st_size > LARGEST_MODEL_BYTES:
         raise ContentError(f"a model may have {LARGEST_MODEL_BYTES >> 20} MiB at most", file=str(path))
     try:
@@ -141,18 +142,6 @@ def _load_model_folder(folder: Path) -> Character:
     return load_character_file(models[0])
 
 
-def _load_zip(path: Path) -> Character:
-    with tempfile.TemporaryDirectory() as folder:
-        try:
-            model = archive.unpack(path, Path(folder))
-        except ContentError as error:
-            raise error.in_file(str(path)) from None
-        try:
-            return read_model(model.read_bytes(), path.stem, model.parent)
-        except ContentError as error:
-            raise error.in_file(f"{path}/{model.relative_to(folder)}") from None
-
-
 def load_role(
     folder: Path,
     name: str = "",
@@ -167,7 +156,7 @@ def load_role(
     :raises ContentError: when a file is refused.
     """
     file = machine_of(text, folder) if text else load_machine(folder)
-    character = character_at(character_path(file))
+    character = with_captures(character_at(character_path(file)), file.captures, folder)
     file.check_root(character.skeleton.names)
     return Role.build(name or folder.resolve().name, character, file.definition, file.root_joint)
 

@@ -19,14 +19,16 @@ import subprocess
 import sys
 import tempfile
 import time
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from statwalk.character.character import Character
 from statwalk.errors import ContentError, ModelError
-from statwalk.files import archive
+from statwalk.files import archive, captures
 from statwalk.files.character_archive import write_character
 from statwalk.files.gltf import read_model
+from statwalk.motion.filter_clip import Filter
 from statwalk.services.cancel import NEVER, CancelToken
 
 if sys.platform != "win32":
@@ -48,9 +50,11 @@ ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 log = logging.getLogger(__name__)
 
 
-def read_in_child(upload: Path, out: Path, name: str, token: CancelToken = NEVER) -> dict[str, Any]:
+def read_in_child(
+    upload: Path, out: Path, name: str, token: CancelToken = NEVER, how: captures.Reading | None = None
+) -> dict[str, Any]:
     """Has a child read `upload`, and write `out`, a self-contained .glb, and `checked_beside(out)`; returns
-    facts about the character.
+    facts about the character. `how` says how a capture is read.
 
     Blocks for at most 15 s.
 
@@ -65,6 +69,7 @@ def read_in_child(upload: Path, out: Path, name: str, token: CancelToken = NEVER
         str(upload),
         str(out),
         name,
+        json.dumps(asdict(how or captures.Reading())),
     ]
     with subprocess.Popen(  # noqa: S603 - our own program, no shell
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=out.parent, env=os.environ | ONE_THREAD
@@ -109,12 +114,12 @@ def refusal(status: int, error_output: bytes) -> ContentError:
     return ContentError("the reader failed on this file; the file is refused")
 
 
-def main(upload: str, out: str, name: str) -> None:
+def main(upload: str, out: str, name: str, how: str = "{}") -> None:
     """Runs the child: sets its limits, then reads the file."""
     _limit_self()
     answer: dict[str, Any]
     try:
-        character = read_upload(Path(upload), name)
+        character = read_upload(Path(upload), name, _reading(how))
         answer = _checked_facts(character)
         write_character(character, checked_beside(Path(out)))
         Path(out).write_bytes(character.model_glb)
@@ -140,13 +145,23 @@ def _limit_self() -> None:
         os.nice(NICENESS)
 
 
-def read_upload(upload: Path, name: str) -> Character:
-    """Reads the character of a .glb, a self-contained .gltf, or a zip.
+def _reading(text: str) -> captures.Reading:
+    members = json.loads(text)
+    return captures.Reading(**{**members, "filter": Filter(**members.get("filter", {}))})
+
+
+def read_upload(upload: Path, name: str, how: captures.Reading | None = None) -> Character:
+    """Reads the character of a .glb, a self-contained .gltf, a zip, or a capture (.bvh, .trc).
 
     :raises ContentError: when the file is refused.
     """
     with upload.open("rb") as file:
-        zipped = archive.is_zip(file.read(4))
+        start = file.read(64)
+    zipped, kind = archive.is_zip(start), captures.kind_of(start)
+    if kind:
+        return captures.read_capture(upload.read_bytes(), kind, name, how)
+    if how is not None and how != captures.Reading():
+        raise ContentError("position, scale and filters are for captures: .bvh and .trc files")
     if not zipped:
         return read_model(upload.read_bytes(), name)
     with tempfile.TemporaryDirectory(dir=upload.parent) as unpacked:

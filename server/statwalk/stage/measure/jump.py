@@ -5,13 +5,14 @@ the motions themselves.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
 from statwalk.character.role import Role
 from statwalk.maths.arrays import Floats, Ints
-from statwalk.stage.measure.trials import RATE, motion_alone
+from statwalk.stage.measure.trials import RATE, entries_of, motion_alone
 
 STILL = 1e-4
 """metres: a joint that stands still in all motions counts as if it moved so far in a tick"""
@@ -50,8 +51,9 @@ def changes_of(track: Floats) -> Floats:
 
 
 def most_of(role: Role, state: int, joints: Ints) -> Floats:
-    """Returns (2, J) the largest changes within a state's motion by itself."""
-    tracks = (motion_alone(role, state, offset)[:, joints] for offset in OFFSETS)
+    """Returns (2, J) the largest changes within a state's motion by itself, whatever its entry values."""
+    moments = product(OFFSETS, entries_of(role, state))
+    tracks = (motion_alone(role, state, offset, axes)[:, joints] for offset, axes in moments)
     changes = [changes_of(track) for track in tracks if len(track) > 2]
     most: Floats = np.max(changes or [np.zeros((2, len(joints)))], 0)
     return most

@@ -18,6 +18,7 @@ from statwalk.machine.runtime.state import MachineState, fresh
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.pose import Pose
 from statwalk.maths.simd.pose_layout import JOINT_CHANNELS, ROTATION_CHANNEL, SCALE_CHANNEL
+from statwalk.motion.blend_space import BlendSpace
 from statwalk.motion.root_track import compose
 from statwalk.rig.evaluate import world_from_local
 from statwalk.stage.advance import advance
@@ -168,8 +169,8 @@ def _way(role: Role, state: int, start: float, end: float) -> Floats:
     motion = role.motions[state]
     if motion is None or role.machine.layer_of[state]:
         return np.zeros(3)
-    times, default = (np.array([start]), np.array([end])), role.machine.program.default[None]
-    delta: Floats = motion.way(*times, np.zeros(1, np.int64), default)[0]
+    times, axes = (np.array([start]), np.array([end])), fresh(role.machine.program, 1).smoothed
+    delta: Floats = motion.way(*times, np.zeros(1, np.int64), axes)[0]
     return delta
 
 
@@ -203,23 +204,42 @@ def _world(role: Role, rows: Floats) -> Floats:
     return world_from_local(role.character.skeleton, Pose(move, turn, scale, rows[..., :0]))
 
 
-def motion_alone(role: Role, state: int, offset: float) -> Floats:
+def entries_of(role: Role, state: int) -> list[Floats]:
+    """Returns the rows (P + V,) of parameters and entry values that matter for a state's motion by itself: of
+    a motion that is blended over entry values one for each clip, else one with the defaults.
+    """
+    motion, kept = role.motions[state], len(role.machine.parameters)
+    row = fresh(role.machine.program, 1).smoothed[0]
+    if not isinstance(motion, BlendSpace) or max(motion.columns) < kept:
+        return [row]
+    rows = np.tile(row, (len(motion.places), 1))
+    for axis, column in enumerate(motion.columns):
+        if column >= kept:
+            rows[:, column] = motion.places[:, axis]
+    return list(rows)
+
+
+def motion_alone(role: Role, state: int, offset: float, axes: Floats | None = None) -> Floats:
     """Returns the joints (T, J, 3) of a state's motion by itself, a tick at a time from `offset` seconds on;
     a motion that loops plays twice.
+
+    `axes` (P + V,): parameters and entry values, see `entries_of`; default: the first of them.
     """
     machine = role.machine
+    axes = entries_of(role, state)[0] if axes is None else axes
     duration = float(machine.duration[state]) if np.isfinite(machine.duration[state]) else 1.0
     times = np.arange(offset, duration * (1 + bool(machine.loop[state])) + 1e-9, 1 / RATE)
     wrapped = np.mod(times, duration) if machine.loop[state] and duration > 0 else np.minimum(times, duration)
-    world = _world(role, poses_ahead(role, machines_at(role, np.full(len(times), state), wrapped)).rows())
+    machines = machines_at(role, np.full(len(times), state), wrapped)
+    machines.smoothed[:] = axes
+    world = _world(role, poses_ahead(role, machines).rows())
     place = np.zeros((len(times), 3))
     motion = role.motions[state]
     for k in range(1, len(times)):
         if motion is None or machine.layer_of[state]:
             break
         wraps = np.array([int(wrapped[k] < wrapped[k - 1])])
-        default = machine.program.default[None]
-        delta = motion.way(wrapped[k - 1 : k], wrapped[k : k + 1], wraps, default)
+        delta = motion.way(wrapped[k - 1 : k], wrapped[k : k + 1], wraps, axes[None])
         place[k] = compose(place[k - 1 : k], delta)[0]
     position = np.stack([place[:, 0], 0 * place[:, 0], place[:, 1]], -1)
     return placed(world[..., 3].astype(np.float64), position, place[:, 2])

@@ -175,11 +175,12 @@ def _shared(old: Machine, new: Machine, state: MachineState, blank: MachineState
     )
     limits = [(parameter.minimum, parameter.maximum) for parameter in new.parameters]
     bounds = np.array(limits, np.float64).reshape(-1, 2).T
+    wide = np.concatenate([bounds, np.tile([[-np.inf], [np.inf]], len(new.entry_values))], 1)
     goals = _states(old, new, 0, 0)
     return {
         "held": _taken(state.held, _by_name(new.events, old.events), blank.held),
         "parameters": np.clip(_taken(state.parameters, parameters, blank.parameters), *bounds),
-        "smoothed": np.clip(_taken(state.smoothed, parameters, blank.smoothed), *bounds),
+        "smoothed": _taken(state.smoothed, _by_name(new.axes, old.axes), blank.smoothed).clip(*wide),
         "smoothed_rate": _taken(state.smoothed_rate, parameters, blank.smoothed_rate),
         "sensing": _taken(state.sensing, senses, blank.sensing),
         "last": _last(old, new, state, blank),

@@ -21,7 +21,7 @@ def enter(role: Role, ids: Sequence[int], position: Floats, heading: Floats) -> 
     """
     count, rest = len(ids), role.character.bind_pose
     machine = fresh(role.machine.program, count)
-    shown = poses_ahead(role, machine)
+    shown = poses_ahead(role, machine, is_limited=True)
     size = offset_size(len(role.character.skeleton), rest.weights.shape[-1])
     places = np.array(position, np.float64), np.array(heading, np.float64)
     return CastState(

@@ -11,6 +11,7 @@ from statwalk.character.chain_of_names import chain_joints
 from statwalk.character.character import Character
 from statwalk.character.feet import feet_of
 from statwalk.character.foot_contacts import contacts_of
+from statwalk.files.machine_yaml.state_names import MEANINGS, proposed
 from statwalk.maths import quat
 from statwalk.maths.pose import Pose
 from statwalk.services.library.catalogue import Catalogue
@@ -21,6 +22,7 @@ from statwalk.web.schemas.character import (
     CharacterView,
     ClipView,
     JointView,
+    MappingView,
     PartView,
     ShippedCharacterView,
     UploadedCharacterView,
@@ -90,6 +92,13 @@ def get_model(name: str, catalogue: CatalogueDep) -> Response:
     """Returns the model as a .glb, which any glTF viewer opens."""
     headers = {"Cache-Control": "no-cache"}
     return Response(catalogue.model_glb(name), media_type="model/gltf-binary", headers=headers)
+
+
+@router.get("/{name}/mapping")
+def get_mapping(name: str, catalogue: CatalogueDep) -> MappingView:
+    """Proposes a state for each clip; change the mapping and post it to /api/machines."""
+    clips = catalogue.character(name).clips
+    return MappingView(character=name, mapping=proposed(clips), meanings=MEANINGS)
 
 
 @router.post("/{name}/solve")

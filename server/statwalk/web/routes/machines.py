@@ -29,6 +29,7 @@ from statwalk.stage.measure.figures import UNITS
 from statwalk.stage.measure.over_budget import over_budget
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, catalogue_of, registry_of
+from statwalk.web.routes.limit_views import limit_views
 from statwalk.web.schemas.base import ResponseModel
 from statwalk.web.schemas.finding import FindingsView, finding_views
 from statwalk.web.schemas.machine import MachineSummary, MachineView
@@ -39,6 +40,7 @@ from statwalk.web.schemas.table import (
     KeyView,
     LayerView,
     MarkerView,
+    GroundView,
     ParameterView,
     SenseView,
     StateView,
@@ -144,6 +146,11 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
         "colliders": {
             name: ColliderView.model_validate(collider) for name, collider in definition.colliders.items()
         },
+        "ground": [
+            GroundView(corner=list(piece.corner), opposite=list(piece.opposite), heights=piece.heights)
+            for piece in definition.ground
+        ],
+        "limits": limit_views(role),
         "layers": layers,
         "text": version.text,
         **{name: getattr(layers[0], name) for name in ("states", "table", "rows", "edges")},

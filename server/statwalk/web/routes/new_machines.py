@@ -73,7 +73,9 @@ def _check_free(name: str, catalogue: Catalogue, store: ModelStore) -> None:
         raise Problem(409, f"the data folder holds {MOST_UPLOADS} machines, and no more; delete one first")
 
 
-def write(name: str, states: Mapping[str, str], character: Character, store: ModelStore) -> tuple[Path, Role]:
+def write(
+    name: str, states: Mapping[str, str], character: Character, store: ModelStore, root: str = ""
+) -> tuple[Path, Role]:
     """Writes a machine folder, loads it once, and moves it to its place in the store; returns the place and
     the role.
 
@@ -85,8 +87,9 @@ def write(name: str, states: Mapping[str, str], character: Character, store: Mod
         sha256, _ = store.keep_model(folder / "model.glb")
         # the same relative path from the working folder and from the folder's place
         model = Path("..", "..", store.models.name, f"{sha256}.glb")
-        write_folder(name, named_motions(character, states), model, written)
+        write_folder(name, named_motions(character, states), model, written, root)
         file = load_machine(written)
+        file.check_root(character.skeleton.names)
         role = Role.build(name, character, file.definition, file.root_joint)
         return store.keep_machine(name, written), role
 
@@ -105,7 +108,7 @@ def make_machine(new: NewMachine, registry: RegistryDep, response: Response) -> 
         _check_free(check_name(new.name), catalogue, store)
         states = _states_of(new, character)
         try:
-            catalogue.adopt(*write(new.name, states, character, store))
+            catalogue.adopt(*write(new.name, states, character, store, new.root))
         except ContentError as error:
             raise Problem(422, error.message, field=error.place) from None
     response.headers["Location"] = f"/api/machines/{new.name}"

@@ -16,7 +16,7 @@ from statwalk.services.hosting.stage_replies import ActorFacts
 from statwalk.web.bounded_json import RoomyRoute
 from statwalk.web.dependencies import LongWorkToken, registry_of, stage_of, token_of
 from statwalk.web.errors import Problem
-from statwalk.web.schemas.actor import ActorView
+from statwalk.web.schemas.actor import ActorView, ClampedView
 from statwalk.web.schemas.base import Tick
 from statwalk.web.schemas.stage import NewStage, PauseBody, SeekBody, Speed, StageView, StepBody
 
@@ -45,6 +45,10 @@ def view_actor(actor: ActorFacts) -> ActorView:
         position=list(actor.position),
         heading_deg=math.degrees(actor.heading),
         hash=actor.hash,
+        clamped=[
+            ClampedView(joint=one.joint, angle_deg=math.degrees(one.angle), distance=one.distance)
+            for one in actor.clamped
+        ],
     )
 
 

@@ -11,10 +11,12 @@ from typing import Annotated, Any
 
 import anyio
 from anyio import CancelScope, CapacityLimiter, to_thread
-from fastapi import APIRouter, Depends, Request, Response
+from fastapi import APIRouter, Depends, Query, Request, Response
 from starlette.requests import ClientDisconnect
 
-from statwalk.files.machine_yaml.state_names import MEANINGS, proposed
+from statwalk.files.bvh.bvh_file import SMALLEST_SCALE, Position
+from statwalk.files.captures import Reading
+from statwalk.motion.filter_clip import HIGHEST_CUTOFF, Filter
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import NAME, ModelStore, UploadedCharacter
 from statwalk.services.library.upload_sandbox import read_in_child
@@ -22,7 +24,7 @@ from statwalk.services.limits import MOST_UPLOADS
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import catalogue_of, token_of
 from statwalk.web.errors import Problem
-from statwalk.web.schemas.character import MappingView, UploadView
+from statwalk.web.schemas.character import UploadView
 from statwalk.web.security import MODEL
 
 router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
@@ -104,7 +106,7 @@ def check_name(name: str) -> str:
     return name
 
 
-def _check_free(name: str, catalogue: Catalogue, store: ModelStore) -> None:
+def check_free(name: str, catalogue: Catalogue, store: ModelStore) -> None:
     """Checks that a character may be uploaded under a name.
 
     :raises Problem: 409, when the name belongs to the character of a machine folder, or the data folder holds
@@ -127,22 +129,37 @@ def _check_free(name: str, catalogue: Catalogue, store: ModelStore) -> None:
     responses={201: {"description": "the name is new", "model": UploadView}},
 )
 async def put_character(
-    name: str, request: Request, catalogue: CatalogueDep, response: Response
+    name: str,
+    request: Request,
+    catalogue: CatalogueDep,
+    response: Response,
+    position: Position = "replace",
+    scale: Annotated[float, Query(ge=SMALLEST_SCALE, le=1 / SMALLEST_SCALE)] = 1.0,
+    low_pass: Annotated[float, Query(ge=0, le=HIGHEST_CUTOFF)] = 0.0,
+    spikes: bool = False,
 ) -> UploadView:
-    """Uploads a character: a .glb, a self-contained .gltf, or a zip of a .gltf with its files, as
-    the raw body.
+    """Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture
+    (.bvh, .trc), as the raw body.
 
-    Replaces an uploaded character with the same name.
+    Replaces an uploaded character with the same name. The query is for captures: whether BVH position
+    channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of
+    spikes.
     """
+    how = Reading(position, scale, Filter(low_pass, spikes))
     store = model_store_of(catalogue)
-    await to_thread.run_sync(_check_free, check_name(name), catalogue, store)
+    await to_thread.run_sync(check_free, check_name(name), catalogue, store)
     limiter = _upload_limiter_of(request)
     with limiter.place(), room_on_disk():
-        return await take(name, request, response, store, limiter.children)
+        return await take(name, request, response, store, limiter.children, how)
 
 
 async def take(
-    name: str, request: Request, response: Response, store: ModelStore, children: CapacityLimiter
+    name: str,
+    request: Request,
+    response: Response,
+    store: ModelStore,
+    children: CapacityLimiter,
+    how: Reading | None = None,
 ) -> UploadView:
     """Receives the body, has a child process read it, and stores it, without blocking the event loop.
 
@@ -151,7 +168,7 @@ async def take(
     async with _working(store) as folder:
         await _receive(request, folder / "upload")
         async with asynccontextmanager(token_of)(request) as token:
-            read = partial(read_in_child, folder / "upload", folder / "model.glb", name, token)
+            read = partial(read_in_child, folder / "upload", folder / "model.glb", name, token, how)
             facts = await to_thread.run_sync(read, limiter=children)
         replaced = await to_thread.run_sync(store.find, name)
         upload = await to_thread.run_sync(store.keep, name, folder / "model.glb")
@@ -227,10 +244,3 @@ def delete_character(name: str, catalogue: CatalogueDep) -> None:
                 known=machines,
             )
         store.forget(name)
-
-
-@router.get("/{name}/mapping")
-def get_mapping(name: str, catalogue: CatalogueDep) -> MappingView:
-    """Proposes a state for each clip; change the mapping and post it to /api/machines."""
-    clips = catalogue.character(name).clips
-    return MappingView(character=name, mapping=proposed(clips), meanings=MEANINGS)

@@ -51,6 +51,14 @@ class NewParameter(RequestModel):
         return SetParameter(self.parameter, self.value, self.actor)
 
 
+class ClampedView(ResponseModel):
+    """A joint that its limits changed in this tick: by how many degrees and metres."""
+
+    joint: str
+    angle_deg: float
+    distance: float
+
+
 class ActorView(ResponseModel):
     """An actor at the stage's playhead; `time` in seconds, `position` in metres, `heading_deg` about +Y."""
 
@@ -63,6 +71,7 @@ class ActorView(ResponseModel):
     position: list[float]
     heading_deg: float
     hash: str
+    clamped: list[ClampedView]
 
 
 class Accepted(ResponseModel):

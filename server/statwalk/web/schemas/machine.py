@@ -17,6 +17,7 @@ from statwalk.web.schemas.table import (
     EdgeView,
     KeyView,
     LayerView,
+    GroundView,
     ParameterView,
     SenseView,
     StateView,
@@ -28,12 +29,13 @@ NewState = Annotated[str, StringConstraints(max_length=80)]
 
 class NewMachine(RequestModel):
     """A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-    left out), by default the proposed mapping.
+    left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
     """
 
     name: Name
     character: Name
     mapping: Annotated[dict[str, NewState | None], Field(max_length=1_000)] | None = None
+    root: Annotated[str, StringConstraints(max_length=200)] = ""
 
 
 class NewText(RequestModel):
@@ -63,6 +65,30 @@ class MachineSummary(ResponseModel):
     events: list[str]
 
 
+class FreedomView(ResponseModel):
+    """A degree of freedom of a joint: degrees if it is an angle, else metres; null: not limited."""
+
+    name: str
+    is_angle: bool
+    minimum: float | None
+    maximum: float | None
+
+
+class LimitView(ResponseModel):
+    """The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
+    into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+    """
+
+    joint: str
+    type: str
+    form: str
+    symbol: str
+    shape: Literal["free", "hinge", "cone", "range", "axes"]
+    frame: list[float]
+    rest: list[float]
+    freedoms: list[FreedomView]
+
+
 class MachineView(ResponseModel):
     """A machine; `states`, `table`, `rows` and `edges` belong to its base, the first layer."""
 
@@ -87,6 +113,8 @@ class MachineView(ResponseModel):
     variables: list[str]
     senses: dict[str, SenseView]
     colliders: dict[str, ColliderView]
+    ground: list[GroundView]
+    limits: list[LimitView]
     layers: list[LayerView]
     text: str
     """the machine file"""

@@ -133,6 +133,16 @@ class ThresholdView(ResponseModel):
 SenseView = TouchView | ThresholdView
 
 
+class GroundView(ResponseModel):
+    """A rectangle of uneven ground between two corners x z, metres; `heights`: at x0 z0, x1 z0, x1 z1,
+    x0 z1.
+    """
+
+    corner: list[float]
+    opposite: list[float]
+    heights: list[float]
+
+
 class ColliderView(ResponseModel):
     """A collider in metres, in the joint's space (no joint: the root's)."""
 

@@ -39,10 +39,11 @@ export interface paths {
         get: operations["get_character_api_characters__name__get"];
         /**
          * Put Character
-         * @description Uploads a character: a .glb, a self-contained .gltf, or a zip of a .gltf with its files, as
-         *     the raw body.
+         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture (.bvh,
+         *     .trc), as the raw body.
          *
-         *     Replaces an uploaded character with the same name.
+         *     Replaces an uploaded character with the same name. The query is for captures: whether BVH position channels
+         *     replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of spikes.
          */
         put: operations["put_character_api_characters__name__put"];
         post?: never;
@@ -53,26 +54,6 @@ export interface paths {
          *     409 for the character of a machine folder, and while a machine uses the uploaded character.
          */
         delete: operations["delete_character_api_characters__name__delete"];
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/characters/{name}/feet": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * Get Character Feet
-         * @description Returns the feet that the names of the joints tell, and the spans of the clips in which they stand.
-         */
-        get: operations["get_character_feet_api_characters__name__feet_get"];
-        put?: never;
-        post?: never;
-        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -210,49 +191,6 @@ export interface paths {
          *     refuted.
          */
         get: operations["verify_machine_api_machines__name__verify_get"];
-        put?: never;
-        post?: never;
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/machines/{name}/measure": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * Measure Machine
-         * @description Plays every transition of a machine from ten phases and through interruptions, or one
-         *     (`?cell=WALK/STOP`), and returns what feet, knees, hands and joints do, and what is over the budgets of
-         *     the machine's file.
-         */
-        get: operations["measure_machine_api_machines__name__measure_get"];
-        put?: never;
-        post?: never;
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/machines/{name}/feet": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * Get Feet
-         * @description Returns the feet of a machine's character, and the spans of its clips in which they stand on the
-         *     ground, with the corrections of the machine's file.
-         */
-        get: operations["get_feet_api_machines__name__feet_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -702,6 +640,47 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/characters/{name}/bones": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Bones
+         * @description Returns which joint is which bone of a body, as far as the joints' names tell.
+         */
+        get: operations["get_bones_api_characters__name__bones_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/clips": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Clip
+         * @description Carries a clip of another character over to this one, and keeps the result as an uploaded character: this
+         *     one with a clip more, or a new one called `character`.
+         */
+        post: operations["add_clip_api_characters__name__clips_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/stages/{stage_id}/actors/{actor_id}/why": {
         parameters: {
             query?: never;
@@ -794,6 +773,7 @@ export interface components {
             position: number[];
             heading_deg: number;
             hash: string;
+            clamped: components["schemas"]["ClampedView"][];
         };
         /**
          * @description An alternative of a cell; `blend` in seconds, `enter` is the phase 0…1 at which the motion begins, or
@@ -809,6 +789,18 @@ export interface components {
             enter: number | "match";
             restart: boolean;
             action: string | null;
+        };
+        /**
+         * @description The joint of each bone that the names of a character tell; `needed` are the bones without which no walk is
+         *     carried over, `known` all names of bones.
+         */
+        BonesView: {
+            character: string;
+            bones: {
+                [key: string]: string;
+            };
+            needed: string[];
+            known: string[];
         };
         /** @description The event stays in the queue longer, for `seconds`. */
         BufferChange: {
@@ -868,15 +860,11 @@ export interface components {
             notes: string[];
             model: string;
         };
-        /** @description The contacts of all feet in a clip. */
-        ClipContactsView: {
-            clip: string;
-            feet: components["schemas"]["FootContactView"][];
-            /** @description x, z (m/s) of the ground under a clip that walks on the spot */
-            drift: [
-                number,
-                number
-            ];
+        /** @description A joint that its limits changed in this tick: by how many degrees and metres. */
+        ClampedView: {
+            joint: string;
+            angle_deg: number;
+            distance: number;
         };
         /** @description A clip; `duration` in seconds. */
         ClipView: {
@@ -943,6 +931,8 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            ground: components["schemas"]["GroundView"][];
+            limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
             text: string;
@@ -979,29 +969,10 @@ export interface components {
             curve: string;
             joints: components["schemas"]["MovedView"][];
         };
-        /** @description The feet of a character and their contacts in its clips. */
-        FeetView: {
-            feet: components["schemas"]["FootView"][];
-            clips: components["schemas"]["ClipContactsView"][];
-        };
         /** @description A wrong member of the request, or a wrong place in a file, and what is wrong with it. */
         FieldError: {
             field: string;
             message: string;
-        };
-        /**
-         * @description One figure: its mean over the phases without interruptions, its worst, and where that is; null: never,
-         *     for a response that does not come.
-         */
-        FigureView: {
-            mean: number | null;
-            worst: number | null;
-            phase: number;
-            joint: string;
-            /** @description the event that interrupted the worst; empty: none */
-            then: string;
-            /** @description after which it came */
-            ticks: number;
         };
         /** @description A fault of a machine, or a property that is proved or refuted; `line` 0: it has no line in the file. */
         FindingView: {
@@ -1024,30 +995,12 @@ export interface components {
         FindingsView: {
             findings: components["schemas"]["FindingView"][];
         };
-        /** @description The spans of phase in which a foot stands on the ground, and in which its heel and its ball do. */
-        FootContactView: {
-            foot: string;
-            planted: [
-                number,
-                number
-            ][];
-            heel: [
-                number,
-                number
-            ][];
-            ball: [
-                number,
-                number
-            ][];
-        };
-        /** @description A foot and the joints of its leg; an empty name: none. `points` is the number of points of its sole. */
-        FootView: {
+        /** @description A degree of freedom of a joint: degrees if it is an angle, else metres; null: not limited. */
+        FreedomView: {
             name: string;
-            hip: string;
-            knee: string;
-            ankle: string;
-            toe: string;
-            points: number;
+            is_angle: boolean;
+            minimum: number | null;
+            maximum: number | null;
         };
         /** @description The actor travels to `state` first. */
         GoChange: {
@@ -1058,6 +1011,15 @@ export interface components {
             kind: "state";
             state: string;
             steps: components["schemas"]["StepView"][];
+        };
+        /**
+         * @description A rectangle of uneven ground between two corners x z, metres; `heights`: at x0 z0, x1 z0, x1 z1,
+         *     x0 z1.
+         */
+        GroundView: {
+            corner: number[];
+            opposite: number[];
+            heights: number[];
         };
         /** @description The changes of state up to `head`, oldest first. */
         HistoryView: {
@@ -1072,6 +1034,11 @@ export interface components {
              */
             kind: "hold" | "release";
             event: string;
+        };
+        /** @description The joints that are one bone; `source` is empty where the spine turns as a whole. */
+        JointPair: {
+            source: string;
+            target: string;
         };
         /** @description A joint; `parent` -1: a root; `node` is its node in the model. */
         JointView: {
@@ -1107,6 +1074,21 @@ export interface components {
             };
             rows: string[][];
             edges: components["schemas"]["EdgeView"][];
+        };
+        /**
+         * @description The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
+         *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+         */
+        LimitView: {
+            joint: string;
+            type: string;
+            form: string;
+            symbol: string;
+            /** @enum {string} */
+            shape: "free" | "hinge" | "cone" | "range" | "axes";
+            frame: number[];
+            rest: number[];
+            freedoms: components["schemas"]["FreedomView"][];
         };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
         MachineSummary: {
@@ -1154,6 +1136,8 @@ export interface components {
             colliders: {
                 [key: string]: components["schemas"]["ColliderView"];
             };
+            ground: components["schemas"]["GroundView"][];
+            limits: components["schemas"]["LimitView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description the machine file */
             text: string;
@@ -1175,31 +1159,6 @@ export interface components {
         MarkerView: {
             name: string;
             phase: number;
-        };
-        /** @description The figures of a cell, or of a state's motion by itself (`event` empty). */
-        MeasuredView: {
-            state: string;
-            event: string;
-            layer: string;
-            line: number;
-            trials: number;
-            figures: {
-                [key: string]: components["schemas"]["FigureView"];
-            };
-        };
-        /**
-         * @description What was measured of a machine, in the units of the figures, and what is over the budgets of its
-         *     file.
-         */
-        MeasurementsView: {
-            units: {
-                [key: string]: string;
-            };
-            budgets: {
-                [key: string]: number;
-            };
-            measured: components["schemas"]["MeasuredView"][];
-            findings: components["schemas"]["FindingView"][];
         };
         /** @description The event is sent in `tick` instead of its own tick. */
         MomentChange: {
@@ -1239,6 +1198,80 @@ export interface components {
             /** @default base */
             layer?: string;
         };
+        /** @description A clip of another character, to be carried over. */
+        NewClip: {
+            /** @description the character that has the clip: an uploaded .bvh or .trc, or any other */
+            source: string;
+            /**
+             * @description empty: the source's first clip
+             * @default
+             */
+            clip?: string;
+            /**
+             * @description the new clip's name; empty: the clip's own
+             * @default
+             */
+            name?: string;
+            /** @description the name of the character with the clip; by default the uploaded character itself gets it */
+            character?: string | null;
+            /**
+             * @description the source's joint of a bone whose name does not tell it; an empty joint: none
+             * @default {}
+             */
+            bones?: {
+                [key: string]: string;
+            };
+            /**
+             * @description the same for the character
+             * @default {}
+             */
+            target_bones?: {
+                [key: string]: string;
+            };
+            /**
+             * @description the piece that is carried over begins here, in seconds
+             * @default 0
+             */
+            start?: number;
+            /** @description and ends here; null: at the clip's end */
+            end?: number | null;
+            /**
+             * @description Hz: what moves faster is taken out, without a delay; 0: nothing
+             * @default 0
+             */
+            low_pass?: number;
+            /**
+             * @description whether single wild samples are replaced
+             * @default false
+             */
+            spikes?: boolean;
+            /**
+             * @description whether the clip repeats
+             * @default false
+             */
+            loop?: boolean;
+        };
+        /**
+         * @description A clip that was carried over, and how.
+         *
+         *     missing: bones of hips and legs that one of the two lacks. unmapped_source: joints that move, and whose
+         *     motion no joint takes. unmapped_target: joints that no motion reaches. scale: the character's metres per unit
+         *     of the source. root: the joint that travels.
+         */
+        NewClipView: {
+            character: string;
+            clip: string;
+            duration: number;
+            root: string;
+            bones: {
+                [key: string]: components["schemas"]["JointPair"];
+            };
+            missing: string[];
+            unmapped_source: string[];
+            unmapped_target: string[];
+            scale: number;
+            notes: string[];
+        };
         /** @description An event for one actor, or (null) for all actors of the stage. */
         NewEvent: {
             event: string;
@@ -1251,7 +1284,7 @@ export interface components {
         };
         /**
          * @description A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-         *     left out), by default the proposed mapping.
+         *     left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
          */
         NewMachine: {
             name: string;
@@ -1259,6 +1292,8 @@ export interface components {
             mapping?: {
                 [key: string]: string | null;
             } | null;
+            /** @default  */
+            root?: string;
         };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
@@ -2064,39 +2099,40 @@ export interface components {
 export type Accepted = components['schemas']['Accepted'];
 export type ActorView = components['schemas']['ActorView'];
 export type AlternativeView = components['schemas']['AlternativeView'];
+export type BonesView = components['schemas']['BonesView'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
 export type CharacterView = components['schemas']['CharacterView'];
-export type ClipContactsView = components['schemas']['ClipContactsView'];
+export type ClampedView = components['schemas']['ClampedView'];
 export type ClipView = components['schemas']['ClipView'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
-export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
-export type FigureView = components['schemas']['FigureView'];
 export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
-export type FootContactView = components['schemas']['FootContactView'];
-export type FootView = components['schemas']['FootView'];
+export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
+export type GroundView = components['schemas']['GroundView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
+export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
 export type LayerView = components['schemas']['LayerView'];
+export type LimitView = components['schemas']['LimitView'];
 export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
 export type MappingView = components['schemas']['MappingView'];
 export type MarkerView = components['schemas']['MarkerView'];
-export type MeasuredView = components['schemas']['MeasuredView'];
-export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
 export type MovedView = components['schemas']['MovedView'];
 export type NewActor = components['schemas']['NewActor'];
 export type NewCell = components['schemas']['NewCell'];
+export type NewClip = components['schemas']['NewClip'];
+export type NewClipView = components['schemas']['NewClipView'];
 export type NewEvent = components['schemas']['NewEvent'];
 export type NewMachine = components['schemas']['NewMachine'];
 export type NewParameter = components['schemas']['NewParameter'];
@@ -2217,7 +2253,12 @@ export interface operations {
     };
     put_character_api_characters__name__put: {
         parameters: {
-            query?: never;
+            query?: {
+                position?: "replace" | "add";
+                scale?: number;
+                low_pass?: number;
+                spikes?: boolean;
+            };
             header?: never;
             path: {
                 name: string;
@@ -2231,6 +2272,8 @@ export interface operations {
                 "application/zip": string;
                 "application/x-zip-compressed": string;
                 "application/octet-stream": string;
+                "model/bvh": string;
+                "text/plain": string;
             };
         };
         responses: {
@@ -2275,32 +2318,6 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
-            };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
-        };
-    };
-    get_character_feet_api_characters__name__feet_get: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["FeetView"];
-                };
             };
             /** @description Client Error */
             "4XX": components["responses"]["Problem"];
@@ -2544,60 +2561,6 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["FindingsView"];
-                };
-            };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
-        };
-    };
-    measure_machine_api_machines__name__measure_get: {
-        parameters: {
-            query?: {
-                cell?: string;
-            };
-            header?: never;
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["MeasurementsView"];
-                };
-            };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
-        };
-    };
-    get_feet_api_machines__name__feet_get: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["FeetView"];
                 };
             };
             /** @description Client Error */
@@ -3286,6 +3249,62 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Accepted"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    get_bones_api_characters__name__bones_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BonesView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    add_clip_api_characters__name__clips_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewClip"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["NewClipView"];
                 };
             };
             /** @description Client Error */

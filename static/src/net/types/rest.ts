@@ -3,12 +3,17 @@
 import type { ShippedCharacterView, UploadedCharacterView } from "./api.generated";
 
 export type {
+  BonesView as Bones,
+  ActorView as ActorFacts,
+  ClampedView as ClampedJoint,
   EventLine,
   HistoryView as StateHistory,
   LogHeader,
   LogLine,
   MachineSummary,
   MappingView as Mapping,
+  NewClip,
+  NewClipView as CarriedClip,
   NewCell,
   ProblemView as Problem,
   SceneView as SceneSummary,

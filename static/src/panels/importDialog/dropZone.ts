@@ -28,7 +28,7 @@ const carriesFiles = (drag: DragEvent): boolean => drag.dataTransfer?.types.incl
 export function dropZone(taken: (files: File[]) => void): void {
   const words = [
     el("strong", {}, "Drop your character"),
-    el("span", {}, "a .glb, or a .zip of a .gltf with its files"),
+    el("span", {}, "a .glb, or a .zip of a .gltf with its files; or a motion for this one: .bvh, .trc"),
   ];
   const overlay = el(
     "div",

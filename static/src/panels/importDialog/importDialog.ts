@@ -5,9 +5,11 @@ import * as api from "../../net/api";
 import { nameFor, putCharacter, takenNames } from "../../net/upload";
 import type { Mapping, UploadedCharacter } from "../../net/protocol";
 import { el, say } from "../../ui/dom";
+import { importCapture, isCapture } from "./captureImport";
+import type { BoneForm } from "./boneForm";
 import { MappingForm } from "./mappingForm";
 
-const ACCEPT = ".glb,.gltf,.zip,model/gltf-binary,application/zip";
+const ACCEPT = ".glb,.gltf,.zip,.bvh,.trc,model/gltf-binary,application/zip";
 
 /** The server closes the connection on a larger file, which a page cannot tell from a lost connection. */
 const MOST_BYTES = 64 * 2 ** 20;
@@ -30,8 +32,14 @@ export class ImportDialog {
   /** The uploaded character that has no machine yet. */
   private pending: string | null = null;
 
-  /** `made` gets the name of the new machine. */
-  constructor(private readonly made: (machine: string) => Promise<void>) {
+  /**
+   * `made` gets the name of the new machine, and the state that it shall play; `watched` returns the watched
+   * character.
+   */
+  constructor(
+    private readonly made: (machine: string, state?: string) => Promise<void>,
+    private readonly watched: () => string | null,
+  ) {
     document.body.append(this.dialog, this.fileInput);
     this.dialog.addEventListener("close", () => this.forget());
     this.fileInput.addEventListener("change", () => {
@@ -54,7 +62,44 @@ export class ImportDialog {
     if (more) this.refuse("Import one file at a time; put a .gltf and its files into a .zip.");
     else if (file!.size > MOST_BYTES)
       this.refuse(`The file has ${size(file!.size)}; the server takes ${size(MOST_BYTES)} at most.`);
+    else if (isCapture(file!)) void this.capture(file!);
     else void this.upload(file!);
+  }
+
+  /** Carries a capture over to the watched character; plays it at once. */
+  private async capture(file: File): Promise<void> {
+    const target = this.watched();
+    if (target === null) return this.refuse("Drop a motion on a character: no character is shown yet.");
+    const cancel = (this.cancel = new AbortController());
+    const stage = {
+      progress: this.showProgress(file),
+      signal: cancel.signal,
+      ask: (form: BoneForm, why: string) => this.askForBones(form, why, cancel.signal),
+    };
+    try {
+      const { machine, state } = await importCapture(file, target, stage);
+      this.dialog.close();
+      await this.made(machine, state);
+    } catch (error) {
+      if (!cancel.signal.aborted) this.refuse(error);
+    }
+  }
+
+  /** Shows which joint is which bone; resolves when the form is sent, rejects when the dialog is closed. */
+  private askForBones(form: BoneForm, why: string, signal: AbortSignal): Promise<void> {
+    return new Promise((resolve, reject) => {
+      const go = el("button", { type: "submit", class: "primary" }, "Carry it over");
+      const foot = el("div", { class: "import-foot" }, el("span", { class: "space" }), go);
+      const all = el("form", { class: "import-form", novalidate: true }, form.element, foot);
+      all.addEventListener("submit", (submit) => {
+        submit.preventDefault();
+        go.disabled = true;
+        resolve();
+      });
+      signal.addEventListener("abort", () => reject(new DOMException("aborted", "AbortError")));
+      this.show("Which joint is which bone?", el("p", { class: "import-about", role: "status" }, why), all);
+      all.querySelector<HTMLInputElement>("input[value=''], input")?.focus();
+    });
   }
 
   private async upload(file: File): Promise<void> {

@@ -11,6 +11,7 @@ const MODES: [keyof Modes, string, string][] = [
   ["wire", "2", "the skin's triangles"],
   ["bones", "3", "a line for each bone, a circle for each joint"],
   ["tetra", "4", "a tetrahedron for each bone"],
+  ["limits", "5", "arcs and cones of the joints' limits"],
 ];
 
 /** Turns a mode on or off. */

@@ -9,7 +9,7 @@ import numpy as np
 from statwalk.character.character import Character
 from statwalk.character.markers import solve_markers
 from statwalk.errors import TextError
-from statwalk.files.bvh.read import text_of
+from statwalk.files.bvh.bvh_file import text_of
 from statwalk.files.gltf import write
 from statwalk.files.tetrahedra import MATERIAL, joined_parts
 from statwalk.files.trc.tracks import read_tracks

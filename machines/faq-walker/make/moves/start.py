@@ -1,10 +1,10 @@
-"""From standing to walking and back: the first step is 70 % of a full one, the last one closes the feet."""
+"""From standing to walking: weight shifts, then the first step is 70 % of a full one."""
 
 import numpy as np
 from curves import Array, Curve, eased, ramp, through
 from moves.feet import Arc, Plant, walk_track
 from moves.motion import Body, Feet, Motion, TrackOf, added, held, later, mixed, replaced, sides, slope, value
-from moves.stand import FOOT_X, FOOT_Z, TOES_OUT, stand_body, stand_plant
+from moves.stand import FOOT_Z, stand_body, stand_plant
 from moves.walk import AHEAD, CYCLE, STRIDE, arcs_of, pitch_of, walk_body, walk_plant
 
 STAND_POSE: Body = held(stand_body, 0.0)
@@ -106,92 +106,4 @@ def start_body() -> Body:
     return mixed(shift, walking, lambda t: ramp(t, 0.62, 1.0))
 
 
-# come-to-stop: it begins as the left heel touches; the right foot closes
-STOP = 1.0
-CLOSED = 0.50
-SIDE_WAY = (
-    walk_plant(1.0, 0).x - FOOT_X
-)  # the left foot stays where it touched, so the body goes a little to the right
-STOP_WAY = AHEAD - FOOT_Z
-
-
-def stop_feet() -> Feet:
-    """The left foot rolls flat and stays, the right one comes beside it."""
-
-    def make(side: str, sign: float) -> TrackOf:
-        walk_pitch = pitch_of(sign)
-        if side == "Left":
-            plant = walk_plant(sign, 0)._replace(start=-1.0, end=9.0)
-            flat = _mixed_pitch(
-                eased([(0.0, 0.0), (1.0, 0.0)]), lambda t: walk_pitch(np.minimum(t, 0.3)), -2.0, -1.0
-            )
-            return lambda t: walk_track(t, [plant], [], flat)
-        keys = [(0.0, -30.0), (0.20, -44.0), (0.32, -22.0), (0.44, 5.0), (0.50, 6.0), (0.58, 0.0)]
-        pitch = _mixed_pitch(eased(keys), walk_pitch, 0.30, 0.12)
-        closed = Plant(CLOSED, 9.0, SIDE_WAY - FOOT_X, AHEAD, -TOES_OUT)
-        arcs = [
-            Arc(0.11, 0.05, 0.226),
-            Arc(0.27, 0.23, 0.226),
-            Arc(0.52, 0.58, 0.186),
-            Arc(0.78, 0.90, 0.137),
-        ]
-        return lambda t: walk_track(t, [walk_plant(sign, -1), closed], [arcs], pitch)
-
-    return sides(make)
-
-
-def stop_body() -> Body:
-    """The body catches up with the feet, goes a little too far and settles."""
-    catch = {
-        "lean": eased([(0.10, 0.0), (0.38, -2.5), (0.62, 1.2), (0.92, 0.0)]),
-        "low_pitch": eased([(0.15, 0.0), (0.50, 2.5), (0.72, -0.8), (0.96, 0.0)]),
-        "up_pitch": eased([(0.18, 0.0), (0.54, 3.0), (0.76, -1.0), (0.98, 0.0)]),
-        "head_pitch": eased([(0.20, 0.0), (0.56, 2.5), (0.80, -0.6), (0.99, 0.0)]),
-        "Left.swing": eased([(0.25, 0.0), (0.50, 7.0), (0.74, -2.0), (0.98, 0.0)]),
-        "Right.swing": eased([(0.28, 0.0), (0.55, 5.0), (0.80, -1.5), (1.0, 0.0)]),
-        "Left.elbow": eased([(0.25, 0.0), (0.55, 6.0), (0.80, -1.0), (1.0, 0.0)]),
-        "Right.elbow": eased([(0.25, 0.0), (0.52, 4.0), (0.78, -1.0), (1.0, 0.0)]),
-    }
-    whole = mixed(walk_body, added(STAND_POSE, catch), lambda t: ramp(t, 0.0, 0.62))
-    end_x, end_y = SIDE_WAY + value(stand_body, "x", 0), value(stand_body, "y", 0)
-    return replaced(
-        whole,
-        {
-            "x": through(
-                [
-                    (0, value(walk_body, "x", 0)),
-                    (0.20, 0.022),
-                    (0.36, 0.020),
-                    (0.62, end_x - 0.012),
-                    (STOP, end_x),
-                ],
-                slope(walk_body, "x", 0),
-            ),
-            "y": through(
-                [
-                    (0, value(walk_body, "y", 0)),
-                    (0.14, 0.926),
-                    (0.34, 0.944),
-                    (0.54, 0.940),
-                    (0.74, end_y),
-                    (STOP, end_y),
-                ],
-                slope(walk_body, "y", 0),
-            ),
-            "z": through(
-                [
-                    (0, 0),
-                    (0.20, 0.205),
-                    (0.40, 0.316),
-                    (0.56, STOP_WAY + 0.014),
-                    (0.78, STOP_WAY + 0.002),
-                    (STOP, STOP_WAY),
-                ],
-                slope(walk_body, "z", 0),
-            ),
-        },
-    )
-
-
 START_WALK = Motion("start-walk", START, start_body(), start_feet())
-COME_TO_STOP = Motion("come-to-stop", STOP, stop_body(), stop_feet())

@@ -1,4 +1,4 @@
-"""Reads a BVH file as a Character with one clip: its joints in the order of the file, its units as written."""
+"""Reads a BVH file as a Character with one clip: joints in the order of the file, its units as written."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from statwalk.character.character import Character
 from statwalk.errors import ContentError, TextError
 from statwalk.files.bvh.frames import read_frames
-from statwalk.files.bvh.hierarchy import AXES, Joint, lines_of, read_hierarchy
+from statwalk.files.bvh.hierarchy import AXES, BvhJoint, lines_of, read_hierarchy
 from statwalk.files.gltf import write
 from statwalk.files.gltf.names import unique
 from statwalk.files.tetrahedra import MATERIAL, joined_parts
@@ -26,6 +26,8 @@ from statwalk.rig.skeleton import Skeleton
 Position = Literal["replace", "add"]
 SMALLEST_SCALE = 1e-6
 POSITIONS: tuple[Position, ...] = ("replace", "add")
+Form = tuple[Position, float]
+"""how positions count, and the scale"""
 
 
 def read_bvh(data: bytes, name: str, position: Position = "replace", scale: float = 1.0) -> Character:
@@ -79,7 +81,12 @@ def text_of(data: bytes) -> str:
 
 
 def _clip(
-    name: str, joints: Sequence[Joint], rows: Floats, seconds: float, rest: Pose, form: tuple[Position, float]
+    name: str,
+    joints: Sequence[BvhJoint],
+    rows: Floats,
+    seconds: float,
+    rest: Pose,
+    form: Form,
 ) -> Clip:
     times = (np.arange(len(rows)) * seconds).astype(np.float32)
     if (times[1:] <= times[:-1]).any():
@@ -88,9 +95,7 @@ def _clip(
     return Clip(name, channels, float(times[-1]) if len(rows) else 0.0, rest)
 
 
-def _channels(
-    joints: Sequence[Joint], rows: Floats, times: Floats, form: tuple[Position, float]
-) -> Iterator[Channel]:
+def _channels(joints: Sequence[BvhJoint], rows: Floats, times: Floats, form: Form) -> Iterator[Channel]:
     """Yields the keys of each joint that has channels."""
     first = 0
     for number, joint in enumerate(joints):
@@ -104,7 +109,7 @@ def _channels(
             yield Channel.checked(number, "rotation", times, _rotations(columns, rows), "LINEAR")
 
 
-def _positions(joint: Joint, columns: dict[str, int], rows: Floats, form: tuple[Position, float]) -> Floats:
+def _positions(joint: BvhJoint, columns: dict[str, int], rows: Floats, form: Form) -> Floats:
     position, scale = form
     places = np.tile(np.asarray(joint.offset, np.float64), (len(rows), 1))
     for axis, letter in enumerate(AXES):

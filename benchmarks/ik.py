@@ -1,0 +1,145 @@
+"""Measures inverse kinematics of 1,000 chains on one thread: two-bone and CCD against three.js's CCDIKSolver,
+FABRIK against NumPy over all chains: `python benchmarks/ik.py`.
+
+statwalk's time includes reading the poses, the hierarchy of the chain, and writing local rotations and
+distances; three.js's the update of its bones; NumPy's the joints' places alone, without rotations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from rounds import Job, Node, least, show
+from statwalk.maths.clamp_kinds import CONE, EULER
+from statwalk.maths.clamp_table import CLAMP_TABLE, JointLimit, clamp_table
+from statwalk.maths.packed import packed
+from statwalk.maths.pose import Pose, rest
+from statwalk.maths.pose_buffer import PoseBuffer
+from statwalk.maths.simd.aligned import copy, zeros
+from statwalk.solve import _kernels
+from statwalk.solve.chain_lanes import scratch_floats
+from statwalk.solve.chains import (
+    CHAINS,
+    POLE,
+    POLE_DIRECTION,
+    TARGET,
+    WEIGHT,
+    Chain,
+    chain_tables,
+    input_rows,
+)
+
+CHAINS_SOLVED, JOINTS, ITERATIONS, ROUNDS, BEND = 1000, 10, 10, 25, 0.9
+ANGLES = JointLimit(EULER, angles=((-BEND, BEND),) * 3)
+CONES = JointLimit(CONE, twist=(-BEND, BEND), swing=((-BEND, BEND), (-BEND, BEND)))
+
+
+class CcdOfThree(Node):
+    """A process with three.js's CCDIKSolver."""
+
+    script = "ccd.mjs"
+
+
+class Crowd:
+    """Straight chains of random bones, and random targets within reach."""
+
+    def __init__(self, joints: int) -> None:
+        chance = np.random.default_rng(joints)
+        self.joints, self.rest = joints, rest(joints)
+        self.offsets = np.zeros((CHAINS_SOLVED, joints, 3))
+        self.offsets[:, 1:] = chance.normal(size=(CHAINS_SOLVED, joints - 1, 3)) * 0.1 + (0, 1, 0)
+        aim = chance.normal(size=(CHAINS_SOLVED, 3))
+        aim[:, 1] = np.abs(aim[:, 1])
+        reach = np.linalg.norm(self.offsets, axis=-1).sum(1) * chance.uniform(0.5, 0.85, CHAINS_SOLVED)
+        self.targets = aim / np.linalg.norm(aim, axis=1, keepdims=True) * reach[:, None]
+
+    def job(self, solver: str, limit: JointLimit | None = None, **options: Any) -> Job:
+        """Returns a job that solves all chains from their rest poses, and times the kernel alone."""
+        parts = (np.repeat(part[None], CHAINS_SOLVED, 0) for part in self.rest[1:])
+        buffer = PoseBuffer.of(self.rest, Pose(self.offsets.astype(np.float32), *parts))
+        limits = clamp_table(dict.fromkeys(range(self.joints - 1), limit) if limit else {}, self.rest)
+        chain = Chain(solver, tuple(range(self.joints)), tolerance=1e-6, **options)
+        tables = packed(chain_tables(np.arange(-1, self.joints - 1), [chain], limits), CHAINS)
+        clamps, rows = packed(limits, CLAMP_TABLE), input_rows(len(buffer.values), 1)
+        lanes = np.zeros((rows.shape[0] * 16, 3), np.float32)
+        lanes[:CHAINS_SOLVED] = self.targets
+        rows[:, 0, TARGET : TARGET + 3] = lanes.reshape(-1, 16, 3).transpose(0, 2, 1)
+        rows[:, 0, POLE + 2] = 1
+        rows[:, 0, WEIGHT] = (np.arange(len(lanes)) < CHAINS_SOLVED).reshape(-1, 16)
+        start, scratch = buffer.values.copy(), zeros(scratch_floats(self.joints))
+        aligned = copy(rows).reshape(rows.shape)
+
+        def run() -> float:
+            np.copyto(buffer.values, start)
+            begin = perf_counter()
+            _kernels.solve(tables.argument, clamps.argument, 0, buffer.values, aligned, scratch)
+            return perf_counter() - begin
+
+        return run
+
+    def numpy_fabrik(self) -> Job:
+        """Returns a job of FABRIK over all chains: the joints' places after ten iterations."""
+        start, lengths = self.offsets.cumsum(1).astype(np.float32), np.linalg.norm(self.offsets, axis=-1)
+        targets, lengths = self.targets.astype(np.float32), lengths.astype(np.float32)[..., None]
+
+        def run() -> None:
+            places = start.copy()
+            for _ in range(ITERATIONS):
+                places[:, -1] = targets
+                for joint in range(self.joints - 2, -1, -1):
+                    pull(places, joint + 1, joint, lengths[:, joint + 1])
+                places[:, 0] = start[:, 0]
+                for joint in range(1, self.joints):
+                    pull(places, joint - 1, joint, lengths[:, joint])
+
+        return run
+
+
+def pull(places: np.ndarray, origin: int, joint: int, length: np.ndarray) -> None:
+    """Puts a joint at its bone's length from another."""
+    way = places[:, joint] - places[:, origin]
+    places[:, joint] = places[:, origin] + way * (length / np.sqrt(np.einsum("ni,ni->n", way, way))[:, None])
+
+
+def three_job(node: CcdOfThree, crowd: Crowd, iteration: int, limit: float) -> Job:
+    """Returns a job of three.js; the chains are sent once."""
+    name = f"{crowd.joints}-{iteration}-{limit}"
+    offsets, targets = crowd.offsets.tolist(), crowd.targets.tolist()
+    node.job("ccd", crowd=name, offsets=offsets, targets=targets, iteration=iteration, limit=limit)()
+    return node.job("ccd", crowd=name)
+
+
+def table(title: str, jobs: dict[str, Job], goals: dict[str, float]) -> None:
+    """Measures and prints one table."""
+    seconds = least(jobs, ROUNDS)
+    show(f"{title}: {seconds['statwalk'] / CHAINS_SOLVED * 1e9:.1f} ns a chain", seconds, goals)
+
+
+def main() -> None:
+    """Prints the tables."""
+    limb, chain, ccd = Crowd(3), Crowd(JOINTS), {"iterations": ITERATIONS}
+    free: Callable[..., Job] = chain.job
+    with CcdOfThree() as node:
+        two_bone = {"statwalk": limb.job("two-bone", pole_kind=POLE_DIRECTION)}
+        two_bone["CCDIKSolver, 2 links, 1 iteration"] = three_job(node, limb, 1, 0)
+        table("two-bone, pole", two_bone, {"CCDIKSolver, 2 links, 1 iteration": 150})
+        limited = {"statwalk": limb.job("two-bone", CONES, pole_kind=POLE_DIRECTION)}
+        limited["CCDIKSolver, 2 links, 1 iteration, limits"] = three_job(node, limb, 1, BEND)
+        table("two-bone, pole, cones", limited, {})
+        peer = f"CCDIKSolver, {ITERATIONS} iterations"
+        free_ccd = {"statwalk": free("ccd", **ccd), peer: three_job(node, chain, ITERATIONS, 0)}
+        table(f"CCD of {JOINTS} joints", free_ccd, {peer: 80})
+        bound = {"statwalk": free("ccd", ANGLES, **ccd), "statwalk, cones": free("ccd", CONES, **ccd)}
+        bound[peer] = three_job(node, chain, ITERATIONS, BEND)
+        table(f"CCD of {JOINTS} joints, limits of three angles", bound, {peer: 80})
+        fabrik = {"statwalk": free("fabrik", **ccd), "NumPy, places": chain.numpy_fabrik()}
+        table(f"FABRIK of {JOINTS} joints, {ITERATIONS} iterations", fabrik, {"NumPy, places": 50})
+        cones = {"statwalk": free("fabrik", CONES, **ccd), "NumPy, places, no limits": chain.numpy_fabrik()}
+        table(f"FABRIK of {JOINTS} joints, {ITERATIONS} iterations, cones", cones, {})
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,82 @@
+/** Carries a dropped capture (.bvh, .trc) over to the watched character, and makes a machine that plays it. */
+
+import * as api from "../../net/api";
+import { nameFor, putCharacter, takenNames } from "../../net/upload";
+import type { CarriedClip } from "../../net/protocol";
+import { BoneForm } from "./boneForm";
+
+/** What the dialog offers to an import. */
+export interface Stage {
+  progress: (share: number) => void;
+  signal: AbortSignal;
+  /** Shows the form in the dialog; resolves when it is sent. */
+  ask: (form: BoneForm, why: string) => Promise<void>;
+}
+
+/** What a capture has become. */
+export interface Carried {
+  machine: string;
+  state: string;
+}
+
+export const isCapture = (file: File): boolean => /\.(bvh|trc)$/i.test(file.name);
+
+/** Returns whether the server could not tell the bones of the two skeletons. */
+const lacksBones = (error: unknown): error is api.ApiError =>
+  error instanceof api.ApiError &&
+  error.status === 422 &&
+  error.places.some(({ field }) => /(^|\.)(target_)?bones$/.test(field));
+
+async function freeName(file: string): Promise<string> {
+  return nameFor(file, takenNames(...(await Promise.all([api.machines(), api.characters()]))));
+}
+
+/** Carries the clip over; asks for the joints of bones whose names tell nothing. */
+async function carry(target: string, source: string, character: string, stage: Stage): Promise<CarriedClip> {
+  const [bones, joints, targetBones, targetJoints] = await Promise.all([
+    api.bones(source),
+    api.character(source),
+    api.bones(target),
+    api.character(target),
+  ]);
+  const form = new BoneForm(
+    { title: "joint of the capture", bones, joints: joints.joints.map(({ name }) => name) },
+    {
+      title: "joint of the character",
+      bones: targetBones,
+      joints: targetJoints.joints.map(({ name }) => name),
+    },
+  );
+  let why = form.open ? "The names of some joints do not tell which bones they are. Which are they?" : "";
+  for (;;) {
+    if (why) await stage.ask(form, why);
+    try {
+      return await api.carryClip(target, { source, character, ...form.chosen() });
+    } catch (error) {
+      if (!lacksBones(error)) throw error;
+      why = error.message;
+    }
+  }
+}
+
+/**
+ * Uploads the capture, carries it over to `target`, and makes a machine of the character with the new clip. The
+ * uploaded capture itself is removed again; a character that no machine was made of as well.
+ */
+export async function importCapture(file: File, target: string, stage: Stage): Promise<Carried> {
+  const source = await freeName(file.name);
+  await putCharacter(source, file, stage.progress, stage.signal);
+  let character = "";
+  try {
+    character = await freeName(`${target.replace(/\.[0-9a-f]{8}$/, "")}-${file.name}`);
+    const { clip, root } = await carry(target, source, character, stage);
+    const { mapping } = await api.mapping(character);
+    await api.makeMachine(character, character, mapping, root);
+    return { machine: character, state: mapping[clip] ?? "" };
+  } catch (error) {
+    if (character) await api.removeCharacter(character).catch(() => undefined);
+    throw error;
+  } finally {
+    await api.removeCharacter(source).catch(() => undefined);
+  }
+}

@@ -1,0 +1,136 @@
+/** Draws the limits of an actor's joints: arcs of hinges and twists, cones of swings, rails of slides (SK6). */
+
+import * as THREE from "three";
+import type { JointLimit } from "../net/protocol";
+import { boneEnds } from "./boneEnds";
+import { planBones } from "./bones";
+import { limitShape } from "./limitShapes";
+import type { PosedModel } from "./posedModel";
+
+interface Drawn {
+  joint: number;
+  parent: number;
+  group: THREE.Group;
+  /** From the parent of the joint to its frame at rest, sized to the bone. */
+  frame: THREE.Matrix4;
+  /** The end of bone B, in the joint's own space. */
+  tip: THREE.Vector3;
+}
+
+export class LimitOverlay {
+  readonly object = new THREE.Group();
+  private drawn: Drawn[] = [];
+  private limits: readonly JointLimit[] = [];
+  private readonly lines = new THREE.LineBasicMaterial({ transparent: true, depthTest: false });
+  private readonly faces = new THREE.MeshBasicMaterial({
+    transparent: true,
+    opacity: 0.16,
+    side: THREE.DoubleSide,
+    depthWrite: false,
+  });
+  /** From each joint to the end of its bone: where in its limits it is. */
+  private readonly needles = new THREE.LineSegments(new THREE.BufferGeometry(), this.lines);
+
+  constructor(private readonly actor: PosedModel) {
+    this.object.visible = false;
+    this.needles.frustumCulled = false;
+    this.needles.renderOrder = 12;
+  }
+
+  /** Takes the limits to draw. */
+  take(limits: readonly JointLimit[]): void {
+    if (limits === this.limits) return;
+    this.limits = limits;
+    this.clear();
+    const ends = this.ends();
+    for (const limit of limits) {
+      const joint = this.actor.cast.names.indexOf(limit.joint);
+      const node = this.actor.joints[joint];
+      if (!node) continue;
+      const tip = ends.get(joint) ?? new THREE.Vector3(0, 0.1, 0);
+      this.drawn.push(this.made(limit, joint, this.actor.joints.indexOf(node.parent), tip));
+    }
+    const points = new THREE.BufferAttribute(new Float32Array(this.drawn.length * 6), 3);
+    this.needles.geometry.setAttribute("position", points);
+    this.object.add(this.needles, ...this.drawn.map(({ group }) => group));
+  }
+
+  private ends(): Map<number, THREE.Vector3> {
+    const { cast, model } = this.actor;
+    const plan = planBones(cast, model.skinJoints);
+    const ends = new Map(boneEnds(plan, cast, model).map(({ joint, at }) => [joint, at]));
+    for (const [from, to] of plan.segments) {
+      const at = this.actor.joints[to]?.position;
+      if (at?.lengthSq() && !ends.has(from)) ends.set(from, at.clone());
+    }
+    return ends;
+  }
+
+  private made(limit: JointLimit, joint: number, parent: number, tip: THREE.Vector3): Drawn {
+    const [tx, ty, tz, ...turn] = limit.rest as [number, number, number, number, number, number, number];
+    const frame = new THREE.Quaternion(...(limit.frame as [number, number, number, number]));
+    const length = tip.length();
+    const bone = tip.clone().normalize().applyQuaternion(frame.clone().invert());
+    const { lines, faces } = limitShape(limit, bone, length);
+    const group = new THREE.Group();
+    const points = (values: number[]): THREE.BufferGeometry =>
+      new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(values, 3));
+    group.add(new THREE.Mesh(points(faces), this.faces), new THREE.LineSegments(points(lines), this.lines));
+    group.children.forEach((part, k) => Object.assign(part, { frustumCulled: false, renderOrder: 11 + k }));
+    group.matrixAutoUpdate = false;
+    const matrix = new THREE.Matrix4().compose(
+      new THREE.Vector3(tx, ty, tz),
+      new THREE.Quaternion(...turn).multiply(frame),
+      new THREE.Vector3().setScalar(length),
+    );
+    return { joint, parent, group, frame: matrix, tip };
+  }
+
+  /** Follows the actor's joints, whose world matrices are up to date. */
+  update(): void {
+    if (!this.object.visible || !this.drawn.length) return;
+    const points = this.needles.geometry.getAttribute("position") as THREE.BufferAttribute;
+    const [world, end] = [new THREE.Matrix4(), new THREE.Vector3()];
+    this.drawn.forEach(({ joint, parent, group, frame, tip }, k) => {
+      const above = parent < 0 ? this.actor.root.matrixWorld.elements : this.actor.jointWorld(parent);
+      group.matrix.fromArray(above).multiply(frame);
+      group.matrixWorldNeedsUpdate = true;
+      world.fromArray(this.actor.jointWorld(joint));
+      end.setFromMatrixPosition(world).toArray(points.array, 6 * k);
+      end
+        .copy(tip)
+        .multiplyScalar(0.7)
+        .applyMatrix4(world)
+        .toArray(points.array, 6 * k + 3);
+    });
+    points.needsUpdate = true;
+  }
+
+  /** Shows or hides the limits. */
+  show(shown: boolean): void {
+    this.object.visible = shown;
+    this.update();
+  }
+
+  colour(accent: string): void {
+    this.lines.color.set(accent);
+    this.faces.color.set(accent);
+  }
+
+  private clear(): void {
+    this.object.clear();
+    for (const { group } of this.drawn)
+      group.traverse((part) => {
+        if (part instanceof THREE.Mesh || part instanceof THREE.LineSegments) part.geometry.dispose();
+      });
+    this.drawn = [];
+  }
+
+  dispose(): void {
+    this.clear();
+    this.object.removeFromParent();
+    this.needles.geometry.dispose();
+    this.lines.dispose();
+    this.faces.dispose();
+  }
+}

@@ -1,0 +1,57 @@
+"""Motion capture on the page: a dropped walk is carried over to the watched character and plays; where names
+tell no bones, a dialog asks.
+"""
+
+from collections.abc import Callable
+
+import captures
+import pytest
+from browser.conftest import until
+from browser.test_import import drop, own
+from paths import ASSETS, needs_assets
+from playwright.sync_api import Page
+
+__all__ = ["own"]
+WALK = ASSETS / "bvh" / "cmu_12_01_walk.bvh"
+PLAYS = "__viewer.stage() !== 'main' && __viewer.ready && __viewer.state() === arg"
+MOVED = (
+    "Object.entries(__viewer.joints()).some(([name, at]) => "
+    "Math.hypot(...at.map((v, i) => v - arg[name][i])) > 0.2)"
+)
+
+
+@needs_assets
+def test_a_dropped_walk_plays_on_the_walker(own: Callable[[], set[str]], viewer: Page) -> None:
+    drop(viewer, "cmu walk.bvh", WALK.read_bytes())
+    until(viewer, PLAYS, "CMU-WALK")
+    start = viewer.evaluate("__viewer.joints()")
+    until(viewer, MOVED, start)
+    joints = viewer.evaluate("__viewer.joints()")
+    assert joints["Head"][1] > joints["Root"][1] + 0.3 > joints["Left.foot"][1] + 0.6
+    assert viewer.evaluate("__viewer.pixels().covered") > 0.02
+    assert {name for name in own() if "cmu" in name} == {
+        "machines/walker-cmu-walk",
+        "characters/walker-cmu-walk",
+    }
+
+
+def test_the_dialog_asks_for_bones_without_known_names(own: Callable[[], set[str]], viewer: Page) -> None:
+    names = {"Hips": "bone_a", "LeftUpLeg": "bone_b", "RightUpLeg": "bone_c"}
+    drop(viewer, "odd.bvh", captures.walk(names).encode())
+    viewer.get_by_text("Which joint is which bone?").wait_for()
+    for bone, joint in (("hips", "bone_a"), ("left upper leg", "bone_b"), ("right upper leg", "bone_c")):
+        viewer.get_by_label(f"{bone}: joint of the capture").fill(joint)
+    viewer.get_by_role("button", name="Carry it over").click()
+    until(viewer, PLAYS, "ODD")
+    assert {name for name in own() if "odd" in name} == {"machines/walker-odd", "characters/walker-odd"}
+
+
+@pytest.mark.parametrize(("name", "said"), [("a.bvh", "line 1"), ("b.trc", "line 1")])
+def test_a_broken_capture_says_why_and_changes_nothing(
+    own: Callable[[], set[str]], viewer: Page, allowed: list[str], name: str, said: str
+) -> None:
+    allowed.append("422")
+    before = own()
+    drop(viewer, name, b"HIERARCHY\nROOT\n" if name == "a.bvh" else b"PathFileType 4\n")
+    viewer.get_by_role("alert").filter(has_text="line").wait_for()
+    assert own() == before
