@@ -1,5 +1,5 @@
 """Puts a carried motion on the ground: hips at the height that the target's legs give them, ankles where the
-captured ankles go, no sole below the ground. The legs follow by two-bone inverse kinematics.
+captured ankles go, no sole below the ground. Rule 12 finds the knees, bent forward.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from statwalk.character.body_bones import PARENTS, SIDES
 from statwalk.character.soles import ground_of, soles_of
 from statwalk.maths import quat, vector
 from statwalk.maths.arrays import Floats
-from statwalk.solve.two_bone import two_bone
+from statwalk.solve.rules import joint_between
 
 STANDING_SHARE = 5.0
 """percent: the ankle stands when it is as low as in so much of the clip"""
@@ -139,12 +139,16 @@ def _leg(
     upper, lower, foot = leg
     root, mid = _freely(body, turns, hips, upper), _freely(body, turns, hips, lower)
     end = _freely(body, turns, hips, foot)
-    reach = (vector.length(mid - root) + vector.length(end - mid)) * LONGEST_REACH
+    thigh, shin = vector.length(mid - root), vector.length(end - mid)
+    reach = (thigh + shin) * LONGEST_REACH
     way = target - root
     far = np.minimum(1, reach / np.maximum(vector.length(way), 1e-9))
     forward = quat.rotate(body.axes, np.array([0.0, 0.0, 1.0]))
     pole = _turned(body, turns, upper, forward)
-    turn_upper, turn_lower = two_bone(root, mid, end, root + way * far[:, None], pole)
+    ankle = root + way * far[:, None]
+    knee = joint_between(root, thigh, ankle, shin, pole).point
+    turn_upper = quat.between(vector.unit(mid - root), vector.unit(knee - root))
+    turn_lower = quat.between(vector.unit(end - mid), vector.unit(ankle - knee))
     return {upper: quat.mul(turn_upper, turns[upper]), lower: quat.mul(turn_lower, turns[lower])}
 
 

@@ -81,7 +81,7 @@ def test_bars_around_the_line():
 @pytest.mark.parametrize(
     ("place", "new", "message"),
     [
-        (("base", "WALK", "LEFTT"), "STAT", "line 82: no column is called 'LEFTT'; did you mean LEFT"),
+        (("base", "WALK", "LEFTT"), "STAT", r"line \d+: no column is called 'LEFTT'; did you mean LEFT"),
         (("base", "WALKK", "LEFT"), "STAT", "did you mean WALK"),
         (("arm", "WALK", "LEFT"), "STAT", "no layer is called 'arm'"),
         (("base", "FIGHT.GUARD", "LEFT"), "STAT", "no sub-machine is called 'FIGHT'"),
