@@ -39,11 +39,12 @@ export interface paths {
         get: operations["get_character_api_characters__name__get"];
         /**
          * Put Character
-         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture (.bvh,
-         *     .trc), as the raw body.
+         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture
+         *     (.bvh, .trc), as the raw body.
          *
-         *     Replaces an uploaded character with the same name. The query is for captures: whether BVH position channels
-         *     replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of spikes.
+         *     Replaces an uploaded character with the same name. The query is for captures: whether BVH position
+         *     channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of
+         *     spikes.
          */
         put: operations["put_character_api_characters__name__put"];
         post?: never;
@@ -54,6 +55,26 @@ export interface paths {
          *     409 for the character of a machine folder, and while a machine uses the uploaded character.
          */
         delete: operations["delete_character_api_characters__name__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/feet": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Character Feet
+         * @description Returns the feet that the names of the joints tell, and the spans of the clips in which they stand.
+         */
+        get: operations["get_character_feet_api_characters__name__feet_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -79,26 +100,6 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/characters/{name}/solve": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /**
-         * Solve
-         * @description Returns the joints of a chain after its end was brought to the target; nothing on a stage changes.
-         */
-        post: operations["solve_api_characters__name__solve_post"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
     "/api/characters/{name}/mapping": {
         parameters: {
             query?: never;
@@ -113,6 +114,26 @@ export interface paths {
         get: operations["get_mapping_api_characters__name__mapping_get"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/solve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Solve
+         * @description Returns the joints of a chain after its end was brought to the target; nothing on a stage changes.
+         */
+        post: operations["solve_api_characters__name__solve_post"];
         delete?: never;
         options?: never;
         head?: never;
@@ -191,6 +212,49 @@ export interface paths {
          *     refuted.
          */
         get: operations["verify_machine_api_machines__name__verify_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/measure": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Measure Machine
+         * @description Plays every transition of a machine from ten phases and through interruptions, or one
+         *     (`?cell=WALK/STOP`), and returns what feet, knees, hands and joints do, and what is over the budgets of
+         *     the machine's file.
+         */
+        get: operations["measure_machine_api_machines__name__measure_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/feet": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Feet
+         * @description Returns the feet of a machine's character, and the spans of its clips in which they stand on the
+         *     ground, with the corrections of the machine's file.
+         */
+        get: operations["get_feet_api_machines__name__feet_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -671,8 +735,8 @@ export interface paths {
         put?: never;
         /**
          * Add Clip
-         * @description Carries a clip of another character over to this one, and keeps the result as an uploaded character: this
-         *     one with a clip more, or a new one called `character`.
+         * @description Carries a clip of another character over to this one, and keeps the result as an uploaded character:
+         *     this one with a clip more, or a new one called `character`.
          */
         post: operations["add_clip_api_characters__name__clips_post"];
         delete?: never;
@@ -791,8 +855,8 @@ export interface components {
             action: string | null;
         };
         /**
-         * @description The joint of each bone that the names of a character tell; `needed` are the bones without which no walk is
-         *     carried over, `known` all names of bones.
+         * @description The joint of each bone that the names of a character tell; `needed` are the bones without which no walk
+         *     is carried over, `known` all names of bones.
          */
         BonesView: {
             character: string;
@@ -865,6 +929,16 @@ export interface components {
             joint: string;
             angle_deg: number;
             distance: number;
+        };
+        /** @description The contacts of all feet in a clip. */
+        ClipContactsView: {
+            clip: string;
+            feet: components["schemas"]["FootContactView"][];
+            /** @description x, z (m/s) of the ground under a clip that walks on the spot */
+            drift: [
+                number,
+                number
+            ];
         };
         /** @description A clip; `duration` in seconds. */
         ClipView: {
@@ -969,10 +1043,29 @@ export interface components {
             curve: string;
             joints: components["schemas"]["MovedView"][];
         };
+        /** @description The feet of a character and their contacts in its clips. */
+        FeetView: {
+            feet: components["schemas"]["FootView"][];
+            clips: components["schemas"]["ClipContactsView"][];
+        };
         /** @description A wrong member of the request, or a wrong place in a file, and what is wrong with it. */
         FieldError: {
             field: string;
             message: string;
+        };
+        /**
+         * @description One figure: its mean over the phases without interruptions, its worst, and where that is; null: never,
+         *     for a response that does not come.
+         */
+        FigureView: {
+            mean: number | null;
+            worst: number | null;
+            phase: number;
+            joint: string;
+            /** @description the event that interrupted the worst; empty: none */
+            then: string;
+            /** @description after which it came */
+            ticks: number;
         };
         /** @description A fault of a machine, or a property that is proved or refuted; `line` 0: it has no line in the file. */
         FindingView: {
@@ -994,6 +1087,31 @@ export interface components {
         /** @description All findings of the verifier about one machine. */
         FindingsView: {
             findings: components["schemas"]["FindingView"][];
+        };
+        /** @description The spans of phase in which a foot stands on the ground, and in which its heel and its ball do. */
+        FootContactView: {
+            foot: string;
+            planted: [
+                number,
+                number
+            ][];
+            heel: [
+                number,
+                number
+            ][];
+            ball: [
+                number,
+                number
+            ][];
+        };
+        /** @description A foot and the joints of its leg; an empty name: none. `points` is the number of points of its sole. */
+        FootView: {
+            name: string;
+            hip: string;
+            knee: string;
+            ankle: string;
+            toe: string;
+            points: number;
         };
         /** @description A degree of freedom of a joint: degrees if it is an angle, else metres; null: not limited. */
         FreedomView: {
@@ -1160,6 +1278,31 @@ export interface components {
             name: string;
             phase: number;
         };
+        /** @description The figures of a cell, or of a state's motion by itself (`event` empty). */
+        MeasuredView: {
+            state: string;
+            event: string;
+            layer: string;
+            line: number;
+            trials: number;
+            figures: {
+                [key: string]: components["schemas"]["FigureView"];
+            };
+        };
+        /**
+         * @description What was measured of a machine, in the units of the figures, and what is over the budgets of its
+         *     file.
+         */
+        MeasurementsView: {
+            units: {
+                [key: string]: string;
+            };
+            budgets: {
+                [key: string]: number;
+            };
+            measured: components["schemas"]["MeasuredView"][];
+            findings: components["schemas"]["FindingView"][];
+        };
         /** @description The event is sent in `tick` instead of its own tick. */
         MomentChange: {
             /**
@@ -1214,17 +1357,11 @@ export interface components {
             name?: string;
             /** @description the name of the character with the clip; by default the uploaded character itself gets it */
             character?: string | null;
-            /**
-             * @description the source's joint of a bone whose name does not tell it; an empty joint: none
-             * @default {}
-             */
+            /** @description the source's joint of a bone whose name does not tell it; an empty joint: none */
             bones?: {
                 [key: string]: string;
             };
-            /**
-             * @description the same for the character
-             * @default {}
-             */
+            /** @description the same for the character */
             target_bones?: {
                 [key: string]: string;
             };
@@ -1255,8 +1392,8 @@ export interface components {
          * @description A clip that was carried over, and how.
          *
          *     missing: bones of hips and legs that one of the two lacks. unmapped_source: joints that move, and whose
-         *     motion no joint takes. unmapped_target: joints that no motion reaches. scale: the character's metres per unit
-         *     of the source. root: the joint that travels.
+         *     motion no joint takes. unmapped_target: joints that no motion reaches. scale: the character's metres per
+         *     unit of the source. root: the joint that travels.
          */
         NewClipView: {
             character: string;
@@ -2105,14 +2242,19 @@ export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
 export type CharacterView = components['schemas']['CharacterView'];
 export type ClampedView = components['schemas']['ClampedView'];
+export type ClipContactsView = components['schemas']['ClipContactsView'];
 export type ClipView = components['schemas']['ClipView'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
+export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
+export type FigureView = components['schemas']['FigureView'];
 export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
+export type FootContactView = components['schemas']['FootContactView'];
+export type FootView = components['schemas']['FootView'];
 export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
 export type GroundView = components['schemas']['GroundView'];
@@ -2127,6 +2269,8 @@ export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
 export type MappingView = components['schemas']['MappingView'];
 export type MarkerView = components['schemas']['MarkerView'];
+export type MeasuredView = components['schemas']['MeasuredView'];
+export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
 export type MovedView = components['schemas']['MovedView'];
 export type NewActor = components['schemas']['NewActor'];
@@ -2325,6 +2469,32 @@ export interface operations {
             "5XX": components["responses"]["Problem"];
         };
     };
+    get_character_feet_api_characters__name__feet_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FeetView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
     get_model_api_characters__name__model_glb_get: {
         parameters: {
             query?: never;
@@ -2343,6 +2513,32 @@ export interface operations {
                 };
                 content: {
                     "model/gltf-binary": unknown;
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    get_mapping_api_characters__name__mapping_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MappingView"];
                 };
             };
             /** @description Client Error */
@@ -2373,32 +2569,6 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["SolveView"];
-                };
-            };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
-        };
-    };
-    get_mapping_api_characters__name__mapping_get: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["MappingView"];
                 };
             };
             /** @description Client Error */
@@ -2561,6 +2731,60 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["FindingsView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    measure_machine_api_machines__name__measure_get: {
+        parameters: {
+            query?: {
+                cell?: string;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MeasurementsView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    get_feet_api_machines__name__feet_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FeetView"];
                 };
             };
             /** @description Client Error */
