@@ -15,10 +15,9 @@ from rounds import Job, least, show
 from scipy.spatial import cKDTree
 from statwalk.character.role import Role
 from statwalk.machine.definition.machine_definition import (
-    ColliderDefinition,
     EventDefinition,
-    TouchDefinition,
 )
+from statwalk.machine.definition.sense_definition import ColliderDefinition, TouchDefinition
 from statwalk.rig.model_buffer import ModelBuffer
 from statwalk.services.library.load import load
 from statwalk.stage.stage import Stage

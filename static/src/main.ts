@@ -14,6 +14,7 @@ import { byId, el, onTheme, reducedMotion } from "./ui/dom";
 import { dropZone } from "./panels/importDialog/dropZone";
 import { clampedPanel } from "./panels/clamped/clamped";
 import { EventsPanel } from "./panels/events/events";
+import { FeetStrip } from "./panels/feet/feet";
 import { GraphPanel } from "./panels/graph/graph";
 import { HelpDialog } from "./panels/help/help";
 import { StateBadge, modeBar, notices, toggleMode } from "./panels/viewControls/viewControls";
@@ -162,6 +163,7 @@ function start(name: string): void {
   );
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
   const badge = new StateBadge(byId("badge"), session, stageView);
+  const feet = new FeetStrip(byId("badge"), session);
   new ParametersPanel(byId("parameters"), session);
   new ExpressionsPanel(byId("expressions"), session);
   clampedPanel(byId("clamped"), session);
@@ -196,6 +198,7 @@ function start(name: string): void {
     stageView.update();
     if (scene.draw(dt)) drawn.add(now);
     badge.update(phase);
+    feet.update(phase);
     transport.update();
     timeline.update(now);
     requestAnimationFrame(loop);

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from statwalk.character.colliders import MOST
 from statwalk.character.role import Role
 from statwalk.errors import MachineError
-from statwalk.machine.definition.machine_definition import ColliderDefinition
+from statwalk.machine.definition.sense_definition import ColliderDefinition
 from statwalk.maths.pose_buffer import PoseBuffer
 from statwalk.rig.model_buffer import ModelBuffer
 

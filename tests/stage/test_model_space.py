@@ -9,7 +9,7 @@ import pytest
 import slow_hierarchy
 from builders import character, definition
 from statwalk.character.role import Role
-from statwalk.machine.definition.machine_definition import ColliderDefinition
+from statwalk.machine.definition.sense_definition import ColliderDefinition
 from statwalk.machine.runtime.surroundings import NOTHING
 from statwalk.stage.stage import Stage
 from statwalk.stage.tick import tick

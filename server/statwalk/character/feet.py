@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from statwalk.character.body_bones import ancestors, body_bones
 from statwalk.character.character import Character
-from statwalk.character.joint_names import is_part, side_of
 from statwalk.character.skin_points import SkinPoints, bound_points
 from statwalk.maths import transform
 from statwalk.maths.arrays import Bools, Floats, Ints
 from statwalk.maths.columns import lock_fields
 from statwalk.rig.evaluate import world_from_local
 
-FOOT, TOE = "foot ankle", "toe ball"
-NO_FOOT = "ik ctrl control pole target end nub effector roll heel"
-"""words of joints that steer a foot or mark its end"""
-SHIN, THIGH = "lowerleg shin calf knee", "upperleg upleg thigh hip"
+SIDES = {"left": "Left", "right": "Right"}
+"""the feet that names tell, and the sides of `body_bones`"""
+BONES = {"hip": "UpperLeg", "knee": "LowerLeg", "ankle": "Foot", "toe": "Toes"}
 SOLE = 0.02
 """metres above the lowest point of a foot at rest, for a leg of one metre: the height of its sole"""
-MOST_POINTS = 48
+AZIMUTHS, TILTS = np.linspace(0, 2 * np.pi, 16, endpoint=False), np.radians([15, 60, 88])
+MOST_POINTS = len(AZIMUTHS) * len(TILTS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,11 +34,12 @@ class Foot:
     """
 
     name: str
-    """`left`, `right`; the ankle's name if a side has several feet"""
     hip: int
     knee: int
     ankle: int
     toe: int
+    hangs: bool
+    """whether the ankle is below the knee: in some rigs feet hang on the root, and follow their legs"""
     carriers: Ints
     """(K,)"""
     points: Floats
@@ -69,51 +72,63 @@ class Foot:
         return sorted({self.ankle, *self.carriers.tolist(), *([self.toe] if self.toe >= 0 else [])})
 
 
-def feet_of(character: Character) -> tuple[Foot, ...]:
-    """Returns the feet that the names of the joints tell; none for a character without feet."""
-    names = character.skeleton.names
-    ankles = [joint for joint, name in enumerate(names) if is_part(name, FOOT) and not is_part(name, NO_FOOT)]
-    ankles = [joint for joint in ankles if not is_part(names[joint], TOE)]
-    ankles = [joint for joint in ankles if not set(_ancestors(character, joint)) & set(ankles)]
-    sides = [side_of(names[ankle]) for ankle in ankles]
-    return tuple(
-        _foot(character, side if side and sides.count(side) == 1 else names[ankle], ankle)
-        for side, ankle in zip(sides, ankles, strict=True)
-    )
+def feet_of(character: Character, legs: Mapping[str, Mapping[str, str]] | None = None) -> tuple[Foot, ...]:
+    """Returns the feet that the names of the joints tell, then the feet that `legs` adds; none for a
+    character without feet.
+
+    `legs`: for feet by name the names of their joints: `ankle`, and perhaps `hip`, `knee`, `toe`; a joint
+    that is left out is as the names tell for that foot, or the joint above.
+
+    :raises UnknownNameError: when the skeleton has no joint of a name.
+    """
+    key = tuple(sorted((name, *sorted(joints.items())) for name, joints in (legs or {}).items()))
+    known = _known.setdefault(character, {})
+    if key not in known:
+        known[key] = _find(character, legs or {})
+    return known[key]
 
 
-def _ancestors(character: Character, joint: int) -> list[int]:
-    """The joints above a joint, the nearest first."""
-    parent, above = character.skeleton.parent, []
-    while (joint := int(parent[joint])) >= 0:
-        above.append(joint)
-    return above
+_known: WeakKeyDictionary[Character, dict[tuple[object, ...], tuple[Foot, ...]]] = WeakKeyDictionary()
 
 
-def _below(character: Character, joint: int) -> list[int]:
-    """The joint and its descendants."""
-    return [row for row in range(len(character.skeleton)) if joint in (row, *_ancestors(character, row))]
+def _find(character: Character, legs: Mapping[str, Mapping[str, str]]) -> tuple[Foot, ...]:
+    """The feet that names tell, and those of `legs`."""
+    known, skeleton = _legs_by_name(character), character.skeleton
+    for name, joints in legs.items():
+        rows = {part: skeleton.index(joint) for part, joint in joints.items() if joint}
+        known[name] = _above(character, rows["ankle"]) | known.get(name, {}) | rows
+    world = world_from_local(skeleton, character.bind_pose).astype(np.float64)
+    return tuple(_foot(character, name, joints, world) for name, joints in known.items())
 
 
-def _foot(character: Character, name: str, ankle: int) -> Foot:
-    names, above = character.skeleton.names, _ancestors(character, ankle)
-    knee = next((joint for joint in reversed(above) if is_part(names[joint], SHIN)), -1)
-    hip = next((joint for joint in reversed(above) if is_part(names[joint], THIGH)), -1)
-    if knee < 0 and len(above) > 1:  # Mixamo's LeftLeg, and names that tell nothing
-        knee, hip = above[0], above[1] if hip < 0 else hip
-    if hip < 0 and knee >= 0:
-        hip = int(character.skeleton.parent[knee])
-    below = _below(character, ankle)
-    toe = next((joint for joint in below[1:] if is_part(names[joint], TOE)), -1)
-    world = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
+def _legs_by_name(character: Character) -> dict[str, dict[str, int]]:
+    """The joints of the legs that names tell."""
+    bones = body_bones(character.skeleton)
+    legs = {
+        name: {part: bones[side + bone] for part, bone in BONES.items() if side + bone in bones}
+        for name, side in SIDES.items()
+    }
+    return {name: leg for name, leg in legs.items() if "ankle" in leg}
+
+
+def _above(character: Character, ankle: int) -> dict[str, int]:
+    """The knee and the hip of an ankle whose leg has no known names: its parent, and the parent of that."""
+    return dict(zip(("knee", "hip"), ancestors(character.skeleton, ankle)[1:], strict=False))
+
+
+def _foot(character: Character, name: str, joints: Mapping[str, int], world: Floats) -> Foot:
+    ankle, skeleton = joints["ankle"], character.skeleton
+    hip, knee, toe = (joints.get(part, -1) for part in ("hip", "knee", "toe"))
+    below = [row for row in range(len(skeleton)) if ankle in ancestors(skeleton, row)]
     skin = _sole(character, below, world)
-    carriers = skin.carriers
-    points = transform.apply(transform.invert(world[carriers]), skin.at(world))
+    points = transform.apply(transform.invert(world[skin.carriers]), skin.at(world))
     at = skin.at(world)[:, ::2]
     ahead = at.mean(0) - world[ankle, ::2, 3]
     along = at @ (ahead if np.linalg.norm(ahead) > 1e-6 else np.array([0.0, 1]))
     is_front = along > (along.min() + along.max()) / 2
-    return Foot(name, hip, knee, ankle, toe, carriers, points, skin, is_front)
+    hangs = knee in ancestors(skeleton, ankle)
+    toe = toe if toe in below else -1
+    return Foot(name, hip, knee, ankle, toe, hangs, skin.carriers, points, skin, is_front)
 
 
 def _sole(character: Character, below: list[int], world: Floats) -> SkinPoints:
@@ -124,14 +139,16 @@ def _sole(character: Character, below: list[int], world: Floats) -> SkinPoints:
     height = points.heights(world)
     leg = max(float(world[below[0], 1, 3] - height.min()), float(np.ptp(world[:, 1, 3])), 1e-6)
     low = np.flatnonzero(height <= height.min() + SOLE * leg)
-    return points.take(_spread(points.at(world)[low][:, ::2], low))
+    return points.take(_spread(points.at(world)[low], low))
 
 
-def _spread(flat: Floats, rows: Ints) -> Ints:
-    """At most MOST_POINTS of some rows: those that lie furthest out in directions all round (K, 2)."""
+def _spread(points: Floats, rows: Ints) -> Ints:
+    """At most MOST_POINTS of some rows: those that lie furthest out (K, 3) in directions all round and down,
+    the corners on which a foot can stand.
+    """
     if len(rows) <= MOST_POINTS:
         return rows
-    angles = np.linspace(0, 2 * np.pi, MOST_POINTS, endpoint=False)
-    directions = np.stack([np.cos(angles), np.sin(angles)], -1)
-    outermost: Ints = rows[np.unique((flat @ directions.T).argmax(0))]
+    turn, tilt = (grid.ravel() for grid in np.meshgrid(AZIMUTHS, TILTS))
+    directions = np.stack([np.cos(turn) * np.cos(tilt), -np.sin(tilt), np.sin(turn) * np.cos(tilt)])
+    outermost: Ints = rows[np.unique((points @ directions).argmax(0))]
     return outermost

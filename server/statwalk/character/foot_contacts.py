@@ -34,7 +34,9 @@ SHARE = 0.15, 0.3
 SHORTEST = 0.04
 """seconds: shorter contacts and shorter gaps are none"""
 ON_THE_SPOT = 0.35
-"""leg lengths a second: a lowest foot that runs steadily at more than this has a running ground under it"""
+"""leg lengths a second: if low feet often run alike, at more than this, the ground runs under them"""
+ALIKE, VOTES, MOST_VOTES = 0.2, 0.3, 512
+"""the share by which alike speeds differ, the share of ticks that have them, how many ticks are compared"""
 
 
 @dataclass(frozen=True)
@@ -133,12 +135,15 @@ def _drift(
     if not low.any():
         return np.zeros(2)
     velocity = moving[ticks, lowest][low]
-    drift: Floats = np.median(velocity, 0)
+    velocity = velocity[:: -(-len(velocity) // MOST_VOTES)]
+    apart = np.linalg.norm(velocity[:, None] - velocity, axis=-1)
+    near = apart < np.maximum(ALIKE * np.linalg.norm(velocity, axis=-1), ALIKE * leg)[:, None]
+    most = near[int(near.sum(1).argmax())]
+    drift: Floats = velocity[most].mean(0)
     pace = float(np.linalg.norm(drift))
-    spread = float(np.median(np.linalg.norm(velocity - drift, axis=-1)))
     middle = world[:, :, ::2, 3].mean(1)
     travel = float(np.linalg.norm(middle[-1] - middle[0])) / (step * (len(world) - 1))
-    runs = pace > ON_THE_SPOT * leg and spread < pace / 2 and travel < pace / 4
+    runs = pace > ON_THE_SPOT * leg and most.mean() > VOTES and travel < pace / 4
     return drift if runs else np.zeros(2)
 
 

@@ -13,8 +13,8 @@ from statwalk.machine.compile.alternatives import Layer
 from statwalk.maths.arrays import Floats
 from statwalk.maths.columns import columns, locked
 from statwalk.rig.model_buffer import JointList
-from statwalk.solve.springs import Springs
 from statwalk.solve.expression_tables import ExpressionTables
+from statwalk.solve.springs import Springs
 
 
 class PoseTables(NamedTuple):

@@ -7,59 +7,40 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
 
 import numpy as np
 
 from statwalk.character.character import Character
 from statwalk.character.colliders import Colliders
 from statwalk.character.expressions import expressions_of
+from statwalk.character.feet import Foot
+from statwalk.character.foot_contacts import ClipContacts
 from statwalk.character.joint_limits import limits_of
 from statwalk.character.made_clips import with_clips
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
+from statwalk.character.packed_role import PackedRole
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
+from statwalk.character.role_feet import check_feet, contacts_in, feet_in
 from statwalk.character.solver_memory import SolverMemory
 from statwalk.character.solvers import Solvers, solvers_of
 from statwalk.errors import UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine, MotionFacts, build
-from statwalk.machine.compile.program import PROGRAM, Program
+from statwalk.machine.compile.program import PROGRAM
 from statwalk.machine.compile.resolved_table import ResolvedTable, resolved_tables
 from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.verify import verify
 from statwalk.maths.arrays import Bools, Floats
-from statwalk.maths.clamp_table import CLAMP_TABLE, ClampTable, JointLimit
-from statwalk.maths.packed import PackedColumns, packed
+from statwalk.maths.clamp_table import CLAMP_TABLE, JointLimit
+from statwalk.maths.packed import packed
 from statwalk.motion.blend_space import BlendSpace, Motion
 from statwalk.motion.layer_lanes import MASKS, LayerMasks
 from statwalk.motion.layers import Mask
 from statwalk.motion.tables.motion_tables import MotionTables
-from statwalk.solve.chains import CHAINS, Chains
+from statwalk.solve.chains import CHAINS
 from statwalk.solve.expression_tables import ExpressionProgram
-from statwalk.solve.foot_tables import FEET, FootTables
-
-
-class PackedRole(NamedTuple):
-    """The data of a role that a tick reads, packed."""
-
-    program: PackedColumns[Program]
-    motions: PackedColumns[MotionTables]
-    poses: PackedColumns[PoseTables]
-    masks: PackedColumns[LayerMasks]
-    feet: PackedColumns[FootTables]
-    chains: PackedColumns[Chains]
-    clamps: PackedColumns[ClampTable]
-
-    @property
-    def solvers(self) -> tuple[Any, Any, Any]:
-        """Returns the tables of the solvers as arguments of kernels."""
-        return self.feet.argument, self.chains.argument, self.clamps.argument
-
-    @property
-    def arguments(self) -> tuple[Any, Any, Any, Any]:
-        """Returns all tables but those of the solvers as arguments of kernels."""
-        return self.program.argument, self.motions.argument, self.poses.argument, self.masks.argument
+from statwalk.solve.foot_tables import FEET
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +85,7 @@ class Role:
         resolved = resolved_tables(definition, facts)
         machine = build(definition, facts, resolved)
         root = root_of(character, root_joint)
+        check_feet(character, definition)
         is_same = before is not None and before.character is character and before.root == root
         stock = before.stock if before is not None and is_same else Stock(character, root)
         motions = motions_of(stock, machine, definition)
@@ -173,6 +155,18 @@ class Role:
     def colliders(self) -> Colliders:
         """Returns the colliders of the role's actors."""
         return Colliders.of(self.machine, self.character, self.definition)
+
+    @cached_property
+    def feet(self) -> tuple[Foot, ...]:
+        """Returns the feet, with the corrections of the machine file; found on first use."""
+        return feet_in(self.character, self.definition)
+
+    @cached_property
+    def contacts(self) -> dict[str, ClipContacts]:
+        """Returns the foot contacts of all clips, by clip, with the corrections of the machine file; found on
+        first use.
+        """
+        return contacts_in(self.character, self.definition, self.feet)
 
     @cached_property
     def looks_at(self) -> frozenset[str]:

@@ -89,7 +89,7 @@ def outermost_points(character: Character, whole: Sequence[int] = ()) -> SkinPoi
     every other joint those that lie furthest out in DIRECTIONS directions at rest.
     """
     rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
-    shares = [np.zeros((len(character.skeleton), 4, 0))]
+    shares: list[Floats] = [np.zeros((len(character.skeleton), 4, 0))]
     for joint in np.unique(_carriers(character)).tolist():
         points = bound_points(character, [joint])
         furthest = np.unique((points.at(rest) @ _sphere()).argmax(0))

@@ -8,10 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from statwalk.character.character import Character
-from statwalk.character.feet import feet_of
-from statwalk.character.foot_contacts import contacts_of
 from statwalk.character.joint_limits import limits_of
 from statwalk.character.leg_tables import foot_memory, has_leg, leg_chain, leg_tables
+from statwalk.character.role_feet import contacts_in, feet_in
 from statwalk.character.solver_memory import SolverMemory
 from statwalk.character.springs import springs_on
 from statwalk.machine.compile.machine import Machine
@@ -45,7 +44,7 @@ def solvers_of(
     :raises MachineError: when it asks for a foot lock, and the character has no feet with legs; when it
         limits a joint that the character does not have; when a spring's joint does not exist or has no bone.
     """
-    every = feet_of(character) if definition.foot_lock else ()
+    every = feet_in(character, definition) if definition.foot_lock else ()
     feet = tuple(foot for foot in every if has_leg(character, foot))
     if definition.foot_lock and not feet:
         raise definition.refuse("foot_lock: the character has no feet with legs; name them under `feet`", 0)
@@ -57,7 +56,7 @@ def solvers_of(
     memory = SolverMemory(feet_memory | dict.fromkeys(names.values(), (0.0,) * KEPT))
     columns = {joint: memory.first(name) for joint, name in names.items()}
     springs = springs_of(swinging, columns, character.skeleton.parent)
-    contacts = contacts_of(character, every) if feet else {}
+    contacts = contacts_in(character, definition, every) if feet else {}
     ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
     weight = _weight(machine, definition.foot_lock)
     legs = leg_tables(character, feet, contacts, motions, weight, ground)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from math import isfinite
 from typing import Annotated, Any
@@ -16,10 +16,10 @@ from rich.table import Table
 from statwalk.character.role import Role
 from statwalk.errors import UnknownNameError
 from statwalk.services.library.load import load, shipped_machines
+from statwalk.services.library.measuring import measured
 from statwalk.stage.measure.figures import UNITS, Figure, worded
-from statwalk.stage.measure.measure import Measured, measure_cells, measure_motions
+from statwalk.stage.measure.measure import Measured
 from statwalk.stage.measure.over_budget import over_budget
-from statwalk.stage.measure.subject import Cell, Subject
 
 EXAMPLES = """Examples:
 
@@ -43,18 +43,10 @@ def _role_of(machine: str) -> Role:
     raise UnknownNameError("machine", machine, shipped_machines())
 
 
-def _chosen(subject: Subject, name: str) -> list[Cell]:
-    """The cells of that name, STATE/EVENT; all cells if it is empty."""
-    names = {subject.name(cell): cell for cell in subject.cells}
-    if name and name not in names:
-        raise UnknownNameError("cell that changes the state", name, names)
-    return [names[name]] if name else subject.cells
-
-
-def _shown(measured: list[Measured], budgets: Mapping[str, Any]) -> Table:
+def _shown(rows: Sequence[Measured], budgets: Mapping[str, Any]) -> Table:
     """The figures as a table to print; over budget in red."""
     table = Table("", *UNITS, box=None, pad_edge=False)
-    for part in measured:
+    for part in rows:
         figures = (part.figures.get(name) for name in UNITS)
         table.add_row(
             escape(part.name), *(_cell(*pair, budgets) for pair in zip(UNITS, figures, strict=True))
@@ -69,12 +61,12 @@ def _cell(name: str, figure: Figure | None, budgets: Mapping[str, Any]) -> str:
     return f"[red]{text}[/]" if name in budgets and figure.worst > budgets[name].most else text
 
 
-def _plain(measured: Measured) -> dict[str, Any]:
+def _plain(part: Measured) -> dict[str, Any]:
     """A row as JSON values; a figure that never comes is null."""
-    row = asdict(measured)
+    row = asdict(part)
     row["figures"] = {
         name: {key: _finite(value) for key, value in figure._asdict().items()}
-        for name, figure in measured.figures.items()
+        for name, figure in part.figures.items()
     }
     return row
 
@@ -91,11 +83,9 @@ def measure(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON, for programs.")] = False,
 ) -> None:
     """Plays every transition of a machine, and measures what feet, knees, hands and joints do."""
-    subject = Subject(_role_of(machine))
-    rows = [] if cell else list(measure_motions(subject, subject.motions))
-    rows += measure_cells(subject, _chosen(subject, cell))
-    budgets = subject.role.definition.budgets
-    findings = list(over_budget(subject.role.definition, rows))
+    role = _role_of(machine)
+    rows, budgets = measured(role, cell), role.definition.budgets
+    findings = list(over_budget(role.definition, rows))
     if as_json:
         answer = {
             "machine": machine,

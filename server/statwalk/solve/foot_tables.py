@@ -1,4 +1,4 @@
-"""What the foot lock knows of the feet of a role: legs, points of the soles, and where the clips plant the feet."""
+"""What the foot lock knows of the feet of a role: legs, points of the soles, and contacts in the clips."""
 
 from __future__ import annotations
 
@@ -63,10 +63,10 @@ OF_FOOT = 18
     PLANTED, PIVOT, PIVOT_X, PIVOT_Z, YAW, SINCE, EAGER, X, Z, TURN, Y, X_RATE, Z_RATE, TURN_RATE, Y_RATE,
     LOWEST, LOWEST_X, LOWEST_Z,
 ) = range(OF_FOOT)  # fmt: skip
-"""STANDING, LEAVING or 0, on its way; the point of the sole that it stands on, and where that point is shown on
-the stage; the foot's yaw; seconds since it was planted or released (below 0: a new actor); how fast it goes
-back to its motion (1/s; of a foot that stands: 1 if the leg is too short); the shown foot relative to the
-animated one, in metres and radians, and the rates; the lowest animated point, and where it was
+"""STANDING, LEAVING or 0, on its way; the point of the sole that it stands on, and where that point is shown
+on the stage; the foot's yaw; seconds since it was planted or released (below 0: a new actor); how fast it
+goes back to its motion (1/s; of a foot that stands: 1 if the leg is too short); the shown foot relative to
+the animated one, in metres and radians, and the rates; the lowest animated point, and where it was
 """
 LEAVING, STANDING = 1.0, 2.0
 """a foot that leaves has been released, and keeps its place until it is clear of the ground"""

@@ -14,7 +14,7 @@ from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.pose_layout import joint_channel, place_of
 from statwalk.maths.springs import settled
 from statwalk.solve.chains import POLE, ROTATION, TARGET, WEIGHT
-from statwalk.solve.foot_lock import ankle_of, on_stage
+from statwalk.solve.foot_points import ankle_of, on_stage
 from statwalk.solve.foot_tables import (
     DROP,
     DROP_RATE,

@@ -89,6 +89,9 @@ export const machines = () => ask("get", "/api/machines", {});
 export const scenes = () => ask("get", "/api/scenes", {});
 export const machine = (name: string) => ask("get", "/api/machines/{name}", { name });
 export const verify = (name: string) => ask("get", "/api/machines/{name}/verify", { name });
+/** Plays every transition and measures it; takes seconds. */
+export const measure = (name: string) => ask("get", "/api/machines/{name}/measure", { name });
+export const feet = (name: string) => ask("get", "/api/machines/{name}/feet", { name });
 export const versions = (name: string) => ask("get", "/api/machines/{name}/versions", { name });
 /** Changes a cell, if the machine is still at `version`; `dry`: only verifies the change. */
 export const patchCell = (name: string, version: number, body: NewCell, dry: boolean) =>

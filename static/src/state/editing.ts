@@ -53,6 +53,19 @@ export class Editing {
     this.findings.set(verified?.findings ?? []);
   }
 
+  /** Plays every transition; adds what is over the machine's budgets to the findings. Returns it in words. */
+  async measure(): Promise<string> {
+    const machine = this.session.machine.value;
+    if (!machine) return "the machine is not known yet";
+    const { findings, measured, budgets } = await api.measure(machine.name);
+    if (this.session.machine.value?.version === machine.version) {
+      const others = this.findings.value.filter(({ kind }) => kind !== "budget");
+      this.findings.set([...others, ...findings]);
+    }
+    const limits = Object.keys(budgets).length ? `${findings.length} over budget` : "the file has no budgets";
+    return `${measured.length} transitions and motions measured, ${limits}`;
+  }
+
   /** Keeps an edit, or only verifies it (`dry`). Throws errors other than a refusal or a conflict. */
   async cell(place: CellPlace, text: string, dry: boolean): Promise<Answer> {
     const machine = this.session.machine.value;

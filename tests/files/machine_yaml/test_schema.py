@@ -13,6 +13,7 @@ from statwalk.files.machine_yaml import capture_lines, cells, flock_part, layers
 from statwalk.files.machine_yaml.machine_file import KEYS, SCHEMA_PATH, read_machine
 from statwalk.files.machine_yaml.new_machine import write_machine
 from statwalk.files.yaml.yaml_text import parse
+from statwalk.machine.definition.budgets_definition import FIGURES
 from statwalk.services.library.load import load_character_file
 
 SCHEMA = json.loads(SCHEMA_PATH.read_text())
@@ -81,6 +82,10 @@ colliders:
 flock: {distance: 2, nearest: 6, goal: {at: [0, 8, 0], radius: 25, seconds: 40}, speed_parameter: pace}
 properties:
   - LEAP only after MOVE
+feet: {left: {hip: thigh, knee: shin, ankle: foot, toe: toes}}
+contacts: {walk: {left: [[0, 0.6]], right: [[0.5, 1.1]]}}
+budgets:
+  {jump: 1.2, joint: 2.4, slide: 0.015, sink: 0.005, knee: 0, hand: 60, visible: 0.1, half: 1, arrived: 2}
 """
 
 WRONG = {
@@ -132,6 +137,11 @@ WRONG = {
     "point": ("at: [0, 1, 0]", "at: [0, 1]"),
     "flock": ("flock: {distance", "flock: {distanse"),
     "properties": ("properties:\n  - ", "properties: "),
+    "foot without ankle": ("ankle: foot, ", ""),
+    "contact of one phase": ("[[0, 0.6]]", "[[0.6]]"),
+    "contact beyond two laps": ("[[0.5, 1.1]]", "[[0.5, 2.1]]"),
+    "unknown figure": ("slide: 0.015", "slip: 0.015"),
+    "budget below nothing": ("sink: 0.005", "sink: -1"),
 }
 
 
@@ -197,10 +207,14 @@ def test_wrong_files_fail_in_both(old, new):
         (("definitions", "cell", "properties"), cells.CELL_KEYS),
         (("definitions", "choices", "items", "properties"), cells.CHOICE_KEYS),
         (("properties", "layers", "additionalProperties", "properties"), layers.LAYER_KEYS),
+        (("properties", "budgets", "properties"), FIGURES),
         (("properties", "captures", "additionalProperties", "properties"), capture_lines.KEYS),
         (("properties", "flock", "properties"), (*flock_part.NUMBERS, *flock_part.OTHERS)),
     ],
-    ids=["machine", "state", "composite", "cell", "alternative", "layer", "captures", "flock"],
+    ids=[
+        *("machine", "state", "composite", "cell", "alternative", "layer"),
+        *("budgets", "captures", "flock"),
+    ],
 )
 def test_reader_and_schema_know_the_same_keys(place, keys):
     part = SCHEMA

@@ -3,11 +3,7 @@
 import pytest
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.machine_file import read_machine
-from statwalk.machine.definition.machine_definition import (
-    ColliderDefinition,
-    SenseDefinition,
-    TouchDefinition,
-)
+from statwalk.machine.definition.sense_definition import ColliderDefinition, SenseDefinition, TouchDefinition
 
 TEXT = """character: c.glb
 initial: A

@@ -7,8 +7,8 @@ import pytest
 from builders import character, definition
 from statwalk.character.role import Role
 from statwalk.machine.definition.flock_definition import FlockDefinition, GoalDefinition, ObstacleDefinition
-from statwalk.machine.definition.machine_definition import ColliderDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
+from statwalk.machine.definition.sense_definition import ColliderDefinition
 from statwalk.stage.stage import Stage
 
 FLOCK = FlockDefinition(

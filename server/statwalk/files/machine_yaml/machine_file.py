@@ -16,6 +16,7 @@ from statwalk.files import clip_changes
 from statwalk.files.joint_limits import joint_limits
 from statwalk.files.machine_yaml import (
     budgets,
+    feet,
     fields,
     flock_part,
     inputs,
@@ -25,6 +26,7 @@ from statwalk.files.machine_yaml import (
     springs_part,
     whole_table,
 )
+from statwalk.files.machine_yaml.all_events import all_events
 from statwalk.files.machine_yaml.capture_lines import CaptureLine, read_captures
 from statwalk.files.machine_yaml.expressions import expressions as read_expressions
 from statwalk.files.machine_yaml.ground import foot_lock as read_foot_lock
@@ -33,12 +35,9 @@ from statwalk.files.machine_yaml.parameters import parameters as read_parameters
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import (
-    END,
     EventDefinition,
     LayerDefinition,
     MachineDefinition,
-    SenseDefinition,
-    TouchDefinition,
     nearest,
 )
 from statwalk.machine.definition.state_table import MOST_CELLS
@@ -54,7 +53,7 @@ KEYS = (
     *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
     *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
     *("colliders", "flock", "springs", "captures", "expressions", "joints", "limits", "properties"),
-    *("budgets", "foot_lock", "ground"),
+    *("feet", "contacts", "budgets", "foot_lock", "ground"),
 )
 
 
@@ -132,7 +131,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
     )
     layers.check_base(base, root)
     sense_events = senses.senses(entries.get("senses"), variables, colliders)
-    events = _all_events(entries, [base, *(part.flat for part in layer_parts.values())], sense_events)
+    events = all_events(entries, [base, *(part.flat for part in layer_parts.values())], sense_events)
     _check_size(root, [base, *(part.flat for part in layer_parts.values())], events)
     definition = MachineDefinition(
         name=name,
@@ -159,6 +158,8 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         springs=springs_part.springs(entries.get("springs")),
         expressions=read_expressions(entries.get("expressions"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
+        feet=feet.feet(entries.get("feet")),
+        contacts=feet.contacts(entries.get("contacts")),
         budgets=budgets.budgets(entries.get("budgets")),
         rows=base.top.table.rows,
         title=entries["title"].text() if "title" in entries else "",
@@ -183,32 +184,6 @@ def _layer_of(
         cells=whole_table.cells_of(flat, events, variables, file),
         rows=flat.top.table.rows,
     )
-
-
-def _all_events(
-    entries: Mapping[str, Node],
-    flats: Sequence[levels.FlatStates],
-    sensed: Mapping[str, SenseDefinition | TouchDefinition],
-) -> dict[str, EventDefinition]:
-    """Returns the columns: the events of the first table, of `events`, of the other tables, and of senses."""
-    tables = [
-        level.table.table.events
-        for flat in flats
-        for level in reversed(flat.levels)
-        if level.table is not None
-    ]
-    events = {
-        event: EventDefinition(line) for event, line in tables[0].items() if event != END
-    } | inputs.events(entries.get("events"))
-    for table in tables[1:]:
-        events |= {
-            event: EventDefinition(line)
-            for event, line in table.items()
-            if event != END and event not in events
-        }
-    return events | {
-        event: EventDefinition(sense.line) for event, sense in sensed.items() if event not in events
-    }
 
 
 def _check_size(

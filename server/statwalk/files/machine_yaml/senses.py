@@ -11,10 +11,8 @@ from statwalk.files.machine_yaml import conditions, fields
 from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.definition.machine_definition import (
     END,
-    ColliderDefinition,
-    SenseDefinition,
-    TouchDefinition,
 )
+from statwalk.machine.definition.sense_definition import ColliderDefinition, SenseDefinition, TouchDefinition
 
 LARGEST_RADIUS = 1e4
 """metres"""

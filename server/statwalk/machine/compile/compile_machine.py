@@ -31,7 +31,12 @@ from statwalk.machine.compile.link import linked
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.resolved_table import ResolvedTable, resolved_tables
 from statwalk.machine.conditions.variables import variables_of
-from statwalk.machine.definition.machine_definition import BASE, MachineDefinition, TouchDefinition, nearest
+from statwalk.machine.definition.machine_definition import (
+    BASE,
+    MachineDefinition,
+    nearest,
+)
+from statwalk.machine.definition.sense_definition import TouchDefinition
 from statwalk.maths.formula.parser import parse
 from statwalk.maths.formula.postfix import Formula
 from statwalk.maths.formula.tokens import ConditionError

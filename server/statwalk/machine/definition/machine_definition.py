@@ -12,10 +12,12 @@ from statwalk.machine.definition.budgets_definition import BudgetDefinition
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
 from statwalk.machine.definition.clip_definition import ClipDefinition
 from statwalk.machine.definition.expression_definition import ExpressionMotion
+from statwalk.machine.definition.feet_definition import ContactDefinition, FootDefinition
 from statwalk.machine.definition.flock_definition import FlockDefinition
 from statwalk.machine.definition.ground_definition import GroundDefinition
 from statwalk.machine.definition.limit_definition import LimitDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
+from statwalk.machine.definition.sense_definition import ColliderDefinition, SenseDefinition, TouchDefinition
 from statwalk.machine.definition.spring_definition import SpringDefinition
 from statwalk.maths.formula.assignments import Assignment
 
@@ -92,48 +94,6 @@ class EventDefinition:
 
 
 @dataclass(frozen=True)
-class SenseDefinition:
-    """A threshold that raises an event when its condition becomes true, and again only after `release` was
-    true.
-    """
-
-    when: str
-    release: str
-    """empty: when `when` is false"""
-    line: int
-
-
-@dataclass(frozen=True)
-class TouchDefinition:
-    """A pair of colliders that raises an event: one of this machine, and one of any actor on the stage
-    (perhaps of the same name).
-    """
-
-    own: str
-    other: str
-    on: Literal["enter", "stay", "leave"]
-    line: int
-
-
-@dataclass(frozen=True)
-class ColliderDefinition:
-    """A sphere or a plane that rides on a joint (or on the root) and can be touched.
-
-    Metres, in the joint's space.
-    """
-
-    kind: Literal["sphere", "plane"]
-    line: int
-    joint: str = ""
-    """empty: the root of the actor"""
-    center: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    radius: float = 0.0
-    """of a sphere; of a plane: of its disc, 0 for an endless plane"""
-    normal: tuple[float, float, float] = (0.0, 0.0, 1.0)
-    """of a plane: towards its front"""
-
-
-@dataclass(frozen=True)
 class KeyDefinition:
     """The inputs of a key of the viewer: `press` when it goes down (held down if `hold`), `release` when it
     comes up.
@@ -201,7 +161,7 @@ class MachineDefinition:
     limits: Mapping[str, LimitDefinition] = field(default_factory=dict)
     """the limits of the character's joints, by joint; they replace the character's own"""
     foot_lock: float | str = 0.0
-    """0…1 how much feet that stand are kept where they stand, or the parameter that says it; 0: no foot lock"""
+    """0…1 how much feet that stand are kept in place, or the parameter that says it; 0: no foot lock"""
     ground: tuple[GroundDefinition, ...] = ()
     """what lies on the floor where actors walk"""
     flock: FlockDefinition | None = None
@@ -213,6 +173,10 @@ class MachineDefinition:
     """the clips that the file makes of the character's own"""
     springs: Mapping[str, SpringDefinition] = field(default_factory=dict)
     """by the joint on which each begins"""
+    feet: Mapping[str, FootDefinition] = field(default_factory=dict)
+    """the joints of legs, by foot, where the names of the joints do not tell them"""
+    contacts: Mapping[str, Mapping[str, ContactDefinition]] = field(default_factory=dict)
+    """corrected contacts with the ground, by clip and foot"""
     budgets: Mapping[str, BudgetDefinition] = field(default_factory=dict)
     """the largest figures that measuring may give, by figure"""
     rows: tuple[tuple[str, ...], ...] = ()

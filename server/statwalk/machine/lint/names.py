@@ -14,9 +14,9 @@ from statwalk.machine.definition.machine_definition import (
     BlendDefinition,
     MachineDefinition,
     StateDefinition,
-    TouchDefinition,
     nearest,
 )
+from statwalk.machine.definition.sense_definition import TouchDefinition
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.lint.lint_context import LintContext
 

@@ -65,10 +65,8 @@ class Played:
     then: Sequence[str]
     ticks: Sequence[int]
 
-    def append(self, others: Played | None) -> Played:
+    def append(self, others: Played) -> Played:
         """Returns these trials followed by others; figures that the others lack are NaN."""
-        if others is None:
-            return self
         lost = np.full(len(others.phase), np.nan)
         return Played(
             {

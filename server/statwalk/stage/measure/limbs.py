@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from statwalk.character.body_bones import body_bones
 from statwalk.character.character import Character
 from statwalk.character.feet import Foot
-from statwalk.character.joint_names import is_part
 from statwalk.maths.arrays import Bools, Floats, Ints
 from statwalk.rig.evaluate import world_from_local
 from statwalk.stage.measure.trials import RATE, Recording
@@ -62,14 +62,9 @@ def _dot(first: Floats, second: Floats) -> Floats:
 
 
 def hands_of(character: Character) -> Ints:
-    """Returns the joints of the hands, by their names: the uppermost of each arm."""
-    names, parent = character.skeleton.names, character.skeleton.parent
-    named = [joint for joint, name in enumerate(names) if is_part(name, "hand wrist")]
-    below: set[int] = set()
-    for joint in range(len(names)):
-        if int(parent[joint]) in below | set(named):
-            below.add(joint)
-    return np.array([joint for joint in named if joint not in below], np.int64)
+    """Returns the joints of the hands, by their names."""
+    bones = body_bones(character.skeleton)
+    return np.array([bones[name] for name in ("LeftHand", "RightHand") if name in bones], np.int64)
 
 
 def hand_accelerations(recording: Recording, hands: Ints, watched: Bools) -> Floats:

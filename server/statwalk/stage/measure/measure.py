@@ -11,15 +11,14 @@ from itertools import product
 import numpy as np
 
 from statwalk.machine.compile.alternatives import NOW
-from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.maths.arrays import Ints
 from statwalk.stage.measure.figures import Figure, Played
-from statwalk.stage.measure.ground import sinks, slides
 from statwalk.stage.measure.jump import Jump, jump_of
 from statwalk.stage.measure.limbs import hand_accelerations, knees
 from statwalk.stage.measure.response import arrivals, visible
+from statwalk.stage.measure.slide import sinks, slides
 from statwalk.stage.measure.subject import Cell, Subject
-from statwalk.stage.measure.trials import RATE, WARM_UP, Recording, Trial, record
+from statwalk.stage.measure.trials import RATE, WARM_UP, CellTrial, Recording, record
 from statwalk.stage.measure.windows import change_ticks, end_of_blend, span
 
 PHASES = np.linspace(0, 0.9, 10)
@@ -29,6 +28,8 @@ LONGEST_WAIT, LONGEST_LOOK = 10.0, 1.5
 """seconds: the longest motion whose end is waited for, and how long a new motion is looked at"""
 AROUND = 3
 """ticks before a change that belong to it, and ticks after the end of a blend"""
+MOST_JOINTS = 2_000_000
+"""joints times ticks of the interrupted trials that are recorded at once"""
 
 
 @dataclass(frozen=True)
@@ -50,25 +51,19 @@ class Measured:
         return f"{self.state}/{self.event}" if self.event else self.state
 
 
-def measure_cells(
-    subject: Subject, cells: Sequence[Cell], checkpoint: Checkpoint = go_on
-) -> Iterator[Measured]:
-    """Yields the figures of cells; `checkpoint` is called before each, and ends the work by raising."""
+def measure_cells(subject: Subject, cells: Sequence[Cell]) -> Iterator[Measured]:
+    """Yields the figures of cells."""
     machine = subject.role.machine
     for row, column in cells:
-        checkpoint()
         played = _play_cell(subject, row, column)
         yield _measured(subject, row, machine.events[column], played)
 
 
-def measure_motions(
-    subject: Subject, rows: Sequence[int], checkpoint: Checkpoint = go_on
-) -> Iterator[Measured]:
+def measure_motions(subject: Subject, rows: Sequence[int]) -> Iterator[Measured]:
     """Yields the figures of motions by themselves: of a motion that loops two laps, of the others all but
     their ends.
     """
     for row in rows:
-        checkpoint()
         yield _measured(subject, row, "", _play_motion(subject, row))
 
 
@@ -84,7 +79,7 @@ def _play_motion(subject: Subject, row: int) -> Played:
     machine = subject.role.machine
     duration = min(_seconds(subject, row), LONGEST_WAIT)
     ticks = round(duration * RATE) * (1 + bool(machine.loop[row]))
-    recording = record(subject.role, [Trial(row, 0.0)], max(ticks, 3))
+    recording = record(subject.role, [CellTrial(row, 0.0)], max(ticks, 3), subject.checkpoint)
     watched = np.ones((len(recording.left), 1), bool)
     values = {
         "slide": slides(recording, subject.feet, watched),
@@ -99,47 +94,53 @@ def _play_cell(subject: Subject, row: int, column: int) -> Played:
     """The figures of all trials of a cell that were taken."""
     layer = int(subject.role.machine.layer_of[row])
     phases = _phases(subject, row, column)
-    plain = [Trial(row, phase, column) for phase in phases]
-    twins = [Trial(row, phase) for phase in phases]
-    every = record(subject.role, [*plain, *twins], _ticks(subject, row, column))
+    plain = [CellTrial(row, phase, column) for phase in phases]
+    twins = [CellTrial(row, phase) for phase in phases]
+    every = record(subject.role, [*plain, *twins], _ticks(subject, row, column), subject.checkpoint)
     changed = change_ticks(every, layer, column)[: len(plain)]
     taken = np.flatnonzero(changed >= 0)
     recording, changed = every.take(taken), changed[taken]
     if column == subject.role.machine.end:  # comes by itself
         recording = replace(recording, sent=changed - 1)
-    played = _played(subject, recording, [plain[k] for k in taken], (changed, changed))
+    played = _played(subject, recording, [plain[k] for k in taken.tolist()], (changed, changed))
     shown = visible(every, np.tile(np.arange(len(plain), 2 * len(plain)), 2))[taken]
     half, arrived = arrivals(recording, changed)
     response = {"half": half, "arrived": arrived}
     if column != subject.role.machine.end:
         response["visible"] = shown
     played = replace(played, values={**played.values, **response})
-    return played.append(_play_interruptions(subject, (row, column), played, changed - recording.sent))
+    return _play_interruptions(subject, (row, column), played, changed - recording.sent)
 
 
-def _play_interruptions(subject: Subject, cell: Cell, plain: Played, waits: Ints) -> Played | None:
-    """The figures of the trials of a cell that another event interrupts; None if none can."""
-    machine, (row, column) = subject.role.machine, cell
+def _play_interruptions(subject: Subject, cell: Cell, plain: Played, waits: Ints) -> Played:
+    """The trials of a cell, followed by those that another event interrupts."""
+    row, column = cell
     starts = list(zip(plain.phase, waits.tolist(), strict=True))
     trials = [
-        Trial(row, phase, column, wait + later - 1, second)
+        CellTrial(row, phase, column, wait + later - 1, second)
         for second, later, (phase, wait) in product(subject.interruptions(row, column), LATER, starts)
     ]
-    if not trials:
-        return None
-    recording = record(subject.role, trials, _ticks(subject, row, column) + max(LATER))
-    layer = int(machine.layer_of[row])
+    ticks = _ticks(subject, row, column) + max(LATER)
+    at_once = max(MOST_JOINTS // (ticks * len(subject.role.character.skeleton)), 1)
+    for first in range(0, len(trials), at_once):
+        plain = plain.append(_play_interrupted(subject, column, trials[first : first + at_once], ticks))
+    return plain
+
+
+def _play_interrupted(subject: Subject, column: int, trials: Sequence[CellTrial], ticks: int) -> Played:
+    """The figures of interrupted trials of a cell in which both events were taken."""
+    recording = record(subject.role, trials, ticks, subject.checkpoint)
+    layer = int(subject.role.machine.layer_of[trials[0].state])
     first = change_ticks(recording, layer, column)
     last = recording.sent + np.array([trial.second_tick for trial in trials]) + 1
     cause = recording.event[np.minimum(last, len(recording.event) - 1), np.arange(len(trials)), layer]
-    is_taken = cause == [trial.second for trial in trials]
-    taken = np.flatnonzero((first >= 0) & is_taken)
+    taken = np.flatnonzero((first >= 0) & (cause == np.array([trial.second for trial in trials])))
     changes = first[taken], last[taken]
-    return _played(subject, recording.take(taken), [trials[k] for k in taken], changes)
+    return _played(subject, recording.take(taken), [trials[k] for k in taken.tolist()], changes)
 
 
 def _played(
-    subject: Subject, recording: Recording, trials: Sequence[Trial], changes: tuple[Ints, Ints]
+    subject: Subject, recording: Recording, trials: Sequence[CellTrial], changes: tuple[Ints, Ints]
 ) -> Played:
     """The figures of trials whose state changed first and last in the ticks `changes`."""
     first, last = changes

@@ -6,10 +6,12 @@ from functools import cached_property
 
 import numpy as np
 
-from statwalk.character.feet import Foot, feet_of
+from statwalk.character.feet import Foot
 from statwalk.character.role import Role
 from statwalk.character.skin_points import SkinPoints, outermost_points
+from statwalk.errors import UnknownNameError
 from statwalk.machine.compile.alternatives import NOW
+from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.travel import reachable
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.stage.measure.jump import joints_shown, most_of
@@ -20,16 +22,18 @@ Cell = tuple[int, int]
 
 
 class Subject:
-    """A role that is measured; its parts are made on first use."""
+    """A role that is measured; its parts are made on first use. `checkpoint` is called between the pieces of
+    the work, and ends it by raising.
+    """
 
-    def __init__(self, role: Role) -> None:
-        self.role = role
+    def __init__(self, role: Role, checkpoint: Checkpoint = go_on) -> None:
+        self.role, self.checkpoint = role, checkpoint
         self._most: dict[int, Floats] = {}
 
     @cached_property
     def feet(self) -> tuple[Foot, ...]:
         """Returns the feet."""
-        return feet_of(self.role.character)
+        return self.role.feet
 
     @cached_property
     def skin(self) -> SkinPoints:
@@ -83,6 +87,16 @@ class Subject:
     def name(self, cell: Cell) -> str:
         """Returns `STATE/EVENT`."""
         return f"{self.role.machine.states[cell[0]]}/{self.role.machine.events[cell[1]]}"
+
+    def cell(self, name: str) -> Cell:
+        """Returns the cell with a name, `STATE/EVENT`.
+
+        :raises UnknownNameError: when no cell that changes the state has this name.
+        """
+        names = {self.name(cell): cell for cell in self.cells}
+        if name not in names:
+            raise UnknownNameError("cell that changes the state", name, names)
+        return names[name]
 
     def line(self, row: int, event: str) -> int:
         """Returns the line of the cell of a state and an event in the machine file; of the state if `event`

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from statwalk.character.role import Role
+from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.runtime.result import Changes
 from statwalk.machine.runtime.state import MachineState, fresh
 from statwalk.maths.arrays import Floats, Ints
@@ -36,7 +37,7 @@ LEAST = 2
 NEVER = -1
 
 
-class Trial(NamedTuple):
+class CellTrial(NamedTuple):
     """An actor in a state of the machine at a phase, and the events that it gets."""
 
     state: int
@@ -93,8 +94,8 @@ def placed(points: Floats, position: Floats, heading: Floats) -> Floats:
     return turned + position[..., None, :]
 
 
-def record(role: Role, trials: Sequence[Trial], ticks: int) -> Recording:
-    """Plays trials side by side for `ticks` ticks at 60 Hz."""
+def record(role: Role, trials: Sequence[CellTrial], ticks: int, checkpoint: Checkpoint = go_on) -> Recording:
+    """Plays trials side by side for `ticks` ticks at 60 Hz; calls `checkpoint` before each."""
     start, sent = _beginnings(role, trials)
     state = StageState(
         casts={role.name: _cast(role, trials, start)},
@@ -105,6 +106,7 @@ def record(role: Role, trials: Sequence[Trial], ticks: int) -> Recording:
     due = _commands(role, trials, sent)
     roles, shots = {role.name: role}, [_shot(role, state, Effects())]
     for tick in range(1, ticks):
+        checkpoint()
         state, effects = advance(roles, state, due.get(tick - 1, []), 1 / RATE, 0)
         shots.append(_shot(role, state, effects))
     rows, targets, *shown = (np.stack(column) for column in zip(*shots, strict=True))
@@ -113,7 +115,7 @@ def record(role: Role, trials: Sequence[Trial], ticks: int) -> Recording:
     return Recording(role, sent, machine, event, position, heading, left, *worlds)
 
 
-def _beginnings(role: Role, trials: Sequence[Trial]) -> tuple[Floats, Ints]:
+def _beginnings(role: Role, trials: Sequence[CellTrial]) -> tuple[Floats, Ints]:
     """For each trial the seconds into its motion at which it is put on the stage, and the tick of its
     event.
     """
@@ -127,7 +129,7 @@ def _beginnings(role: Role, trials: Sequence[Trial]) -> tuple[Floats, Ints]:
     return np.where(machine.loop[states], np.mod(start, laps), start), ticks.astype(np.int64)
 
 
-def _commands(role: Role, trials: Sequence[Trial], sent: Ints) -> dict[int, list[Press]]:
+def _commands(role: Role, trials: Sequence[CellTrial], sent: Ints) -> dict[int, list[Press]]:
     """The inputs by the tick before they count; END is no input."""
     due: dict[int, list[Press]] = {}
     events = role.machine.events
@@ -150,7 +152,7 @@ def machines_at(role: Role, states: Ints, times: Floats) -> MachineState:
     return machine
 
 
-def _cast(role: Role, trials: Sequence[Trial], start: Floats) -> CastState:
+def _cast(role: Role, trials: Sequence[CellTrial], start: Floats) -> CastState:
     """The actors where they begin: in the pose of their motion, which moves as the motion moves."""
     nowhere = np.zeros((len(trials), 3))
     cast = enter(role, range(1, len(trials) + 1), nowhere, nowhere[:, 0])

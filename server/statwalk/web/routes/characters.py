@@ -9,6 +9,8 @@ from fastapi import APIRouter, Depends, Response
 
 from statwalk.character.chain_of_names import chain_joints
 from statwalk.character.character import Character
+from statwalk.character.feet import feet_of
+from statwalk.character.foot_contacts import contacts_of
 from statwalk.files.machine_yaml.state_names import MEANINGS, proposed
 from statwalk.maths import quat
 from statwalk.maths.pose import Pose
@@ -25,6 +27,7 @@ from statwalk.web.schemas.character import (
     ShippedCharacterView,
     UploadedCharacterView,
 )
+from statwalk.web.schemas.measured import FeetView, feet_view
 from statwalk.web.schemas.solve import NewSolve, PoseSource, SolvedJointView, SolveView
 
 router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
@@ -72,6 +75,14 @@ def get_character(name: str, catalogue: CatalogueDep) -> CharacterView:
         notes=list(character.notes),
         model=f"/api/characters/{name}/model.glb",
     )
+
+
+@router.get("/{name}/feet")
+def get_character_feet(name: str, catalogue: CatalogueDep) -> FeetView:
+    """Returns the feet that the names of the joints tell, and the spans of the clips in which they stand."""
+    character = catalogue.character(name)
+    feet = feet_of(character)
+    return feet_view(character.skeleton, feet, contacts_of(character, feet))
 
 
 @router.get(

@@ -17,20 +17,23 @@ from statwalk.machine.compile.resolved_table import ResolvedTable
 from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.machine_definition import (
     BlendDefinition,
-    SenseDefinition,
     StateDefinition,
-    TouchDefinition,
 )
+from statwalk.machine.definition.sense_definition import SenseDefinition, TouchDefinition
 from statwalk.machine.graph import edges, full_table
 from statwalk.services.hosting.machine_versions import MachineVersion, saved
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.library.catalogue import Catalogue, Entry
+from statwalk.services.library.measuring import measured
+from statwalk.stage.measure.figures import UNITS
+from statwalk.stage.measure.over_budget import over_budget
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, catalogue_of, registry_of
 from statwalk.web.routes.limit_views import limit_views
 from statwalk.web.schemas.base import ResponseModel
 from statwalk.web.schemas.finding import FindingsView, finding_views
 from statwalk.web.schemas.machine import MachineSummary, MachineView
+from statwalk.web.schemas.measured import FeetView, MeasurementsView, feet_view, measured_view
 from statwalk.web.schemas.table import (
     CellView,
     ColliderView,
@@ -184,3 +187,30 @@ def verify_machine(name: str, catalogue: CatalogueDep, token: LongWorkToken) -> 
     refuted.
     """
     return FindingsView(findings=finding_views(catalogue.role(name).verify(token.check)))
+
+
+@router.get("/{name}/measure")
+def measure_machine(
+    name: str, catalogue: CatalogueDep, token: LongWorkToken, cell: str = ""
+) -> MeasurementsView:
+    """Plays every transition of a machine from ten phases and through interruptions, or one
+    (`?cell=WALK/STOP`), and returns what feet, knees, hands and joints do, and what is over the budgets of
+    the machine's file.
+    """
+    role = catalogue.role(name)
+    rows = measured(role, cell, token.check)
+    return MeasurementsView(
+        units=dict(UNITS),
+        budgets={figure: budget.most for figure, budget in role.definition.budgets.items()},
+        measured=[measured_view(row) for row in rows],
+        findings=finding_views(list(over_budget(role.definition, rows))),
+    )
+
+
+@router.get("/{name}/feet")
+def get_feet(name: str, catalogue: CatalogueDep) -> FeetView:
+    """Returns the feet of a machine's character, and the spans of its clips in which they stand on the
+    ground, with the corrections of the machine's file.
+    """
+    role = catalogue.role(name)
+    return feet_view(role.character.skeleton, role.feet, role.contacts)

@@ -60,6 +60,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/characters/{name}/feet": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Character Feet
+         * @description Returns the feet that the names of the joints tell, and the spans of the clips in which they stand.
+         */
+        get: operations["get_character_feet_api_characters__name__feet_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/characters/{name}/model.glb": {
         parameters: {
             query?: never;
@@ -215,6 +235,49 @@ export interface paths {
          *     refuted.
          */
         get: operations["verify_machine_api_machines__name__verify_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/measure": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Measure Machine
+         * @description Plays every transition of a machine from ten phases and through interruptions, or one
+         *     (`?cell=WALK/STOP`), and returns what feet, knees, hands and joints do, and what is over the budgets of
+         *     the machine's file.
+         */
+        get: operations["measure_machine_api_machines__name__measure_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/feet": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Feet
+         * @description Returns the feet of a machine's character, and the spans of its clips in which they stand on the
+         *     ground, with the corrections of the machine's file.
+         */
+        get: operations["get_feet_api_machines__name__feet_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -965,6 +1028,16 @@ export interface components {
             angle_deg: number;
             distance: number;
         };
+        /** @description The contacts of all feet in a clip. */
+        ClipContactsView: {
+            clip: string;
+            feet: components["schemas"]["FootContactView"][];
+            /** @description x, z (m/s) of the ground under a clip that walks on the spot */
+            drift: [
+                number,
+                number
+            ];
+        };
         /** @description A clip; `duration` in seconds. */
         ClipView: {
             name: string;
@@ -1012,6 +1085,7 @@ export interface components {
         CurvesView: {
             times: number[];
             curves: components["schemas"]["CurveView"][];
+        };
         /** @description A bone with everything that is known of it. */
         DeducedBoneView: {
             name: string;
@@ -1124,10 +1198,29 @@ export interface components {
             curve: string;
             joints: components["schemas"]["MovedView"][];
         };
+        /** @description The feet of a character and their contacts in its clips. */
+        FeetView: {
+            feet: components["schemas"]["FootView"][];
+            clips: components["schemas"]["ClipContactsView"][];
+        };
         /** @description A wrong member of the request, or a wrong place in a file, and what is wrong with it. */
         FieldError: {
             field: string;
             message: string;
+        };
+        /**
+         * @description One figure: its mean over the phases without interruptions, its worst, and where that is; null: never,
+         *     for a response that does not come.
+         */
+        FigureView: {
+            mean: number | null;
+            worst: number | null;
+            phase: number;
+            joint: string;
+            /** @description the event that interrupted the worst; empty: none */
+            then: string;
+            /** @description after which it came */
+            ticks: number;
         };
         /** @description A fault of a machine, or a property that is proved or refuted; `line` 0: it has no line in the file. */
         FindingView: {
@@ -1149,6 +1242,31 @@ export interface components {
         /** @description All findings of the verifier about one machine. */
         FindingsView: {
             findings: components["schemas"]["FindingView"][];
+        };
+        /** @description The spans of phase in which a foot stands on the ground, and in which its heel and its ball do. */
+        FootContactView: {
+            foot: string;
+            planted: [
+                number,
+                number
+            ][];
+            heel: [
+                number,
+                number
+            ][];
+            ball: [
+                number,
+                number
+            ][];
+        };
+        /** @description A foot and the joints of its leg; an empty name: none. `points` is the number of points of its sole. */
+        FootView: {
+            name: string;
+            hip: string;
+            knee: string;
+            ankle: string;
+            toe: string;
+            points: number;
         };
         /** @description A value and its source: `given`, `default`, `rule 8`, `expression, line 3`. */
         FoundView: {
@@ -1394,6 +1512,31 @@ export interface components {
             name: string;
             phase: number;
         };
+        /** @description The figures of a cell, or of a state's motion by itself (`event` empty). */
+        MeasuredView: {
+            state: string;
+            event: string;
+            layer: string;
+            line: number;
+            trials: number;
+            figures: {
+                [key: string]: components["schemas"]["FigureView"];
+            };
+        };
+        /**
+         * @description What was measured of a machine, in the units of the figures, and what is over the budgets of its
+         *     file.
+         */
+        MeasurementsView: {
+            units: {
+                [key: string]: string;
+            };
+            budgets: {
+                [key: string]: number;
+            };
+            measured: components["schemas"]["MeasuredView"][];
+            findings: components["schemas"]["FindingView"][];
+        };
         /** @description The event is sent in `tick` instead of its own tick. */
         MomentChange: {
             /**
@@ -1510,6 +1653,7 @@ export interface components {
             unmapped_target: string[];
             scale: number;
             notes: string[];
+        };
         /** @description Keys whose times rise, the names of interpolations, and how many samples of each to return. */
         NewCurves: {
             keys: components["schemas"]["NewKey"][];
@@ -2398,6 +2542,7 @@ export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
 export type CharacterView = components['schemas']['CharacterView'];
 export type ClampedView = components['schemas']['ClampedView'];
+export type ClipContactsView = components['schemas']['ClipContactsView'];
 export type ClipView = components['schemas']['ClipView'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type CurveView = components['schemas']['CurveView'];
@@ -2407,9 +2552,13 @@ export type DeductionView = components['schemas']['DeductionView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
+export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
+export type FigureView = components['schemas']['FigureView'];
 export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
+export type FootContactView = components['schemas']['FootContactView'];
+export type FootView = components['schemas']['FootView'];
 export type FoundView = components['schemas']['FoundView'];
 export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
@@ -2426,6 +2575,8 @@ export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
 export type MappingView = components['schemas']['MappingView'];
 export type MarkerView = components['schemas']['MarkerView'];
+export type MeasuredView = components['schemas']['MeasuredView'];
+export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
 export type MotionPathView = components['schemas']['MotionPathView'];
 export type MovedView = components['schemas']['MovedView'];
@@ -2623,6 +2774,32 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    get_character_feet_api_characters__name__feet_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FeetView"];
+                };
             };
             /** @description Client Error */
             "4XX": components["responses"]["Problem"];
@@ -2894,6 +3071,60 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["FindingsView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    measure_machine_api_machines__name__measure_get: {
+        parameters: {
+            query?: {
+                cell?: string;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MeasurementsView"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    get_feet_api_machines__name__feet_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FeetView"];
                 };
             };
             /** @description Client Error */

@@ -13,6 +13,15 @@ export class VersionBar {
     class: "plain count",
     title: "what the verifier says of the table",
   });
+  private readonly measure = el(
+    "button",
+    {
+      type: "button",
+      class: "plain",
+      title: "play every transition, and measure it: feet, knees, hands, jumps",
+    },
+    "measure",
+  );
   private readonly undo = el(
     "button",
     { type: "button", class: "undo", title: "the version before (Ctrl+Z)" },
@@ -25,12 +34,22 @@ export class VersionBar {
     private readonly editing: Editing,
     showFindings: () => void,
   ) {
-    host.append(this.version, this.what, this.findings, this.undo);
+    host.append(this.version, this.what, this.findings, this.measure, this.undo);
     this.findings.addEventListener("click", showFindings);
+    this.measure.addEventListener("click", () => void this.measured());
     this.undo.addEventListener("click", () => void editing.undo());
     window.addEventListener("keydown", (press) => this.pressed(press));
     session.machine.on(() => this.show());
     for (const signal of [editing.newest, editing.findings]) signal.on(() => this.show());
+  }
+
+  private async measured(): Promise<void> {
+    this.measure.disabled = true;
+    say(this.measure, "measuring …");
+    const words = await this.editing.measure().catch((error: Error) => error.message);
+    this.session.notices.emit(words);
+    say(this.measure, "measure");
+    this.measure.disabled = false;
   }
 
   private pressed(press: KeyboardEvent): void {

@@ -17,7 +17,8 @@ def slides(recording: Recording, feet: tuple[Foot, ...], watched: Bools) -> Floa
     """Returns (N,) metres: the farthest that a sole point moves over the floor in one contact of a foot.
 
     A contact lasts while any point of the sole is near the floor; a point counts from tick to tick while it
-    is near itself. `watched` (T, N): the ticks that count.
+    is near itself: wholly on the floor, less above it (`2 - 2 ** (height / NEAR)`: Zhang et al.,
+    *Mode-Adaptive Neural Networks*, 2018). `watched` (T, N): the ticks that count.
     """
     farthest = np.zeros(recording.heading.shape[1])
     for foot in feet:
@@ -25,7 +26,9 @@ def slides(recording: Recording, feet: tuple[Foot, ...], watched: Bools) -> Floa
             foot.skin.at(recording.world).astype(np.float64), recording.position, recording.heading
         )
         is_near = (points[..., 1] < NEAR) & watched[..., None]
-        steps = np.linalg.norm(np.diff(points[..., ::2], axis=0), axis=-1) * (is_near[1:] & is_near[:-1])
+        higher = np.maximum(points[1:, ..., 1], points[:-1, ..., 1]).clip(0, NEAR)
+        counts = (is_near[1:] & is_near[:-1]) * (2 - 2 ** (higher / NEAR))
+        steps = np.linalg.norm(np.diff(points[..., ::2], axis=0), axis=-1) * counts
         way = np.zeros(points.shape[1:3])
         for near, step in zip(is_near[1:], steps, strict=True):
             way = np.where(near.any(-1)[:, None], way + step, 0)

@@ -1,0 +1,68 @@
+"""Points of an actor's feet on the stage, from the model matrices of its legs.
+
+`f` FootTables; `legs` the model matrices of `f.joints`; `root` x, y, z of the actor, sine and cosine of its
+heading.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from statwalk.maths.compiling import inlined
+from statwalk.maths.scalar import atan2, sincos
+from statwalk.maths.simd.pose_layout import place_of
+
+
+@inlined
+def stage_point(f: Any, legs: Any, row: int, point: int, root: Any) -> Any:
+    """Returns x, y, z on the stage of an animated point of the sole."""
+    block, lane = place_of(row)
+    place = f.carrier[point]
+    x, y, z = f.point[point, 0], f.point[point, 1], f.point[point, 2]
+    a = legs[block, place, 0, lane] * x + legs[block, place, 1, lane] * y + legs[block, place, 2, lane] * z
+    b = legs[block, place, 4, lane] * x + legs[block, place, 5, lane] * y + legs[block, place, 6, lane] * z
+    c = legs[block, place, 8, lane] * x + legs[block, place, 9, lane] * y + legs[block, place, 10, lane] * z
+    a, b = a + legs[block, place, 3, lane], b + legs[block, place, 7, lane]
+    return on_stage(a, b, c + legs[block, place, 11, lane], root)
+
+
+@inlined
+def on_stage(x: float, y: float, z: float, root: Any) -> Any:
+    """Returns a point of model space on the stage."""
+    return x * root[4] + z * root[3] + root[0], y + root[1], z * root[4] - x * root[3] + root[2]
+
+
+@inlined
+def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
+    """Returns the lowest animated point of a sole, and its x, y, z."""
+    best = f.first_point[foot]
+    bx, by, bz = stage_point(f, legs, row, best, root)
+    for point in range(best + 1, f.first_point[foot + 1]):
+        x, y, z = stage_point(f, legs, row, point, root)
+        if y < by:
+            best, bx, by, bz = point, x, y, z
+    return best, bx, by, bz
+
+
+@inlined
+def ankle_of(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
+    """Returns x, y, z on the stage and the yaw of an animated ankle."""
+    block, lane = place_of(row)
+    place, a = f.ankle[foot], f.ahead[foot]
+    x = legs[block, place, 0, lane] * a[0] + legs[block, place, 1, lane] * a[1]
+    x += legs[block, place, 2, lane] * a[2]
+    z = legs[block, place, 8, lane] * a[0] + legs[block, place, 9, lane] * a[1]
+    z += legs[block, place, 10, lane] * a[2]
+    yaw = atan2(x * root[4] + z * root[3], z * root[4] - x * root[3])
+    px, py, pz = on_stage(
+        legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
+    )
+    return px, py, pz, yaw
+
+
+@inlined
+def shown_point(point: Any, ankle: Any, turn: float, x: float, z: float) -> Any:
+    """Returns x, z of a point of the foot, turned about its ankle by `turn` and moved by x and z."""
+    sine, cosine = sincos(turn)
+    a, c = point[0] - ankle[0], point[2] - ankle[2]
+    return a * cosine + c * sine + ankle[0] + x, c * cosine - a * sine + ankle[2] + z

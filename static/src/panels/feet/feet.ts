@@ -1,0 +1,74 @@
+/** Shows when each foot stands on the ground in the motion that plays: a bar for each foot, and the phase. */
+
+import "./feet.css";
+import * as api from "../../net/api";
+import type { FeetView } from "../../net/types/api.generated";
+import type { Session } from "../../state/session";
+import { el } from "../../ui/dom";
+
+type Span = readonly [number, number];
+
+/** Splits spans that go on beyond phase 1 into parts within 0…1, as percentages: left edge and width. */
+export function bars(spans: readonly (readonly number[])[]): Span[] {
+  return spans.flatMap(([first = 0, last = 0]) => {
+    const parts: Span[] = [[100 * first, 100 * (Math.min(last, 1) - first)]];
+    return last > 1 ? [...parts, [0, 100 * (last - 1)] as const] : parts;
+  });
+}
+
+export class FeetStrip {
+  private readonly rows = el("div", { class: "feet-rows" });
+  private readonly cursor = el("i", { class: "feet-cursor" });
+  private readonly box = el("div", { class: "feet", title: "when each foot stands on the ground" });
+  private feet: FeetView | null = null;
+  private machine = "";
+
+  constructor(
+    host: HTMLElement,
+    private readonly session: Session,
+  ) {
+    this.box.hidden = true;
+    this.box.append(this.rows, this.cursor);
+    host.append(this.box);
+    session.machine.on((machine) => machine && void this.read(machine.name, machine.version));
+    session.state.on(() => this.show());
+  }
+
+  private async read(name: string, version: number): Promise<void> {
+    const wanted = `${name} ${version}`;
+    if (wanted === this.machine) return;
+    this.machine = wanted;
+    const feet = await api.feet(name).catch(() => null);
+    if (wanted !== this.machine) return;
+    this.feet = feet;
+    this.show();
+  }
+
+  private show(): void {
+    const state = this.session.machine.value?.states[this.session.state.value ?? -1];
+    const clip =
+      state && !state.over.length ? this.feet?.clips.find((one) => one.clip === state.motion) : null;
+    this.box.hidden = !clip?.feet.length;
+    const rows = (clip?.feet ?? []).map(({ foot, planted }) =>
+      el(
+        "div",
+        { class: "feet-row" },
+        el("span", {}, foot),
+        el("div", {}, ...bars(planted).map(([left, width]) => bar(left, width))),
+      ),
+    );
+    this.rows.replaceChildren(...rows);
+  }
+
+  /** Moves the cursor to the phase of the motion, 0…1. */
+  update(phase: number | null): void {
+    if (!this.box.hidden) this.cursor.style.setProperty("--phase", String(phase ?? 0));
+  }
+}
+
+function bar(left: number, width: number): HTMLElement {
+  const mark = el("i", {});
+  mark.style.left = `${left}%`;
+  mark.style.width = `${width}%`;
+  return mark;
+}
