@@ -1,5 +1,6 @@
 """`statwalk new`: a folder that verifies and plays."""
 
+import os
 import subprocess
 import sys
 
@@ -10,7 +11,9 @@ WALKER = MACHINES / "faq-walker" / "walker.glb"
 
 def statwalk(*arguments, cwd):
     command = [sys.executable, "-m", "statwalk.cli", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, cwd=cwd, env={"COLUMNS": "200"})
+    return subprocess.run(
+        command, capture_output=True, text=True, cwd=cwd, env={**os.environ, "COLUMNS": "200"}
+    )
 
 
 @needs_assets

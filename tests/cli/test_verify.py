@@ -1,5 +1,6 @@
 """`statwalk verify`: what it prints, and its exit status."""
 
+import os
 import subprocess
 import sys
 
@@ -10,7 +11,7 @@ from paths import MACHINES
 
 def run(*arguments):
     command = [sys.executable, "-m", "statwalk.cli", "verify", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, env={"COLUMNS": "200"})
+    return subprocess.run(command, capture_output=True, text=True, env={**os.environ, "COLUMNS": "200"})
 
 
 def test_errors_are_printed_and_make_status_1():
