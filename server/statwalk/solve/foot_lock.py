@@ -100,7 +100,7 @@ def step_foot(
     from one motion into another; `other`: -1 if it is the only foot.
     """
     ankle = ankle_of(f, legs, row, foot, root)
-    low = lowest_point(f, legs, row, foot, root)
+    low = lowest_point(f, legs, row, foot, root, keep[row, at + X], keep[row, at + Z])
     speed = _speed(f, legs, keep, row, at, low, root, dt)
     if keep[row, at + SINCE] < 0.0:
         _begin(f, keep, row, at, low, ankle, root, is_down)
