@@ -44,12 +44,12 @@ def test_the_models_are_valid(path):
     assert khronos.errors((MACHINES / path).read_bytes()) == []
 
 
-def test_there_are_three():
-    assert shipped_scenes() == ["geese", "playground", "swarm"]
+def test_there_are_four():
+    assert shipped_scenes() == ["geese", "joints", "playground", "swarm"]
 
 
 def test_scenes_are_no_machines_but_their_machines_can_be_loaded():
-    assert not {"playground", "geese", "swarm"} & set(shipped_machines())
+    assert not {"playground", "geese", "joints", "swarm"} & set(shipped_machines())
     assert load("playground.door").name == "playground.door"
 
 
