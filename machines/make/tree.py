@@ -20,7 +20,7 @@ SMALLEST = 1e-3
 LEAVES, LEAF = 15, 0.15
 """leaves at the end of a twig; metres"""
 RATE = 10
-FALL_S, FADE_S, SHRINK_S, WITHER_S = 1.4, 0.5, 2.2, 6.4
+FALL_S, FADE_S, SHRINK_S, WITHER_S = 1.4, 0.5, 3.0, 7.2
 WIND_S = 4.0
 ROD_AT = (-1.55, 0.0, -0.25)
 TREE = Tree()
