@@ -1,5 +1,7 @@
 """The FAQ's hand of 16 bones (Q2, Q11), in a skin, upright in a cuff."""
 
+from collections.abc import Callable, Mapping
+
 import numpy as np
 from hand_poses import (
     BONES,
@@ -15,13 +17,13 @@ from hand_poses import (
     length,
     one_after_another,
 )
-from model import Model, material
+from model import Model, Motion, material
 from shapes import Array, Mesh, ball, joined, lathe, pipe
 
 SKIN = material("skin", "#d79f80", 0.65)
 CLOTH, EDGE = material("cloth", "#34557a", 0.9), material("edge", "#e9e4d8", 0.8)
 NAIL = material("nail", "#f0cdbd", 0.4)
-WIDE = {"little": 0.56, "ring": 0.64, "mid": 0.68, "index": 0.66}
+WIDE = {"little": 0.6, "ring": 0.7, "mid": 0.74, "index": 0.72}
 """centimetres: half the width of a finger at its root"""
 KNUCKLE = length("lowerarm") + length("palm")
 SOFT = 0.55
@@ -55,7 +57,7 @@ def make() -> Model:
     return model
 
 
-def _turned(motion):
+def _turned(motion: Mapping[str, Callable[[Array], Array]]) -> Motion:
     return {(bone, "rotation"): turns for bone, turns in motion.items()}
 
 
@@ -94,7 +96,11 @@ def _forearm() -> tuple[Mesh, dict[str, Array]]:
     heights = np.concatenate([np.linspace(9, 35.6, 50), [35.85, 36.0, 36.1, 36.18, 36.25]])
     middle, width, depth = (np.interp(heights, fine[:, 0], fine[:, column]) for column in (1, 2, 3))
     mesh = pipe(
-        [(x, y, 0.0) for x, y in zip(middle, heights, strict=True)], (1, 0, 0), width.tolist(), depth.tolist(), 28
+        [(x, y, 0.0) for x, y in zip(middle, heights, strict=True)],
+        (1, 0, 0),
+        width.tolist(),
+        depth.tolist(),
+        28,
     )
     palm = _step(mesh.points[:, 1], length("lowerarm"), 1.2)
     return mesh, {"lowerarm": 1 - palm, "palm": palm}
@@ -105,7 +111,9 @@ def _finger(name: str) -> tuple[Mesh, dict[str, Array]]:
     base = length(f"{name}base") * direction(f"{name}base")
     ends = np.cumsum([base[1], length(f"{name}mid"), length(f"{name}end")])
     full, wide = float(ends[2]), WIDE[name]
-    y = np.concatenate([np.linspace(-1.6, full - wide, 34), full - wide + wide * np.sin(np.linspace(0.2, np.pi / 2, 8))])
+    y = np.concatenate(
+        [np.linspace(-1.6, full - wide, 34), full - wide + wide * np.sin(np.linspace(0.2, np.pi / 2, 8))]
+    )
     thick = np.interp(y, [-1.6, 0.4, ends[0], ends[1], full], wide * np.array([1.0, 1.05, 0.97, 0.9, 0.84]))
     thick *= np.sqrt(np.clip(1 - np.clip((y - full + wide) / wide, 0, 1) ** 2, 0, 1))
     thick[-1] = 0
@@ -133,12 +141,23 @@ def _thumb() -> tuple[Mesh, dict[str, Array]]:
     """The thumb with its ball, from the wrist."""
     wrist = np.array([0.0, length("lowerarm"), 0.0])
     first, second = length("thumbbase"), length("thumbend")
-    y = np.concatenate([np.linspace(0.3, first + second - 0.7, 32), first + second - 0.7 + 0.7 * np.sin(np.linspace(0.2, np.pi / 2, 8))])
-    thick = np.interp(y, [0.3, 1.6, 3.2, 5.0, 6.6, 8.0, 9.4, 11.0], [1.15, 1.5, 1.5, 1.1, 0.84, 0.86, 0.8, 0.66])
+    y = np.concatenate(
+        [
+            np.linspace(0.3, first + second - 0.7, 32),
+            first + second - 0.7 + 0.7 * np.sin(np.linspace(0.2, np.pi / 2, 8)),
+        ]
+    )
+    thick = np.interp(
+        y, [0.3, 1.6, 3.2, 5.0, 6.6, 8.0, 9.4, 11.0], [1.15, 1.5, 1.5, 1.1, 0.84, 0.86, 0.8, 0.66]
+    )
     thick *= np.sqrt(np.clip(1 - np.clip((y - first - second + 0.7) / 0.7, 0, 1) ** 2, 0, 1))
     thick[-1] = 0
     spine = [
-        tuple((wrist + min(a, first) * direction("thumbbase") + max(a - first, 0) * direction("thumbend")).tolist())
+        tuple(
+            (
+                wrist + min(a, first) * direction("thumbbase") + max(a - first, 0) * direction("thumbend")
+            ).tolist()
+        )
         for a in y
     ]
     mesh = pipe(spine, (0, 0, 1), (0.95 * thick).tolist(), thick.tolist(), 16)
@@ -150,7 +169,7 @@ def _thumb() -> tuple[Mesh, dict[str, Array]]:
 def _web() -> tuple[Mesh, dict[str, Array]]:
     """The skin between the thumb and the palm: half of each."""
     wrist = np.array([0.3, length("lowerarm") + 0.4, 0.0])
-    way = direction("thumbbase") + [0.0, 1.1, 0.0]
+    way = direction("thumbbase") + np.array([0.0, 1.1, 0.0])
     way = way / np.linalg.norm(way)
     part = np.linspace(0, 1, 12)
     width = 1.75 * np.sin(np.pi * np.clip(part, 0, 1)) ** 0.7
@@ -168,8 +187,17 @@ def _step(values: Array, at: float, soft: float) -> Array:
 
 
 def _cuff(model: Model) -> None:
-    sleeve = [(0.0, 0.0), (4.3, 0.0), (4.3, 0.0), (4.0, 4.0), (3.75, 9.0), (3.75, 9.0), (3.3, 9.1), (2.9, 8.5)]
-    shirt = [(3.4, 8.6), (3.4, 10.6), (3.4, 10.6), (3.15, 10.7), (3.0, 9.5)]
+    sleeve = [
+        (0.0, 0.0),
+        (4.4, 0.0),
+        (4.4, 0.0),
+        (4.1, 8.0),
+        (3.7, 15.0),
+        (3.7, 15.0),
+        (3.2, 15.1),
+        (2.8, 14.5),
+    ]
+    shirt = [(3.3, 14.6), (3.3, 16.6), (3.3, 16.6), (3.05, 16.7), (2.9, 15.5)]
     for profile, stuff in ((sleeve, CLOTH), (shirt, EDGE)):
         mesh = lathe([(CM * r, CM * y) for r, y in profile], 32)
         model.part("lowerarm", mesh, stuff)

@@ -52,7 +52,7 @@ def folded(finger: str) -> tuple[Array, Array, Array]:
     angles = np.radians([FOLDED_DEG, FOLDED_DEG, FOLDED_DEG + LAST_DEG])
 
     def over(middle: float) -> float:
-        sines = np.sin(angles + [0.0, middle, middle])
+        sines = np.sin(angles + np.array([0.0, middle, middle]))
         return float(sines @ [first, length(f"{finger}mid"), length(f"{finger}end")]) - INSIDE
 
     return bent(FOLDED_DEG, float(np.degrees(brentq(over, np.radians(70), np.radians(120)))), LAST_DEG)
@@ -119,7 +119,9 @@ def one_after_another(
         first, last = Rotation.from_quat(start[bone]), Rotation.from_quat(end[bone])
         way = (first.inv() * last).as_rotvec()
 
-        def turns(t: Array, first: Rotation = first, way: Array = way, late: float = STAGGER_S * digit) -> Array:
+        def turns(
+            t: Array, first: Rotation = first, way: Array = way, late: float = STAGGER_S * digit
+        ) -> Array:
             x = np.clip((np.asarray(t, float) - late) / TURN_S, 0, 1)
             part = x * x * x * (10 + x * (6 * x - 15))
             return np.asarray((first * Rotation.from_rotvec(part[:, None] * way)).as_quat())

@@ -4,6 +4,8 @@ feed.
 A joint NAME is the beginning of each bone, and NAME.girth widens it; a twig has NAME.end and NAME.leaves.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from model import Model, material, turn_about
 from shapes import Array, Mesh, ball, joined, lathe, pipe, smooth
@@ -15,15 +17,23 @@ GREENS = (
     material("young leaf", "#8fbc4b", 0.7, doubleSided=True),
 )
 EARTH, GRASS = material("earth", "#6b4f3a", 1.0), material("grass", "#8aa860", 1.0)
-RED, WHITE, NUT = material("red", "#c9463a", 0.6), material("white", "#f2efe8", 0.6), material("seed", "#a9743f")
+RED, WHITE, NUT = (
+    material("red", "#c9463a", 0.6),
+    material("white", "#f2efe8", 0.6),
+    material("seed", "#a9743f"),
+)
 SMALLEST = 1e-3
-LEAVES, LEAF = 15, 0.15
+LEAVES, LEAF = 26, 0.19
 """leaves at the end of a twig; metres"""
 RATE = 10
 FALL_S, FADE_S, SHRINK_S, WITHER_S = 1.4, 0.5, 3.0, 7.2
 WIND_S = 4.0
-ROD_AT = (-1.55, 0.0, -0.25)
+ROD_AT = (-1.12, 0.0, -0.3)
 TREE = Tree()
+Times = Callable[[Array], Array]
+Motions = dict[tuple[str, str], Callable[[Array], Array]]
+Shares = dict[str, list[tuple[int, Array]]]
+"""by joint: the first point of a piece of surface, and the weights of its points"""
 
 
 def make() -> Model:
@@ -50,9 +60,9 @@ def make() -> Model:
     return model
 
 
-def _growth(age):
+def _growth(age: Times) -> Motions:
     """The motion whose lengths and girths are those of the tree's age, seconds, at each time."""
-    motion = {}
+    motion: Motions = {}
     for bone in TREE.bones.values():
         ends = TREE.children[bone.name] or [f"{bone.name}.end"]
         for end in ends:
@@ -79,9 +89,9 @@ def _withered(t: Array) -> Array:
     return TREE.seconds * (1 - grown(t, WITHER_S - SHRINK_S, SHRINK_S))
 
 
-def _falling():
+def _falling() -> Motions:
     """Leaves let go one after the other, from the highest to the lowest, fall, and fade on the ground."""
-    motion = {}
+    motion: Motions = {}
     rows = sorted(TREE.tips, key=lambda name: -float(TREE.start(name)[1]))
     for place, name in enumerate(rows):
         begin = 2.1 * place / len(rows)
@@ -98,9 +108,9 @@ def _falling():
     return motion
 
 
-def _drooping():
+def _drooping() -> Motions:
     """Boughs sink before the tree goes."""
-    motion = {}
+    motion: Motions = {}
     for name in TREE.bones:
         if name.startswith("bough") and "." not in name:
             x, _, z = TREE.bones[name].direction
@@ -111,9 +121,9 @@ def _drooping():
     return motion
 
 
-def _wind():
+def _wind() -> Motions:
     """Turns about the wind's axis: the trunk slowly, boughs and twigs faster and each at its own moment."""
-    motion = {}
+    motion: Motions = {}
     for place, name in enumerate(TREE.bones):
         many, most = (1, 0.7) if name.startswith("trunk") else (2, 2.2) if "." not in name else (3, 4.0)
         motion[name, "rotation"] = lambda t, many=many, most=most, late=0.4 * place: turn_about(
@@ -123,7 +133,8 @@ def _wind():
 
 
 def _wood(model: Model) -> None:
-    pieces, shares = [], {}
+    pieces: list[Mesh] = []
+    shares: Shares = {}
     for name in TREE.bones:
         mesh, along = _tube(name)
         before = sum(len(piece.points) for piece in pieces)
@@ -152,7 +163,7 @@ def _tube(name: str) -> tuple[Mesh, Array]:
     return mesh, np.repeat(part, segments)
 
 
-def _spread(shares, count: int) -> dict[str, Array]:
+def _spread(shares: Shares, count: int) -> dict[str, Array]:
     out = {}
     for joint, pieces in shares.items():
         weights = np.zeros(count)
@@ -164,7 +175,8 @@ def _spread(shares, count: int) -> dict[str, Array]:
 
 def _crown(model: Model) -> None:
     for shade, stuff in enumerate(GREENS):
-        pieces, shares = [], {}
+        pieces: list[Mesh] = []
+        shares: Shares = {}
         for place, name in enumerate(TREE.tips):
             if place % 2 == shade:
                 before = sum(len(piece.points) for piece in pieces)
@@ -195,14 +207,21 @@ def _leaf(way: Array, size: float) -> Mesh:
     side /= np.linalg.norm(side)
     up = np.cross(side, ahead)
     long, wide = LEAF * size, 0.33 * LEAF * size
-    flat = [(0.1, 0, 0), (0.45, 1, 0.25), (0.8, 0.6, 0.1), (1.05, 0, -0.2), (0.8, -0.6, 0.1), (0.45, -1, 0.25)]
+    flat = [
+        (0.1, 0, 0),
+        (0.45, 1, 0.25),
+        (0.8, 0.6, 0.1),
+        (1.05, 0, -0.2),
+        (0.8, -0.6, 0.1),
+        (0.45, -1, 0.25),
+    ]
     points = np.array([long * a * ahead + wide * (s * side + u * up) for a, s, u in flat])
     return smooth(points, np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]]))
 
 
 def _patch(model: Model) -> None:
     rim = [(1.0, 0.0), (1.0, 0.0), (0.97, 0.018), (0.5, 0.03), (0.0, 0.035)]
-    model.part("ground", lathe([(1.85 * r, y) for r, y in rim], 48), GRASS)
+    model.part("ground", lathe([(1.3 * r, y) for r, y in rim], 48), GRASS)
     hill = [(0.3, 0.02), (0.24, 0.045), (0.12, 0.065), (0.0, 0.07)]
     model.part("ground", lathe(hill, 24), EARTH)
     nut = ball(0.045)

@@ -58,7 +58,12 @@ class Tree:
         for side, aside in (("a", 48.0), ("b", -46.0)):
             self._twig(f"{name}.{side}", name, 0.5 * length, turn + aside, rise + 12, branch=True)
             self._twig(
-                f"{name}.mid.{side}", f"{name}.mid", 0.36 * length, turn + 0.75 * aside, rise + 24, branch=True
+                f"{name}.mid.{side}",
+                f"{name}.mid",
+                0.36 * length,
+                turn + 0.75 * aside,
+                rise + 24,
+                branch=True,
             )
         self._twig(f"{name}.far", f"{name}.mid", 0.46 * length, turn - 6, rise + 18)
 

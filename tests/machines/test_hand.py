@@ -70,7 +70,10 @@ def test_spread_fingers_are_farther_apart_than_at_rest():
 
 
 def test_one_finger_after_the_other():
-    ends, clip = [f"{finger}end" for finger in ("little", "ring", "mid", "index", "thumb")], HAND.clips["close"]
+    ends, clip = (
+        [f"{finger}end" for finger in ("little", "ring", "mid", "index", "thumb")],
+        HAND.clips["close"],
+    )
     first, last = posed("close"), posed("close", clip.duration)
     halfway = []
     for end in ends:
