@@ -169,12 +169,12 @@ def _thumb() -> tuple[Mesh, dict[str, Array]]:
 def _web() -> tuple[Mesh, dict[str, Array]]:
     """The skin between the thumb and the palm: half of each."""
     wrist = np.array([0.3, length("lowerarm") + 0.4, 0.0])
-    way = direction("thumbbase") + np.array([0.0, 1.1, 0.0])
+    way = direction("thumbbase") + np.array([0.0, 0.8, 0.0])
     way = way / np.linalg.norm(way)
     part = np.linspace(0, 1, 12)
-    width = 1.75 * np.sin(np.pi * np.clip(part, 0, 1)) ** 0.7
+    width = 1.6 * (1 - part**2) ** 0.8
     width[-1] = 0
-    spine = [tuple((wrist + 5.6 * x * way).tolist()) for x in part]
+    spine = [tuple((wrist + 4.9 * x * way).tolist()) for x in part]
     mesh = pipe(spine, (1, -0.4, 0), width.tolist(), (0.62 * width).tolist(), 16)
     half = np.full(len(mesh.points), 0.5)
     return mesh, {"palm": half, "thumbbase": half}

@@ -45,6 +45,12 @@ def about_x(degrees: float) -> Array:
     return np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
 
 
+def about_y(degrees: float) -> Array:
+    """The rotation (3, 3) about Y."""
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    return np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+
+
 def about_z(degrees: float) -> Array:
     """The rotation (3, 3) about Z."""
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))

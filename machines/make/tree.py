@@ -8,13 +8,13 @@ from collections.abc import Callable
 
 import numpy as np
 from model import Model, material, turn_about
-from shapes import Array, Mesh, ball, joined, lathe, pipe, smooth
+from shapes import Array, Mesh, ball, joined, lathe, pipe
 from tree_bones import LEAF_S, Tree, grown
 
 BARK = material("bark", "#7a5a41", 0.9)
 GREENS = (
-    material("leaf", "#6f9f3a", 0.7, doubleSided=True),
-    material("young leaf", "#8fbc4b", 0.7, doubleSided=True),
+    material("leaf", "#6f9f3a", 0.7),
+    material("young leaf", "#8fbc4b", 0.7),
 )
 EARTH, GRASS = material("earth", "#6b4f3a", 1.0), material("grass", "#8aa860", 1.0)
 RED, WHITE, NUT = (
@@ -99,12 +99,15 @@ def _falling() -> Motions:
 
         def path(t: Array, begin: float = begin, high: float = high, place: int = place) -> Array:
             x = np.clip((t - begin) / FALL_S, 0, 1)
-            down = x * x * (3 - 2 * x) * high
+            down = x * x * (3 - 2 * x) * (high - 0.07)
             sway = 0.16 * np.sin(2 * np.pi * 1.5 * x) * (1 - x) * x * 4
             return np.stack([sway * np.cos(place), -down, sway * np.sin(place)], -1)
 
         motion[f"{name}.leaves", "translation"] = path
-        motion[f"{name}.leaves", "scale"] = lambda t, begin=begin: _even(1 - grown(t, begin + FALL_S, FADE_S))
+        motion[f"{name}.leaves", "scale"] = lambda t, begin=begin: (
+            _even(1 - grown(t, begin + FALL_S, FADE_S))
+            * (1 - np.outer(grown(t, begin + 0.8 * FALL_S, 0.4), [0.0, 0.7, 0.0]))
+        )
     return motion
 
 
@@ -216,7 +219,10 @@ def _leaf(way: Array, size: float) -> Mesh:
         (0.45, -1, 0.25),
     ]
     points = np.array([long * a * ahead + wide * (s * side + u * up) for a, s, u in flat])
-    return smooth(points, np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]]))
+    faces = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]])
+    shine = ahead + np.array([0.0, 0.8, 0.0])  # both sides are lit as the crown around them
+    normals = np.tile(shine / np.linalg.norm(shine), (len(points), 1))
+    return Mesh(points, normals, np.concatenate([faces, faces[:, ::-1]]))
 
 
 def _patch(model: Model) -> None:
