@@ -226,7 +226,7 @@ def _leaf(way: Array, size: float) -> Mesh:
 
 
 def _patch(model: Model) -> None:
-    rim = [(1.0, 0.0), (1.0, 0.0), (0.97, 0.018), (0.5, 0.03), (0.0, 0.035)]
+    rim = [(1.0, 0.0), (0.97, 0.018), (0.5, 0.03), (0.0, 0.035)]
     model.part("ground", lathe([(1.3 * r, y) for r, y in rim], 48), GRASS)
     hill = [(0.3, 0.02), (0.24, 0.045), (0.12, 0.065), (0.0, 0.07)]
     model.part("ground", lathe(hill, 24), EARTH)

@@ -46,8 +46,8 @@ def test_the_models_are_valid(path):
     assert khronos.errors((MACHINES / path).read_bytes()) == []
 
 
-def test_there_are_three():
-    assert shipped_scenes() == ["geese", "playground", "swarm"]
+def test_there_are_four():
+    assert shipped_scenes() == ["geese", "joints", "playground", "swarm"]
 
 
 def test_scenes_are_no_machines_but_their_machines_can_be_loaded():

@@ -167,7 +167,7 @@ def _pose_blocks(
         keep_block(mem.coming, previous, block)
         # 8 reach: planted feet stay where they stand
         if f.hip.shape[0] > 0:
-            plant_feet(f, chains, clamps, m, s, mem, previous, position, heading, solver_memory, block, dt)
+            plant_feet(f, chains, clamps, m, s, o, mem, previous, position, heading, solver_memory, block, dt)
         # 7 world: the joints that colliders ride on, in model space, once for all readers
         # (`Cast.model`: touches, flocks); the matrices of all joints are computed when they are read
         # (`Actor.world`, the server's frames)
