@@ -1,4 +1,4 @@
-"""IK15 solvers in machine files and in the tick: targets are parameters, weights follow states, nothing pops."""
+"""IK15 solvers in machine files and in the tick: targets are parameters, weights follow states, no pops."""
 
 import numpy as np
 import pytest
@@ -56,7 +56,8 @@ def test_without_weight_every_bit_of_the_pose_stays():
 
 def test_a_weight_by_state_is_eased_both_ways():
     stage, actor = standing(
-        f"reach: {{solver: two-bone, chain: {ARM}, target: grip, space: model, weight: {{WALK: 0.5}}, ease: 0.2}}"
+        f"reach: {{solver: two-bone, chain: {ARM}, target: grip, space: model, "
+        "weight: {WALK: 0.5}, ease: 0.2}"
     )
     stage.step(5)
     assert actor.reached["reach"].weight == 0

@@ -28,7 +28,7 @@ export class ParametersPanel {
 
   private draw(machine: MachineInfo | null): void {
     const rows = (machine?.parameters ?? [])
-      .filter(({ driven }) => !driven)
+      .filter(({ driven, kind }) => !driven && kind !== "point") // points have handles
       .map((parameter) => this.row(parameter));
     this.host.hidden = !rows.length;
     this.host.replaceChildren(...rows);
