@@ -31,6 +31,11 @@ export function pointsOf(machine: MachineInfo | null): Map<string, Point> {
   return points;
 }
 
+/** Whether a machine's character can look at the pointer: it has a point `gaze` and a weight `look`. */
+export function canLook(machine: MachineInfo | null): boolean {
+  return pointsOf(machine).has(GAZE) && machine!.parameters.some(({ name }) => name === LOOK);
+}
+
 export class TargetsPanel {
   private readonly handles: PointHandles;
   private readonly points = new Map<string, Point>();
@@ -68,8 +73,7 @@ export class TargetsPanel {
     const buttons = [...this.points.keys()].map((name) =>
       this.button(`drag ${name}`, `shows a handle that moves the point ${name}`, () => this.toggle(name)),
     );
-    const looks = this.points.has(GAZE) && machine?.parameters.some(({ name }) => name === LOOK);
-    if (looks)
+    if (canLook(machine))
       buttons.push(this.button("look at the pointer", "he looks where you point", () => this.stare()));
     this.host.hidden = !buttons.length;
     this.host.replaceChildren(...buttons);
