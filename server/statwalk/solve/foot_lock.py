@@ -17,7 +17,7 @@ from typing import Any
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.springs import settled
-from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, stage_point
+from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, size_of, stage_point
 from statwalk.solve.foot_tables import (
     EAGER,
     LEAVING,
@@ -48,8 +48,6 @@ STEP, FAR = 0.03, 0.14
 """metres from its motion at which a planted foot takes a step, if the other foot stands; and in any case"""
 TWIST, FAR_TWIST = 0.15, 0.5
 """radians, likewise"""
-TWIST_LENGTH = 0.2
-"""metres that count as one radian, where two feet are compared"""
 SHORTEST_STAND, SHORTEST_STEP = 0.05, 0.1
 """seconds"""
 HARDEST, MOST_EAGER = 40.0, 24.0
@@ -64,13 +62,6 @@ RISE = 28.0
 """1/s: how eagerly a foot comes to its height"""
 ROLL = 0.001
 """metres by which another point of the sole must be lower, for the foot to roll on to it"""
-
-
-@inlined
-def size_of(keep: Any, row: int, at: int) -> Any:
-    """Returns how far a shown foot is from its motion: metres, its turn counted as well."""
-    x, z = keep[row, at + X], keep[row, at + Z]
-    return math.sqrt(x * x + z * z) + TWIST_LENGTH * abs(keep[row, at + TURN])
 
 
 @inlined

@@ -6,12 +6,17 @@ heading.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.scalar import atan2, sincos
 from statwalk.maths.simd.pose_layout import place_of
+from statwalk.solve.foot_tables import TURN, X, Z
 from statwalk.solve.ground import ground_at
+
+TWIST_LENGTH = 0.2
+"""metres that count as one radian, where two feet are compared"""
 
 
 @inlined
@@ -71,3 +76,10 @@ def shown_point(point: Any, ankle: Any, turn: float, x: float, z: float) -> Any:
     sine, cosine = sincos(turn)
     a, c = point[0] - ankle[0], point[2] - ankle[2]
     return a * cosine + c * sine + ankle[0] + x, c * cosine - a * sine + ankle[2] + z
+
+
+@inlined
+def size_of(keep: Any, row: int, at: int) -> Any:
+    """Returns how far a shown foot is from its motion: metres, its turn counted as well."""
+    x, z = keep[row, at + X], keep[row, at + Z]
+    return math.sqrt(x * x + z * z) + TWIST_LENGTH * abs(keep[row, at + TURN])
