@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import captures
 import httpx
 import pytest
 import tiny_model
@@ -30,8 +31,13 @@ WITH_EXAMPLES = [
 
 @pytest.mark.parametrize("document", WITH_EXAMPLES, ids=lambda path: path.name)
 def test_examples_run(document: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The Python blocks of one document run in order, in one namespace, beside a robot of one's own."""
-    (tmp_path / "robot.glb").write_bytes(tiny_model.robot())
+    """The Python blocks of one document run in order, in one namespace, beside a robot and a capture of one's
+    own.
+    """
+    walker = ROOT / "machines" / "faq-walker" / "walker.glb"  # has legs, which a captured motion needs
+    robot = walker.read_bytes() if document.name == "capture.md" else tiny_model.robot()
+    (tmp_path / "robot.glb").write_bytes(robot)
+    (tmp_path / "walk.bvh").write_text(captures.walk())
     monkeypatch.chdir(tmp_path)
     namespace: dict[str, object] = {"__name__": "example"}
     for block in PYTHON.findall(document.read_text()):

@@ -37,10 +37,11 @@ def test_json_is_for_programs():
 def test_a_file_that_cannot_be_read_makes_status_2_and_one_line(tmp_path):
     text = (MACHINES / "faq-walker" / "machine.yaml").read_text()
     (tmp_path / "machine.yaml").write_text(text.replace("initial: STAT", "initial: STAAT"))
+    line = 1 + text.splitlines().index("initial: STAT")
     done = run(tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr.startswith(
-        f"statwalk: {tmp_path}/machine.yaml, line 8: no state is called 'STAAT'; did you mean STAT?"
+        f"statwalk: {tmp_path}/machine.yaml, line {line}: no state is called 'STAAT'; did you mean STAT?"
     )
     assert len(done.stderr.splitlines()) == 1
 

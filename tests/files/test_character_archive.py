@@ -28,10 +28,11 @@ def back(path: Path, folder: Path) -> None:
         character.vertices(character.bind_pose), read.vertices(read.bind_pose), strict=True
     ):
         np.testing.assert_array_equal(before.positions, after.positions)
-    assert (read.skeleton.names, read.materials, read.notes) == (
+    assert (read.skeleton.names, read.materials, read.notes, read.made) == (
         character.skeleton.names,
         character.materials,
         character.notes,
+        character.made,
     )
     assert read.model_glb == character.model_glb
 
@@ -69,7 +70,7 @@ def test_an_archive_of_another_version_is_refused(archive: Path) -> None:
 
 
 def test_an_archive_brings_no_objects(archive: Path) -> None:
-    tree = b'{"format": 1, "objects": [["Popen", {"args": "true"}]], "root": {"object": 0}}'
+    tree = b'{"format": 2, "objects": [["Popen", {"args": "true"}]], "root": {"object": 0}}'
     with archive.open("wb") as opened:
         np.savez(opened, tree=np.frombuffer(tree, np.uint8))
     with pytest.raises(ContentError, match="Popen"):

@@ -51,7 +51,7 @@ def test_there_are_four():
 
 
 def test_scenes_are_no_machines_but_their_machines_can_be_loaded():
-    assert not {"playground", "geese", "swarm"} & set(shipped_machines())
+    assert not {"playground", "geese", "joints", "swarm"} & set(shipped_machines())
     assert load("playground.door").name == "playground.door"
 
 

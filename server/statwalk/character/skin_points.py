@@ -59,7 +59,7 @@ class SkinPoints:
 
     def _row(self, world: Floats, axis: int) -> Floats:
         rows = world[..., axis, :]
-        flat = rows.reshape(*rows.shape[:-2], -1)
+        flat = rows.reshape(*rows.shape[:-2], rows.shape[-2] * rows.shape[-1])
         values: Floats = flat @ self.shares.reshape(-1, self.count).astype(flat.dtype)
         return values
 

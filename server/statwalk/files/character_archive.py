@@ -28,10 +28,12 @@ from statwalk.motion.keys.key_times import KeyTimes
 from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.primitive import Primitive, Skin
 
-FORMAT = 1
+FORMAT = 2
 """increase when a field of one of the classes changes: files of an older format are then written again"""
 _TREE = "tree"
 _OWN_FILE = "model_glb"
+_COLLECTIONS: dict[str, type] = {"list": list, "tuple": tuple, "frozenset": frozenset}
+"""sets are of names, written in their order"""
 _CLASSES: dict[str, type] = {
     kind.__name__: kind
     for kind in (
@@ -110,6 +112,8 @@ class _Writer:
             entry = ["map", {str(name): self.value(part) for name, part in value.items()}]
         elif isinstance(value, list | tuple):
             entry = [type(value).__name__, [self.value(part) for part in value]]
+        elif isinstance(value, frozenset):
+            entry = ["frozenset", sorted(value)]
         else:
             raise TypeError(f"a character holds a {type(value).__name__}, which the archive cannot write")
         self.objects.append(entry)
@@ -150,8 +154,7 @@ class _Reader:
         return self.loaded[name]
 
     def _build(self, kind: str, parts: Any) -> Any:
-        if kind in ("list", "tuple"):
-            items = [self.value(part) for part in parts]
-            return items if kind == "list" else tuple(items)
+        if kind in _COLLECTIONS:
+            return _COLLECTIONS[kind](self.value(part) for part in parts)
         fields_by_name = {name: self.value(part) for name, part in parts.items()}
         return fields_by_name if kind == "map" else _CLASSES[kind](**fields_by_name)

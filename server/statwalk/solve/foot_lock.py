@@ -52,7 +52,7 @@ TWIST_LENGTH = 0.2
 """metres that count as one radian, where two feet are compared"""
 SHORTEST_STAND, SHORTEST_STEP = 0.05, 0.1
 """seconds"""
-HARDEST, MOST_EAGER = 30.0, 24.0
+HARDEST, MOST_EAGER = 40.0, 24.0
 """m/s² with which a released foot sets off to its motion at most; 1/s"""
 CLEARANCE, PER_METRE, PER_SPEED = 0.06, 0.3, 0.03
 """metres by which a foot on its way is lifted at most; for each metre from its motion; for each m/s"""
@@ -165,7 +165,7 @@ def _perhaps_release(keep: Any, row: int, at: int, other: int, is_down: bool) ->
         goes = stands and further and (away > STEP or twist > TWIST)
     if goes:
         keep[row, at + PLANTED], keep[row, at + SINCE] = LEAVING, 0.0
-        keep[row, at + EAGER] = _eagerness(away)
+        keep[row, at + EAGER] = _eagerness(keep, row, at)
 
 
 @inlined
@@ -183,13 +183,16 @@ def _perhaps_leave(f: Any, keep: Any, row: int, at: int, low: Any, root: Any) ->
     away = math.sqrt(x * x + z * z)
     if height > CLEAR or away > FAR or keep[row, at + SINCE] > LONGEST_LEAVE:
         keep[row, at + PLANTED] = 0.0
-        keep[row, at + EAGER] = _eagerness(away)
+        keep[row, at + EAGER] = _eagerness(keep, row, at)
 
 
 @inlined
-def _eagerness(away: float) -> Any:
-    """1/s: the further a foot is from its motion, the gentler."""
-    return min(MOST_EAGER, math.sqrt(HARDEST / max(away, 0.01)))
+def _eagerness(keep: Any, row: int, at: int) -> Any:
+    """1/s: as much as HARDEST allows for a foot that is so far from its motion, and falls back so fast."""
+    x, z, u, w = keep[row, at + X], keep[row, at + Z], keep[row, at + X_RATE], keep[row, at + Z_RATE]
+    away, rate = math.sqrt(x * x + z * z), math.sqrt(u * u + w * w)
+    root = math.sqrt(rate * rate + away * HARDEST)  # of HARDEST = eager² · away + 2 · eager · rate
+    return min(MOST_EAGER, HARDEST / max(rate + root, 1e-6))
 
 
 @inlined

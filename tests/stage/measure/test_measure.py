@@ -9,7 +9,7 @@ from statwalk.stage.measure.subject import Subject
 FOLDER = MACHINES / "faq-walker"
 TEXT = (FOLDER / "machine.yaml").read_text()
 WALKER = Subject(load_role(FOLDER))
-CUT = Subject(load_role(FOLDER, text=TEXT.replace("WALK/STOP:    {blend: 0.5}", "WALK/STOP:    {blend: 0}")))
+CUT = Subject(load_role(FOLDER, text=TEXT.replace("TLFT/STOP:    {blend: 0.5}", "TLFT/STOP:    {blend: 0}")))
 
 
 def cell(subject, name):
@@ -27,8 +27,8 @@ def test_the_walk_by_itself_holds_the_ground():
 
 
 def test_a_cut_is_a_jump_and_a_blend_is_none():
-    assert cell(CUT, "WALK/STOP").figures["jump"].worst > 5
-    assert cell(WALKER, "WALK/STOP").figures["jump"].worst < 1.2
+    assert cell(CUT, "TLFT/STOP").figures["jump"].worst > 5
+    assert cell(WALKER, "TLFT/STOP").figures["jump"].worst < 1.2
 
 
 def test_a_cell_at_the_end_waits_for_it():
@@ -37,9 +37,9 @@ def test_a_cell_at_the_end_waits_for_it():
 
 
 def test_every_phase_and_every_interruption_is_played():
-    walk = cell(WALKER, "WALK/LEFT")
-    assert walk.trials == 10 + 2 * 3 * 10  # RIGHT and STOP, after 1, 5 and 11 ticks
-    assert walk.line == 1 + TEXT[: TEXT.index("  WALK  |")].count("\n")
+    turn = cell(WALKER, "STAT/LEFT")
+    assert turn.trials == 10 + 2 * 3 * 10  # RIGHT and STOP, after 1, 5 and 11 ticks
+    assert turn.line == 1 + TEXT[: TEXT.index("  STAT  |")].count("\n")
 
 
 def test_the_cells_are_those_that_change_the_state():

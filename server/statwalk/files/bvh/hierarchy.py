@@ -11,7 +11,7 @@ from statwalk.errors import TextError
 from statwalk.files.faq.skeleton_text import numbers
 
 MOST_JOINTS = 20_000
-MOST_CHANNELS = 6
+CHANNELS_AT_MOST = 6
 LONGEST_NAME = 200
 AXES = "XYZ"
 CHANNELS = tuple(f"{axis}{kind}" for kind in ("position", "rotation") for axis in AXES)
@@ -149,9 +149,9 @@ def _detail(joint: BvhJoint, line: BvhLine, word: str) -> None:
 
 def _channels(line: BvhLine) -> tuple[str, ...]:
     count, names = line.words[1:2], line.words[2:]
-    if count != [str(len(names))] or len(names) > MOST_CHANNELS:
+    if count != [str(len(names))] or len(names) > CHANNELS_AT_MOST:
         raise TextError(
-            f"CHANNELS needs a number from 0 to {MOST_CHANNELS} and as many names; here are {len(names)} "
+            f"CHANNELS needs a number from 0 to {CHANNELS_AT_MOST} and as many names; here are {len(names)} "
             f"names after {' '.join(count)[:20]!r}",
             place=line.place,
         )
