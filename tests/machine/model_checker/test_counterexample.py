@@ -106,7 +106,7 @@ def without(states, before, after):
 
 SENTENCES = {
     "TLFT only after WALK": lambda states, _: without(states, "WALK", "TLFT"),
-    "never WALK -> CSTP": lambda states, _: ("WALK", "CSTP") in pairwise(states),
+    "never STWK -> WALK": lambda states, _: ("STWK", "WALK") in pairwise(states),
     "JUMP leads to STAT within 1 s": lambda states, _: "STAT" not in states[states.index("JUMP") :][:60],
     "from WALK, STOP reaches STAT within 100 ms": lambda states, last: (
         states[last - 2] == "WALK" and "STAT" not in states[last - 1 :][:6]

@@ -104,7 +104,8 @@ def _play_cell(subject: Subject, row: int, column: int) -> Played:
         recording = replace(recording, sent=changed - 1)
     played = _played(subject, recording, [plain[k] for k in taken.tolist()], (changed, changed))
     shown = visible(every, np.tile(np.arange(len(plain), 2 * len(plain)), 2))[taken]
-    half, arrived = arrivals(recording, changed)
+    free = record(subject.unlocked, plain, len(every.left), subject.checkpoint).take(taken)
+    half, arrived = arrivals(replace(free, sent=recording.sent), changed)
     response = {"half": half, "arrived": arrived}
     if column != subject.role.machine.end:
         response["visible"] = shown

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -29,6 +30,13 @@ class Subject:
     def __init__(self, role: Role, checkpoint: Checkpoint = go_on) -> None:
         self.role, self.checkpoint = role, checkpoint
         self._most: dict[int, Floats] = {}
+
+    @cached_property
+    def unlocked(self) -> Role:
+        """Returns the role without foot lock, which would hold feet elsewhere than the new motion puts them:
+        no transition would ever arrive.
+        """
+        return replace(self.role, definition=replace(self.role.definition, foot_lock=0.0))
 
     @cached_property
     def feet(self) -> tuple[Foot, ...]:
