@@ -17,11 +17,23 @@ from statwalk.character.springs import springs_on
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.machine.settings import parameter_indices
+from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.clamp_table import ClampTable, clamp_table
 from statwalk.motion.blend_space import Motion
 from statwalk.solve.chains import Chains, chain_tables
-from statwalk.solve.foot_tables import FootTables
-from statwalk.solve.reach_tables import ReachTables
+from statwalk.solve.foot_tables import (
+    DROP,
+    DROP_RATE,
+    LOWEST_X,
+    LOWEST_Z,
+    OF_ACTOR,
+    OF_FOOT,
+    Y_RATE,
+    FootTables,
+    X,
+    Z,
+)
+from statwalk.solve.reach_tables import CARRIED, LAYER, SHOWN, ReachTables
 from statwalk.solve.springs import KEPT, Springs, springs_of
 
 FOOT_LOCK = "foot lock"
@@ -70,6 +82,23 @@ def solvers_of(
     reach = reach_tables(character, machine, definition, reaching, memory, len(chains))
     tables = chain_tables(character.skeleton.parent, [*chains, *reaching], clamps)
     return Solvers(springs, legs, tables, clamps, reach, memory)
+
+
+def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
+    """Returns the memory (N, K) in which the feet and the pelvis of some rows are where their motion has
+    them: a pose offset that begins takes over what the foot lock had added, and what the solvers of the
+    machine file had.
+    """
+    kept, first = values.copy(), int(solvers.legs.memory[0])
+    for foot in range(len(solvers.legs.hip)):
+        at = first + OF_ACTOR + foot * OF_FOOT
+        kept[rows, at + LOWEST_X] += kept[rows, at + X]
+        kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
+        kept[rows, at + X : at + Y_RATE + 1] = 0.0
+        kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0
+    for at in map(int, solvers.reach.memory):
+        kept[rows, at + CARRIED], kept[rows, at + LAYER] = kept[rows, at + SHOWN], 0.0
+    return kept
 
 
 def _weight(machine: Machine, written: float | str) -> tuple[float, int]:

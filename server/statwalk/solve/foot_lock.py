@@ -56,7 +56,8 @@ HARDEST, MOST_EAGER = 30.0, 24.0
 """m/s² with which a released foot sets off to its motion at most; 1/s"""
 CLEARANCE, PER_METRE, PER_SPEED = 0.06, 0.3, 0.03
 """metres by which a foot on its way is lifted at most; for each metre from its motion; for each m/s"""
-LEAST_CLEARANCE = 0.004
+LEAST_CLEARANCE, NEARLY_THERE = 0.009, 0.004
+"""metres by which a foot on its way is lifted at least, until it is so near to its motion"""
 CLEAR, LONGEST_LEAVE = 0.007, 0.1
 """a released foot keeps its place until it is so high (metres), for so long at most (seconds)"""
 RISE = 28.0
@@ -92,13 +93,14 @@ def step_foot(
     other: int,
     root: Any,
     is_down: bool,
+    blends: bool,
     dt: float,
 ) -> None:
-    """Moves the numbers of one foot on by a tick; `is_down`: its motion plants it now; `other`: -1 if it is
-    the only foot.
+    """Moves the numbers of one foot on by a tick; `is_down`: its motion plants it now; `blends`: it goes over
+    from one motion into another; `other`: -1 if it is the only foot.
     """
     ankle = ankle_of(f, legs, row, foot, root)
-    low = lowest_point(f, legs, row, foot, root)
+    low = lowest_point(f, legs, row, foot, root, keep[row, at + X], keep[row, at + Z])
     speed = _speed(f, legs, keep, row, at, low, root, dt)
     if keep[row, at + SINCE] < 0.0:
         _begin(f, keep, row, at, low, ankle, root, is_down)
@@ -113,7 +115,7 @@ def step_foot(
             _perhaps_release(keep, row, at, other, is_down)
     else:
         _approach(keep, row, at, old, dt)
-    _raise(f, keep, row, at, low, old[3], root, is_down, speed, dt)
+    _raise(f, keep, row, at, low, old[3], root, is_down or blends, speed, dt)
     _perhaps_plant(f, keep, row, at, low, root, is_down, speed)
     if keep[row, at + PLANTED] == STANDING:
         _roll(f, legs, keep, row, at, low, ankle, root)
@@ -201,7 +203,7 @@ def _approach(keep: Any, row: int, at: int, old: Any, dt: float) -> None:
 
 @inlined
 def _raise(
-    f: Any, keep: Any, row: int, at: int, low: Any, old: float, root: Any, is_down: bool, speed: float,
+    f: Any, keep: Any, row: int, at: int, low: Any, old: float, root: Any, may_drag: bool, speed: float,
     dt: float,
 ) -> None:  # fmt: skip
     """The height of the shown foot: on the ground if planted; clear of it on its way."""
@@ -210,10 +212,11 @@ def _raise(
     wanted = floor + low[2] - root[1]  # as high above the ground as in the motion
     if keep[row, at + PLANTED] == STANDING:
         wanted = floor
-    elif is_down or -floor < CLEARANCE:
-        clear = PER_METRE * math.sqrt(x * x + z * z) + (PER_SPEED * min(speed, 1.0) if is_down else 0.0)
-        clear = min(clear, CLEARANCE)
-        wanted = max(wanted, floor + (clear if clear > LEAST_CLEARANCE else 0.0))
+    elif may_drag or -floor < CLEARANCE:
+        away = math.sqrt(x * x + z * z)
+        clear = PER_METRE * away + (PER_SPEED * min(speed, 1.0) if may_drag else 0.0)
+        if away > NEARLY_THERE or clear > LEAST_CLEARANCE:
+            wanted = max(wanted, floor + min(max(clear, LEAST_CLEARANCE), CLEARANCE))
     height, rate = settled(old - wanted, keep[row, at + Y_RATE], RISE, dt)
     height += wanted
     if height < floor:

@@ -11,6 +11,7 @@ from typing import Any
 from statwalk.maths.compiling import inlined
 from statwalk.maths.scalar import atan2, sincos
 from statwalk.maths.simd.pose_layout import place_of
+from statwalk.solve.ground import ground_at
 
 
 @inlined
@@ -33,14 +34,18 @@ def on_stage(x: float, y: float, z: float, root: Any) -> Any:
 
 
 @inlined
-def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
-    """Returns the lowest animated point of a sole, and its x, y, z."""
+def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any, away_x: float, away_z: float) -> Any:
+    """Returns the animated point of a sole that is nearest to the ground below it, and its x, y, z; the foot
+    is shown `away_x` and `away_z` metres from its motion.
+    """
     best = f.first_point[foot]
     bx, by, bz = stage_point(f, legs, row, best, root)
+    least = by - ground_at(f.ground, bx + away_x, bz + away_z, root[1])
     for point in range(best + 1, f.first_point[foot + 1]):
         x, y, z = stage_point(f, legs, row, point, root)
-        if y < by:
-            best, bx, by, bz = point, x, y, z
+        height = y - ground_at(f.ground, x + away_x, z + away_z, root[1])
+        if height < least:
+            best, bx, by, bz, least = point, x, y, z, height
     return best, bx, by, bz
 
 

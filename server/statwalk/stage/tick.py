@@ -172,7 +172,7 @@ def _pose_blocks(
         keep_block(mem.coming, previous, block)
         # 8 reach: planted feet stay where they stand
         if f.hip.shape[0] > 0:
-            plant_feet(f, chains, clamps, m, s, mem, previous, position, heading, solver_memory, block, dt)
+            plant_feet(f, chains, clamps, m, s, o, mem, previous, position, heading, solver_memory, block, dt)
         # and the chains of the machine file reach for their targets
         if r.memory.shape[0] > 0:
             reach(r, chains, clamps, s, o, mem, previous, position, heading, solver_memory, block, dt)
