@@ -33,7 +33,7 @@ from statwalk.solve.foot_tables import (
     X,
     Z,
 )
-from statwalk.solve.reach_tables import ReachTables
+from statwalk.solve.reach_tables import CARRIED, LAYER, SHOWN, ReachTables
 from statwalk.solve.springs import KEPT, Springs, springs_of
 
 FOOT_LOCK = "foot lock"
@@ -86,7 +86,8 @@ def solvers_of(
 
 def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
     """Returns the memory (N, K) in which the feet and the pelvis of some rows are where their motion has
-    them: a pose offset that begins takes over what the foot lock had added.
+    them: a pose offset that begins takes over what the foot lock had added, and what the solvers of the
+    machine file had.
     """
     kept, first = values.copy(), int(solvers.legs.memory[0])
     for foot in range(len(solvers.legs.hip)):
@@ -95,6 +96,8 @@ def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
         kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
         kept[rows, at + X : at + Y_RATE + 1] = 0.0
         kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0
+    for at in map(int, solvers.reach.memory):
+        kept[rows, at + CARRIED], kept[rows, at + LAYER] = kept[rows, at + SHOWN], 0.0
     return kept
 
 

@@ -92,7 +92,8 @@ def _missing(r: Any, o: Any, mem: Any, keep: Any, row: int, k: int, weight: floa
             keep[row, at + CARRIED], keep[row, at + LAYER] = keep[row, at + SHOWN], layer
     carried = keep[row, at + CARRIED]
     if carried > 0.0:
-        carried *= remaining(o, row, int(keep[row, at + LAYER]), 0.0)[0]
+        layer = min(int(keep[row, at + LAYER]), r.covers.shape[1] - 1)  # an edit may have removed its layer
+        carried *= remaining(o, row, layer, 0.0)[0]
         if carried <= 0.0:
             keep[row, at + CARRIED] = 0.0
     missing = weight
