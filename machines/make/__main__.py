@@ -9,13 +9,17 @@ import coin
 import door
 import gearbox
 import goose
+import hand
 import joints
+import tree
 
 PLACES = {
     "playground/door/door.glb": door,
     "playground/coin/coin.glb": coin,
     "playground/cannon/cannon.glb": cannon,
     "gearbox/gearbox.glb": gearbox,
+    "tree/tree.glb": tree,
+    "hand/hand.glb": hand,
     "geese/goose/goose.glb": goose,
     "swarm/bee/bee.glb": bee,
 }

@@ -115,14 +115,14 @@ def ball_bones(model: Model) -> None:
 
 def book_bones(model: Model) -> None:
     """Adds the bones of the joint."""
-    board = [box((0.86, 0.86, 0.04), 0.02).moved(0, UP - 0.1, -0.05), rod(0.4, 0.06).moved(0, 0, -0.05)]
+    board = [box((0.86, 0.86, 0.04), 0.02).moved(0, UP - 0.1, 0.05), rod(0.4, 0.06).moved(0, 0, 0.05)]
     model.part("A", joined(*board), A)
-    model.part("B", box((0.26, 0.34, 0.06), 0.012).moved(0, 0, 0.005), B)
+    model.part("B", box((0.26, 0.34, 0.06), 0.012).moved(0, 0, -0.005), B)
     model.part(
         "B",
         joined(
-            box((0.16, 0.02, 0.012), 0.004).moved(0, 0.09, 0.036),
-            box((0.16, 0.02, 0.012), 0.004).moved(0, 0.04, 0.036),
+            box((0.16, 0.02, 0.012), 0.004).moved(0, 0.09, -0.036),
+            box((0.16, 0.02, 0.012), 0.004).moved(0, 0.04, -0.036),
         ),
         MARK,
     )

@@ -19,7 +19,7 @@ from joint_bones import (
 )
 from joint_letters import written
 from model import Model, Motion, material
-from shapes import Array, box
+from shapes import Array, about_y, box
 from statwalk.maths.clamp_table import JointLimit
 from statwalk.rig.joint_types import freedoms, joint
 from statwalk.rig.joints import transform
@@ -56,7 +56,8 @@ def _model(name: str, stand: Stand) -> Model:
     model.joint("A", "Plinth", (0.0, TOP, 0.0))
     model.joint("B", "A", (0.0, UP, 0.0))
     model.part("Plinth", box((0.52, TOP, 0.42), 0.02).moved(0, TOP / 2), STONE)
-    model.part("Plinth", written(stand.letters).moved(0, TOP / 2, 0.215), INK)
+    letters = written(stand.letters).turned(about_y(180)).moved(0, TOP / 2, -0.215)
+    model.part("Plinth", letters, INK)  # where the camera of a scene is
     stand.bones(model)
     free = freedoms(stand.limit)
     model.motion("sweep", SECONDS, _motion(stand.limit, lambda t: _sweep(stand.limit, t)))
@@ -129,7 +130,8 @@ def _machine(name: str, stand: Stand) -> str:
         "# sliders, which reach beyond the limits: what lies beyond is clamped.",
         "semantics: 1",
         f"title: A {stand.limit.type} joint, {stand.letters}",
-        f"description: Press s to see its range, t to try it with sliders. Degrees of freedom: {len(free)}.",
+        f"description: Press s to see its range, t to try its {len(free)} degrees of freedom "
+        "with the sliders.",
         f"character: {name}.glb",
         "initial: SHOW",
         "defaults: {blend: 0.4, buffer: 0}",

@@ -51,7 +51,7 @@ class Model:
         self.parts: list[Primitive] = []
         self.skins: list[Skin] = []
         self.materials: list[dict[str, Any]] = []
-        self.motions: list[tuple[str, float, Motion]] = []
+        self.motions: list[tuple[str, float, Motion, int]] = []
 
     def joint(
         self, name: str, parent: str = "", at: tuple[float, float, float] = (0.0, 0.0, 0.0), size: float = 1.0
@@ -79,6 +79,9 @@ class Model:
         number = 100 + len(self.skins)
         self.skins.append(Skin(f"skin {number}", rows, inverse))
         shares = np.stack(list(weights.values()), -1)
+        most = int((shares > 0).sum(1).max())
+        joints = np.argsort(-shares, axis=1, kind="stable")[:, :most]
+        shares = np.take_along_axis(shares, joints, 1)
         self.parts.append(
             Primitive(
                 joint=0,
@@ -86,15 +89,15 @@ class Model:
                 mesh=number,
                 primitive=0,
                 skin=len(self.skins) - 1,
-                joints=np.tile(np.arange(len(rows), dtype=np.uint16), (len(shares), 1)),
+                joints=joints.astype(np.uint16),
                 weights=(shares / shares.sum(1, keepdims=True)).astype(np.float32),
                 **self._surface(surface, stuff),
             )
         )
 
-    def motion(self, name: str, seconds: float, motion: Motion) -> None:
-        """A clip."""
-        self.motions.append((name, seconds, motion))
+    def motion(self, name: str, seconds: float, motion: Motion, rate: int = KEYS_PER_SECOND) -> None:
+        """A clip with `rate` keys a second."""
+        self.motions.append((name, seconds, motion, rate))
 
     def write(self, path: Path) -> None:
         """The file."""
@@ -102,7 +105,7 @@ class Model:
         pose.translation[:] = self.places
         pose.scale[:] = np.array(self.sizes)[:, None]
         skeleton = Skeleton(tuple(self.names), np.array(self.parents, np.int32))
-        clips = {name: self._clip(name, seconds, motion, pose) for name, seconds, motion in self.motions}
+        clips = {name: self._clip(name, *form, pose) for name, *form in self.motions}
         index = np.arange(len(self.names), dtype=np.int32)
         numbers = {
             part.node: len(self.names) + row
@@ -141,8 +144,8 @@ class Model:
             row = self.parents[row]
         return place
 
-    def _clip(self, name: str, seconds: float, motion: Motion, pose: Any) -> Clip:
-        times = np.linspace(0, seconds, max(2, round(seconds * KEYS_PER_SECOND) + 1))
+    def _clip(self, name: str, seconds: float, motion: Motion, rate: int, pose: Any) -> Clip:
+        times = np.linspace(0, seconds, max(2, round(seconds * rate) + 1))
         channels = [
             Channel(
                 self.names.index(joint), path, times.astype(np.float32), np.asarray(values(times), np.float32)

@@ -45,6 +45,12 @@ def about_x(degrees: float) -> Array:
     return np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
 
 
+def about_y(degrees: float) -> Array:
+    """The rotation (3, 3) about Y."""
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    return np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+
+
 def about_z(degrees: float) -> Array:
     """The rotation (3, 3) about Z."""
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
@@ -155,6 +161,31 @@ def loft(spine: Sequence[Point], width: Sequence[float], height: Sequence[float]
     rings = (
         middle[:, None]
         + side[:, None] * np.outer(width, np.cos(turn))[..., None]
+        + up[:, None] * np.outer(height, np.sin(turn))[..., None]
+    )
+    return smooth(rings.reshape(-1, 3), grid_faces(len(middle), segments))
+
+
+def pipe(
+    spine: Sequence[Point],
+    side: Point,
+    width: Sequence[float],
+    height: Sequence[float],
+    segments: int = 12,
+) -> Mesh:
+    """Ellipses along a spine that may go anywhere but along `side`: `width` is their half axis towards
+    `side`, 0 closes an end.
+    """
+    middle = np.array(spine, float)
+    ahead = np.gradient(middle, axis=0)
+    ahead /= np.linalg.norm(ahead, axis=1, keepdims=True)
+    up = np.cross(ahead, np.array(side, float))
+    up /= np.linalg.norm(up, axis=1, keepdims=True)
+    across = np.cross(up, ahead)
+    turn = np.linspace(0, 2 * np.pi, segments, endpoint=False)
+    rings = (
+        middle[:, None]
+        + across[:, None] * np.outer(width, np.cos(turn))[..., None]
         + up[:, None] * np.outer(height, np.sin(turn))[..., None]
     )
     return smooth(rings.reshape(-1, 3), grid_faces(len(middle), segments))

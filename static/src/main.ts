@@ -21,6 +21,7 @@ import { StateBadge, modeBar, notices, toggleMode } from "./panels/viewControls/
 import { DeduceDialog } from "./panels/deduce/deduceDialog";
 import { ExpressionsPanel } from "./panels/expressions/expressions";
 import { ParametersPanel } from "./panels/parameters/parameters";
+import { TargetsPanel } from "./panels/targets/targets";
 import { StatusPanel } from "./panels/status/status";
 import { layerTabs } from "./panels/table/layerTabs";
 import { TableController } from "./panels/table/tableController";
@@ -167,6 +168,7 @@ function start(name: string): void {
   new ParametersPanel(byId("parameters"), session);
   new ExpressionsPanel(byId("expressions"), session);
   clampedPanel(byId("clamped"), session);
+  const targets = new TargetsPanel(byId("targets"), session, stageView);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
   layerTabs(byId("layers"), session);
@@ -188,7 +190,7 @@ function start(name: string): void {
   setInterval(() => status.update(performance.now()), READ_MS);
   keepAddress(session, stages);
   freeFocus();
-  exposeForTests(session, stageView, drawn);
+  exposeForTests(session, stageView, drawn, () => targets.places());
   let last = performance.now();
   const loop = (now: number): void => {
     const dt = Math.min(0.1, Math.max(0, (now - last) / 1000));

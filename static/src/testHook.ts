@@ -14,6 +14,7 @@
  * lanes()      [first tick, last tick, state] of every known run of the watched actor's base layer
  * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
  * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres
+ * handles()    { name: [x, y] } where the handles of point parameters are drawn, pixels
  * pixels()     draws the characters alone: { covered: share of the picture 0…1,
  *              box: [left, top, right, bottom] 0…1, colour: mean [r, g, b] 0…255 of what is covered }
  * listen(s)    counts messages for s seconds: { perSecond, gapP99Ms, ticks: number of distinct ticks }
@@ -98,7 +99,12 @@ async function listen(session: Session, seconds: number): Promise<object> {
   };
 }
 
-export function exposeForTests(session: Session, stageView: StageView, drawn: Meter): void {
+export function exposeForTests(
+  session: Session,
+  stageView: StageView,
+  drawn: Meter,
+  handles: () => Record<string, [number, number]>,
+): void {
   const stats = (): object => {
     const now = performance.now();
     const { received, trip } = session;
@@ -137,6 +143,7 @@ export function exposeForTests(session: Session, stageView: StageView, drawn: Me
         .map(({ start, end, state }) => [start, end, state]),
     stats,
     joints: () => jointsByName(stageView),
+    handles,
     pixels: () => measure(drawBodies(stageView)),
     listen: (seconds: number) => listen(session, seconds),
   };

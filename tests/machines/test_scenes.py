@@ -14,6 +14,8 @@ from statwalk.services.library.load import load, load_scene, shipped_machines, s
 from statwalk.stage.replay import replay
 
 MADE = (
+    "tree/tree.glb",
+    "hand/hand.glb",
     "gearbox/gearbox.glb",
     "playground/door/door.glb",
     "playground/coin/coin.glb",

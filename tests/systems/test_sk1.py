@@ -4,6 +4,7 @@ misprints.
 
 import numpy as np
 import pytest
+import statwalk
 from paths import MACHINES
 from statwalk.errors import TextError
 from statwalk.files.faq.skeleton_text import read_skeleton, shipped_skeleton
@@ -47,6 +48,13 @@ def test_the_hand_has_16_bones():
         "palm",
         "littlemid",
     ]
+
+
+def test_the_shipped_machine_has_the_bones_of_the_hand():
+    hand, machine = shipped_skeleton("hand"), statwalk.load("hand").character.skeleton
+    assert set(hand.skeleton.names) <= set(machine.names)
+    for name in hand.skeleton.names[1:]:
+        assert machine.names[machine.parent[machine.index(name)]] == parent_of(hand, name)
 
 
 def test_the_printed_mammal_keeps_its_misprints():

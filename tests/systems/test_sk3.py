@@ -4,6 +4,7 @@ keyed.
 
 import numpy as np
 import pytest
+import statwalk
 from text_character import from_text, keyed, place
 
 TREE = "Root --- - - - -\nTrunk Root 4 0 1 0\nBranch Trunk 2 1 0 0\nTwig Branch 1 1 0 0\n"
@@ -66,3 +67,11 @@ def test_length_and_recoil_at_different_times_add_up(tmp_path, time, height):
 def test_units_are_scaled_to_metres(tmp_path):
     tree = from_text(tmp_path, TREE, 0.5, shot=("#translate Branch 0 0 1", "interpolation: linear"))
     np.testing.assert_allclose(place(tree, tree.clip("shot").sample(0.0), "Branch"), [0, 2, 0.5], atol=1e-6)
+
+
+@pytest.mark.parametrize(("time", "length"), [(0.0, 0.0), (0.6, 0.25), (1.2, 0.5)])
+def test_the_shipped_tree_grows_from_no_length_to_full(time, length):
+    tree = statwalk.load("tree").character
+    pose = tree.clip("grow").sample(time)  # half a metre in 1.2 s
+    grown = place(tree, pose, "trunk2") - place(tree, pose, "trunk1")
+    assert np.linalg.norm(grown) == pytest.approx(length, abs=1e-3)

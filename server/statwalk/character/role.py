@@ -41,6 +41,7 @@ from statwalk.motion.tables.motion_tables import MotionTables
 from statwalk.solve.chains import CHAINS
 from statwalk.solve.expression_tables import ExpressionProgram
 from statwalk.solve.foot_tables import FEET
+from statwalk.solve.reach_tables import REACH
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +145,8 @@ class Role:
         poses, masks = packed(self.pose_tables, POSES), packed(self.layer_masks, MASKS)
         legs, chains = packed(self.solvers.legs, FEET), packed(self.solvers.chains, CHAINS)
         clamps = packed(self.solvers.clamps, CLAMP_TABLE)
-        return PackedRole(program, motions, poses, masks, legs, chains, clamps)
+        reach = packed(self.solvers.reach, REACH)
+        return PackedRole(program, motions, poses, masks, legs, chains, clamps, reach)
 
     @cached_property
     def limits(self) -> Mapping[int, JointLimit]:

@@ -10,16 +10,30 @@ import numpy as np
 from statwalk.character.character import Character
 from statwalk.character.joint_limits import limits_of
 from statwalk.character.leg_tables import foot_memory, has_leg, leg_chain, leg_tables
+from statwalk.character.reach import reach_chains, reach_names, reach_tables
 from statwalk.character.role_feet import contacts_in, feet_in
 from statwalk.character.solver_memory import SolverMemory
 from statwalk.character.springs import springs_on
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.machine.settings import parameter_indices
+from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.clamp_table import ClampTable, clamp_table
 from statwalk.motion.blend_space import Motion
 from statwalk.solve.chains import Chains, chain_tables
-from statwalk.solve.foot_tables import FootTables
+from statwalk.solve.foot_tables import (
+    DROP,
+    DROP_RATE,
+    LOWEST_X,
+    LOWEST_Z,
+    OF_ACTOR,
+    OF_FOOT,
+    Y_RATE,
+    FootTables,
+    X,
+    Z,
+)
+from statwalk.solve.reach_tables import CARRIED, LAYER, SHOWN, ReachTables
 from statwalk.solve.springs import KEPT, Springs, springs_of
 
 FOOT_LOCK = "foot lock"
@@ -27,12 +41,13 @@ FOOT_LOCK = "foot lock"
 
 
 class Solvers(NamedTuple):
-    """What the solvers of a role read; chain k is the leg of foot k."""
+    """What the solvers of a role read; chain k is the leg of foot k, then come those of the machine file."""
 
     springs: Springs
     legs: FootTables
     chains: Chains
     clamps: ClampTable
+    reach: ReachTables
     memory: SolverMemory
 
 
@@ -42,7 +57,8 @@ def solvers_of(
     """Returns the solvers that a machine file asks for.
 
     :raises MachineError: when it asks for a foot lock, and the character has no feet with legs; when it
-        limits a joint that the character does not have; when a spring's joint does not exist or has no bone.
+        limits a joint that the character does not have; when a spring's joint does not exist or has no bone;
+        when the joints of a solver do not exist or are no chain.
     """
     every = feet_in(character, definition) if definition.foot_lock else ()
     feet = tuple(foot for foot in every if has_leg(character, foot))
@@ -53,14 +69,36 @@ def solvers_of(
     swinging = springs_on(character, definition)
     names = {joint: f"spring {character.skeleton.names[joint]}" for joint in swinging}
     feet_memory = {FOOT_LOCK: foot_memory(len(feet))} if feet else {}
-    memory = SolverMemory(feet_memory | dict.fromkeys(names.values(), (0.0,) * KEPT))
+    memory = SolverMemory(
+        feet_memory | dict.fromkeys(names.values(), (0.0,) * KEPT) | reach_names(definition)
+    )
     columns = {joint: memory.first(name) for joint, name in names.items()}
     springs = springs_of(swinging, columns, character.skeleton.parent)
     contacts = contacts_in(character, definition, every) if feet else {}
     ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
     weight = _weight(machine, definition.foot_lock)
     legs = leg_tables(character, feet, contacts, motions, weight, ground)
-    return Solvers(springs, legs, chain_tables(character.skeleton.parent, chains, clamps), clamps, memory)
+    reaching = reach_chains(character, machine, definition)
+    reach = reach_tables(character, machine, definition, reaching, memory, len(chains))
+    tables = chain_tables(character.skeleton.parent, [*chains, *reaching], clamps)
+    return Solvers(springs, legs, tables, clamps, reach, memory)
+
+
+def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
+    """Returns the memory (N, K) in which the feet and the pelvis of some rows are where their motion has
+    them: a pose offset that begins takes over what the foot lock had added, and what the solvers of the
+    machine file had.
+    """
+    kept, first = values.copy(), int(solvers.legs.memory[0])
+    for foot in range(len(solvers.legs.hip)):
+        at = first + OF_ACTOR + foot * OF_FOOT
+        kept[rows, at + LOWEST_X] += kept[rows, at + X]
+        kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
+        kept[rows, at + X : at + Y_RATE + 1] = 0.0
+        kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0
+    for at in map(int, solvers.reach.memory):
+        kept[rows, at + CARRIED], kept[rows, at + LAYER] = kept[rows, at + SHOWN], 0.0
+    return kept
 
 
 def _weight(machine: Machine, written: float | str) -> tuple[float, int]:

@@ -17,7 +17,7 @@ from typing import Any
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.springs import settled
-from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, stage_point
+from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, size_of, stage_point
 from statwalk.solve.foot_tables import (
     EAGER,
     LEAVING,
@@ -48,28 +48,20 @@ STEP, FAR = 0.03, 0.14
 """metres from its motion at which a planted foot takes a step, if the other foot stands; and in any case"""
 TWIST, FAR_TWIST = 0.15, 0.5
 """radians, likewise"""
-TWIST_LENGTH = 0.2
-"""metres that count as one radian, where two feet are compared"""
 SHORTEST_STAND, SHORTEST_STEP = 0.05, 0.1
 """seconds"""
-HARDEST, MOST_EAGER = 30.0, 24.0
+HARDEST, MOST_EAGER = 40.0, 24.0
 """m/s² with which a released foot sets off to its motion at most; 1/s"""
 CLEARANCE, PER_METRE, PER_SPEED = 0.06, 0.3, 0.03
 """metres by which a foot on its way is lifted at most; for each metre from its motion; for each m/s"""
-LEAST_CLEARANCE = 0.004
+LEAST_CLEARANCE, NEARLY_THERE = 0.009, 0.004
+"""metres by which a foot on its way is lifted at least, until it is so near to its motion"""
 CLEAR, LONGEST_LEAVE = 0.007, 0.1
 """a released foot keeps its place until it is so high (metres), for so long at most (seconds)"""
 RISE = 28.0
 """1/s: how eagerly a foot comes to its height"""
 ROLL = 0.001
 """metres by which another point of the sole must be lower, for the foot to roll on to it"""
-
-
-@inlined
-def size_of(keep: Any, row: int, at: int) -> Any:
-    """Returns how far a shown foot is from its motion: metres, its turn counted as well."""
-    x, z = keep[row, at + X], keep[row, at + Z]
-    return math.sqrt(x * x + z * z) + TWIST_LENGTH * abs(keep[row, at + TURN])
 
 
 @inlined
@@ -92,13 +84,14 @@ def step_foot(
     other: int,
     root: Any,
     is_down: bool,
+    blends: bool,
     dt: float,
 ) -> None:
-    """Moves the numbers of one foot on by a tick; `is_down`: its motion plants it now; `other`: -1 if it is
-    the only foot.
+    """Moves the numbers of one foot on by a tick; `is_down`: its motion plants it now; `blends`: it goes over
+    from one motion into another; `other`: -1 if it is the only foot.
     """
     ankle = ankle_of(f, legs, row, foot, root)
-    low = lowest_point(f, legs, row, foot, root)
+    low = lowest_point(f, legs, row, foot, root, keep[row, at + X], keep[row, at + Z])
     speed = _speed(f, legs, keep, row, at, low, root, dt)
     if keep[row, at + SINCE] < 0.0:
         _begin(f, keep, row, at, low, ankle, root, is_down)
@@ -113,7 +106,7 @@ def step_foot(
             _perhaps_release(keep, row, at, other, is_down)
     else:
         _approach(keep, row, at, old, dt)
-    _raise(f, keep, row, at, low, old[3], root, is_down, speed, dt)
+    _raise(f, keep, row, at, low, old[3], root, is_down or blends, speed, dt)
     _perhaps_plant(f, keep, row, at, low, root, is_down, speed)
     if keep[row, at + PLANTED] == STANDING:
         _roll(f, legs, keep, row, at, low, ankle, root)
@@ -163,7 +156,7 @@ def _perhaps_release(keep: Any, row: int, at: int, other: int, is_down: bool) ->
         goes = stands and further and (away > STEP or twist > TWIST)
     if goes:
         keep[row, at + PLANTED], keep[row, at + SINCE] = LEAVING, 0.0
-        keep[row, at + EAGER] = _eagerness(away)
+        keep[row, at + EAGER] = _eagerness(keep, row, at)
 
 
 @inlined
@@ -181,13 +174,16 @@ def _perhaps_leave(f: Any, keep: Any, row: int, at: int, low: Any, root: Any) ->
     away = math.sqrt(x * x + z * z)
     if height > CLEAR or away > FAR or keep[row, at + SINCE] > LONGEST_LEAVE:
         keep[row, at + PLANTED] = 0.0
-        keep[row, at + EAGER] = _eagerness(away)
+        keep[row, at + EAGER] = _eagerness(keep, row, at)
 
 
 @inlined
-def _eagerness(away: float) -> Any:
-    """1/s: the further a foot is from its motion, the gentler."""
-    return min(MOST_EAGER, math.sqrt(HARDEST / max(away, 0.01)))
+def _eagerness(keep: Any, row: int, at: int) -> Any:
+    """1/s: as much as HARDEST allows for a foot that is so far from its motion, and falls back so fast."""
+    x, z, u, w = keep[row, at + X], keep[row, at + Z], keep[row, at + X_RATE], keep[row, at + Z_RATE]
+    away, rate = math.sqrt(x * x + z * z), math.sqrt(u * u + w * w)
+    root = math.sqrt(rate * rate + away * HARDEST)  # of HARDEST = eager² · away + 2 · eager · rate
+    return min(MOST_EAGER, HARDEST / max(rate + root, 1e-6))
 
 
 @inlined
@@ -201,7 +197,7 @@ def _approach(keep: Any, row: int, at: int, old: Any, dt: float) -> None:
 
 @inlined
 def _raise(
-    f: Any, keep: Any, row: int, at: int, low: Any, old: float, root: Any, is_down: bool, speed: float,
+    f: Any, keep: Any, row: int, at: int, low: Any, old: float, root: Any, may_drag: bool, speed: float,
     dt: float,
 ) -> None:  # fmt: skip
     """The height of the shown foot: on the ground if planted; clear of it on its way."""
@@ -210,10 +206,11 @@ def _raise(
     wanted = floor + low[2] - root[1]  # as high above the ground as in the motion
     if keep[row, at + PLANTED] == STANDING:
         wanted = floor
-    elif is_down or -floor < CLEARANCE:
-        clear = PER_METRE * math.sqrt(x * x + z * z) + (PER_SPEED * min(speed, 1.0) if is_down else 0.0)
-        clear = min(clear, CLEARANCE)
-        wanted = max(wanted, floor + (clear if clear > LEAST_CLEARANCE else 0.0))
+    elif may_drag or -floor < CLEARANCE:
+        away = math.sqrt(x * x + z * z)
+        clear = PER_METRE * away + (PER_SPEED * min(speed, 1.0) if may_drag else 0.0)
+        if away > NEARLY_THERE or clear > LEAST_CLEARANCE:
+            wanted = max(wanted, floor + min(max(clear, LEAST_CLEARANCE), CLEARANCE))
     height, rate = settled(old - wanted, keep[row, at + Y_RATE], RISE, dt)
     height += wanted
     if height < floor:

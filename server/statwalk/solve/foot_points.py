@@ -6,11 +6,17 @@ heading.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.scalar import atan2, sincos
 from statwalk.maths.simd.pose_layout import place_of
+from statwalk.solve.foot_tables import TURN, X, Z
+from statwalk.solve.ground import ground_at
+
+TWIST_LENGTH = 0.2
+"""metres that count as one radian, where two feet are compared"""
 
 
 @inlined
@@ -33,14 +39,18 @@ def on_stage(x: float, y: float, z: float, root: Any) -> Any:
 
 
 @inlined
-def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
-    """Returns the lowest animated point of a sole, and its x, y, z."""
+def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any, away_x: float, away_z: float) -> Any:
+    """Returns the animated point of a sole that is nearest to the ground below it, and its x, y, z; the foot
+    is shown `away_x` and `away_z` metres from its motion.
+    """
     best = f.first_point[foot]
     bx, by, bz = stage_point(f, legs, row, best, root)
+    least = by - ground_at(f.ground, bx + away_x, bz + away_z, root[1])
     for point in range(best + 1, f.first_point[foot + 1]):
         x, y, z = stage_point(f, legs, row, point, root)
-        if y < by:
-            best, bx, by, bz = point, x, y, z
+        height = y - ground_at(f.ground, x + away_x, z + away_z, root[1])
+        if height < least:
+            best, bx, by, bz, least = point, x, y, z, height
     return best, bx, by, bz
 
 
@@ -66,3 +76,10 @@ def shown_point(point: Any, ankle: Any, turn: float, x: float, z: float) -> Any:
     sine, cosine = sincos(turn)
     a, c = point[0] - ankle[0], point[2] - ankle[2]
     return a * cosine + c * sine + ankle[0] + x, c * cosine - a * sine + ankle[2] + z
+
+
+@inlined
+def size_of(keep: Any, row: int, at: int) -> Any:
+    """Returns how far a shown foot is from its motion: metres, its turn counted as well."""
+    x, z = keep[row, at + X], keep[row, at + Z]
+    return math.sqrt(x * x + z * z) + TWIST_LENGTH * abs(keep[row, at + TURN])

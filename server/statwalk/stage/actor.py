@@ -17,6 +17,7 @@ from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.hashing import text
 from statwalk.stage.steps.expression_values import free_values
 from statwalk.stage.steps.limit_excess import clamped_joints
+from statwalk.stage.steps.reached import ReachedTarget, reached_targets
 
 _UP = np.array([0.0, 1.0, 0.0])
 
@@ -137,6 +138,12 @@ class Actor:
         """The joints that their limits changed in this tick, after sampling and blending, and by how much."""
         cast, row, _, tick, dt = self._find(self.id)
         return clamped_joints(cast, np.array([row]), (tick, dt))[0]
+
+    @property
+    def reached(self) -> dict[str, ReachedTarget]:
+        """What each solver of the machine file did in this tick: weight, distance left, reached; by name."""
+        cast, row = self._find(self.id)[:2]
+        return {found.solver: found for found in reached_targets(cast, np.array([row]))[0]}
 
     @property
     def hash(self) -> str:

@@ -30,6 +30,7 @@ from statwalk.rig.hierarchy import model_block
 from statwalk.rig.limit_lanes import limit_block
 from statwalk.solve.chains import CHAINS
 from statwalk.solve.foot_tables import FEET
+from statwalk.solve.reach_tables import REACH
 from statwalk.solve.spring_lanes import swing_block
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
@@ -50,6 +51,7 @@ from statwalk.stage.steps.offset_clocks import advance_clocks, blend_root_delta,
 from statwalk.stage.steps.offset_cuts import cuts_here, forget_cuts
 from statwalk.stage.steps.offset_lanes import add_block
 from statwalk.stage.steps.plant_feet import plant_feet
+from statwalk.stage.steps.reach import reach
 from statwalk.stage.steps.step_machines import NOT_MEASURED, MeasuredFrom, step_machines
 
 DOUBLE = types.float64
@@ -61,6 +63,7 @@ _program, _motions, _poses, _masks, _state = (
     opened(STATE),
 )
 _feet, _chains, _clamps = opened(FEET), opened(CHAINS), opened(CLAMP_TABLE)
+_reach = opened(REACH)
 _offsets, _effects, _memory = opened(OFFSETS), opened(EFFECTS), opened(MEMORY)
 
 
@@ -122,20 +125,22 @@ def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: boo
 
 @kernel(
     ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES,
-    ADDRESSES, ADDRESSES, write(FLOAT, 3),
+    ADDRESSES, ADDRESSES, ADDRESSES, write(FLOAT, 3),
     write(FLOAT, 3), write(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 2), write(DOUBLE, 2),
     write(types.uint64, 1), LONG,
     DOUBLE, types.boolean,
 )  # fmt: skip
 def _pose_blocks(
-    program: Any, motions: Any, poses: Any, moved: Any, feet: Any, reach: Any, limits: Any, machine: Any,
+    program: Any, motions: Any, poses: Any, moved: Any, feet: Any, links: Any, limits: Any, reached: Any,
+    machine: Any,
     offsets: Any, effects: Any, memory: Any,
     previous: Any, shown: Any, position: Any, heading: Any, root_delta: Any, solver_memory: Any,
     hashes: Any, used: int, dt: float, is_looked_at: bool,
 ) -> None:  # fmt: skip
     """Writes the poses of all blocks into `previous`; `offsets` has room for all transitions that begin."""
     p, m, t, masks = _program(program), _motions(motions), _poses(poses), _masks(moved)
-    f, chains, clamps = _feet(feet), _chains(reach), _clamps(limits)
+    f, chains, clamps = _feet(feet), _chains(links), _clamps(limits)
+    r = _reach(reached)
     s, o, done, mem = _state(machine), _offsets(offsets), _effects(effects), _memory(memory)
     note_transitions(t, s, done, mem)
     for block in range(shown.shape[0]):
@@ -167,7 +172,10 @@ def _pose_blocks(
         keep_block(mem.coming, previous, block)
         # 8 reach: planted feet stay where they stand
         if f.hip.shape[0] > 0:
-            plant_feet(f, chains, clamps, m, s, mem, previous, position, heading, solver_memory, block, dt)
+            plant_feet(f, chains, clamps, m, s, o, mem, previous, position, heading, solver_memory, block, dt)
+        # and the chains of the machine file reach for their targets
+        if r.memory.shape[0] > 0:
+            reach(r, chains, clamps, s, o, mem, previous, position, heading, solver_memory, block, dt)
         # 7 world: the joints that colliders ride on, in model space, once for all readers
         # (`Cast.model`: touches, flocks); the matrices of all joints are computed when they are read
         # (`Actor.world`, the server's frames)

@@ -50,7 +50,7 @@ export class Session extends MachineReader {
   hash = "";
   private lastPhase: number | null = null;
   private refs = 1;
-  private readonly connection: Connection;
+  readonly connection: Connection;
 
   constructor() {
     super();

@@ -23,6 +23,7 @@ from statwalk.files.machine_yaml import (
     layers,
     levels,
     senses,
+    solvers_part,
     springs_part,
     whole_table,
 )
@@ -53,7 +54,7 @@ KEYS = (
     *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
     *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
     *("colliders", "flock", "springs", "captures", "expressions", "joints", "limits", "properties"),
-    *("feet", "contacts", "budgets", "foot_lock", "ground"),
+    *("feet", "contacts", "budgets", "foot_lock", "ground", "solvers"),
 )
 
 
@@ -156,6 +157,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         flock=flock_part.flock(entries.get("flock"), parameters),
         clips=clip_changes.clips(entries.get("clips")),
         springs=springs_part.springs(entries.get("springs")),
+        solvers=solvers_part.solvers(entries.get("solvers"), parameters, (*base.states, *base.composites)),
         expressions=read_expressions(entries.get("expressions"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
         feet=feet.feet(entries.get("feet")),

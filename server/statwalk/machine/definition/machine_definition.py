@@ -18,6 +18,7 @@ from statwalk.machine.definition.ground_definition import GroundDefinition
 from statwalk.machine.definition.limit_definition import LimitDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
 from statwalk.machine.definition.sense_definition import ColliderDefinition, SenseDefinition, TouchDefinition
+from statwalk.machine.definition.solver_definition import SolverDefinition
 from statwalk.machine.definition.spring_definition import SpringDefinition
 from statwalk.maths.formula.assignments import Assignment
 
@@ -173,6 +174,8 @@ class MachineDefinition:
     """the clips that the file makes of the character's own"""
     springs: Mapping[str, SpringDefinition] = field(default_factory=dict)
     """by the joint on which each begins"""
+    solvers: Mapping[str, SolverDefinition] = field(default_factory=dict)
+    """the chains that reach for targets, by name, in the order in which they work"""
     feet: Mapping[str, FootDefinition] = field(default_factory=dict)
     """the joints of legs, by foot, where the names of the joints do not tell them"""
     contacts: Mapping[str, Mapping[str, ContactDefinition]] = field(default_factory=dict)

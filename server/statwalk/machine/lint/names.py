@@ -113,6 +113,7 @@ def parameters(definition: MachineDefinition, contexts: Contexts) -> Iterator[Fi
             )
     if definition.flock:
         used.update(definition.flock.sets.values())
+    used.update(name for solver in definition.solvers.values() for name in solver.parameters)
     used.update(_names_in_expressions(definition, contexts))
     used |= {definition.parameters[name].vector for name in used if name in definition.parameters}
     seen = set[str]()

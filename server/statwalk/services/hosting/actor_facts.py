@@ -18,6 +18,7 @@ from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.hashing import text
 from statwalk.stage.steps.expression_values import free_values
 from statwalk.stage.steps.limit_excess import clamped_joints
+from statwalk.stage.steps.reached import ReachedTarget, reached_targets
 
 
 class ActorColumns(NamedTuple):
@@ -38,6 +39,7 @@ class ActorColumns(NamedTuple):
     variables: Floats
     """(n, F) the free variables of expressions"""
     clamped: list[tuple[ClampedJoint, ...]]
+    reached: list[tuple[ReachedTarget, ...]]
 
     @classmethod
     def of(cls, cast: Cast, names: Mapping[int, str], rows: Ints, tick: int, dt: float) -> ActorColumns:
@@ -50,14 +52,15 @@ class ActorColumns(NamedTuple):
             *(column[rows].copy() for column in columns),
             free_values(cast, rows, tick, dt),
             clamped,
+            reached_targets(cast, rows),
         )
         return cls(cast.role, names, *copies)
 
     def facts(self) -> Iterator[ActorFacts]:
         """Yields the facts of each actor."""
         machine = self.role.machine
-        for actor, states, time, position, heading, hashed, values, clamped in zip(
-            *(column.tolist() for column in self[2:-1]), self.clamped, strict=True
+        for actor, states, time, position, heading, hashed, values, clamped, reached in zip(
+            *(column.tolist() for column in self[2:-2]), self.clamped, self.reached, strict=True
         ):
             names = tuple(machine.states[state] for state in states)
             yield ActorFacts(
@@ -72,6 +75,7 @@ class ActorColumns(NamedTuple):
                 hash=text(hashed),
                 variables=dict(zip(self.role.expressions.slots, values, strict=True)),
                 clamped=clamped,
+                reached=reached,
             )
 
 

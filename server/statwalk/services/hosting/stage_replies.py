@@ -11,6 +11,7 @@ from statwalk.maths.pose import Pose
 from statwalk.rig.limits import ClampedJoint
 from statwalk.services.hosting.commands import ClockKind
 from statwalk.stage.state.frame import Action, Verdict
+from statwalk.stage.steps.reached import ReachedTarget
 
 
 @dataclass(frozen=True)
@@ -42,6 +43,8 @@ class ActorFacts:
     """the free variables of expressions"""
     clamped: tuple[ClampedJoint, ...]
     """the joints that their limits changed, and by how much"""
+    reached: tuple[ReachedTarget, ...]
+    """how near the solvers of the machine file came to their targets"""
 
 
 @dataclass(frozen=True)

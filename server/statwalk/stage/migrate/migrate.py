@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from statwalk.character.role import Role
+from statwalk.character.solvers import forget_feet
 from statwalk.errors import StageError
 from statwalk.maths.arrays import Ints
 from statwalk.maths.pose_buffer import PoseBuffer
@@ -50,7 +51,8 @@ def edited(cast: Cast, role: Role, dt: float) -> tuple[Cast, list[Notice]]:
     kept = role.solver_memory.migrated(cast.role.solver_memory, cast.solver_memory)
     after = replace(cast, role=role, machine=migrated.state, offsets=offsets, solver_memory=kept)
     if len(rows) and seconds > 0:
-        after = replace(after, offsets=_begun(after, rows, seconds, (new, following), dt))
+        begun = _begun(after, rows, seconds, (new, following), dt)
+        after = replace(after, offsets=begun, solver_memory=forget_feet(role.solvers, kept, rows))
     return after, _notices(cast, after, migrated)
 
 

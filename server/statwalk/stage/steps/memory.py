@@ -60,6 +60,10 @@ class PoseMemory(NamedTuple):
     """the joints of legs in model space, before feet are planted"""
     leg_rows: Annotated[NDArray[np.float32], "foot, row, lane"]
     """inputs and outputs of the legs' chains (`solve.chains`)"""
+    reach_rows: Annotated[NDArray[np.float32], "solver, row, lane"]
+    """inputs and outputs of the chains of a machine file's solvers"""
+    reach_joints: Annotated[NDArray[np.float32], "block, joint, number, lane"]
+    """the starts and ends of force solvers in model space"""
     chain: Annotated[NDArray[np.float32], "number"]
     """memory of the solver of chains"""
     old_state: Annotated[NDArray[np.int64], "actor, layer"]
@@ -142,11 +146,11 @@ def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> Po
         springs=zeros(spring_scratch(len(role.solvers.springs.joint))),
         layer_weight=np.zeros((actors, layers)),
         ahead=np.zeros((actors, layers)),
-        legs=zeros(blocks(actors) * len(role.solvers.legs.joints) * MATRIX * LANES).reshape(
-            blocks(actors), -1, MATRIX, LANES
-        ),
+        legs=_matrices(actors, len(role.solvers.legs.joints)),
         leg_rows=input_rows(1, len(role.solvers.legs.hip))[0],
-        chain=zeros(scratch_floats(3)),
+        reach_rows=input_rows(1, len(role.solvers.reach.memory))[0],
+        reach_joints=_matrices(actors, len(role.solvers.reach.joints)),
+        chain=zeros(scratch_floats(int(np.diff(role.solvers.chains.first).max(initial=0)))),
         old_state=np.zeros((actors, layers), np.int64),
         mixed_state=np.zeros((actors, layers), np.int64),
         mixed_time=np.zeros((actors, layers)),
@@ -157,6 +161,11 @@ def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> Po
         express_values=np.zeros(role.expressions.values),
         express_stack=np.zeros(role.expressions.deepest),
     )
+
+
+def _matrices(actors: int, joints: int) -> NDArray[np.float32]:
+    shape = blocks(actors), joints, MATRIX, LANES
+    return zeros(int(np.prod(shape))).reshape(shape)
 
 
 _KEPT = threading.local()

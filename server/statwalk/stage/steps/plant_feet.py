@@ -20,8 +20,8 @@ from statwalk.solve.solve_block import solve_chain_block
 
 @called
 def plant_feet(
-    f: Any, chains: Any, clamps: Any, m: Any, s: Any, mem: Any, values: Any, position: Any, heading: Any,
-    keep: Any, block: int, dt: float,
+    f: Any, chains: Any, clamps: Any, m: Any, s: Any, o: Any, mem: Any, values: Any, position: Any,
+    heading: Any, keep: Any, block: int, dt: float,
 ) -> None:  # fmt: skip
     """Moves the pelvis and the legs of a block's actors in `values`; chain k is the leg of foot k."""
     model_block(f.joints, f.parents, values, mem.legs, block)
@@ -31,7 +31,7 @@ def plant_feet(
         root = position[row, 0], position[row, 1], position[row, 2], sine, cosine
         if mem.seconds[row, 0] > 0.0:
             _begin_blend(f, keep, row)
-        _step_feet(f, m, s, mem, keep, row, root, dt)
+        _step_feet(f, m, s, o, mem, keep, row, root, dt)
         weight = f.weight[0] if f.weight_parameter[0] < 0 else s.smoothed[row, f.weight_parameter[0]]
         weight = min(max(weight, 0.0), 1.0)
         move_pelvis(f, mem.legs, values, row, weight * lower_pelvis(f, mem.legs, keep, row, root, dt))
@@ -49,15 +49,15 @@ def _begin_blend(f: Any, keep: Any, row: int) -> None:
 
 
 @inlined
-def _step_feet(f: Any, m: Any, s: Any, mem: Any, keep: Any, row: int, root: Any, dt: float) -> None:
+def _step_feet(f: Any, m: Any, s: Any, o: Any, mem: Any, keep: Any, row: int, root: Any, dt: float) -> None:
     """Moves the memory of an actor's feet on by a tick; of two feet each waits for the other."""
     feet = f.hip.shape[0]
-    member = _member(m, s, mem, row)
+    member, blends = _member(m, s, mem, row), o.elapsed[row, 0] < o.duration[row, 0]
     for foot in range(feet):
         at = f.memory[0] + OF_ACTOR + foot * OF_FOOT
         other = f.memory[0] + OF_ACTOR + ((foot + 1) % feet) * OF_FOOT if feet > 1 else -1
         is_down = member >= 0 and _is_planted(f, m, s, row, member, foot)
-        step_foot(f, mem.legs, keep, row, foot, at, other, root, is_down, dt)
+        step_foot(f, mem.legs, keep, row, foot, at, other, root, is_down, blends, dt)
 
 
 @inlined

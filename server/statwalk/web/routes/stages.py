@@ -16,7 +16,7 @@ from statwalk.services.hosting.stage_replies import ActorFacts
 from statwalk.web.bounded_json import RoomyRoute
 from statwalk.web.dependencies import LongWorkToken, registry_of, stage_of, token_of
 from statwalk.web.errors import Problem
-from statwalk.web.schemas.actor import ActorView, ClampedView
+from statwalk.web.schemas.actor import ActorView, ClampedView, ReachedView
 from statwalk.web.schemas.base import Tick
 from statwalk.web.schemas.stage import NewStage, PauseBody, SeekBody, Speed, StageView, StepBody
 
@@ -50,6 +50,7 @@ def view_actor(actor: ActorFacts) -> ActorView:
             ClampedView(joint=one.joint, angle_deg=math.degrees(one.angle), distance=one.distance)
             for one in actor.clamped
         ],
+        reached=[ReachedView(**found._asdict()) for found in actor.reached],
     )
 
 

@@ -59,6 +59,17 @@ class ClampedView(ResponseModel):
     distance: float
 
 
+class ReachedView(ResponseModel):
+    """What a solver of the machine file did in this tick: its weight 0…1, and the metres that are left to its
+    target; `reached` if they are within its tolerance, never without weight.
+    """
+
+    solver: str
+    weight: float
+    distance: float
+    reached: bool
+
+
 class ActorView(ResponseModel):
     """An actor at the stage's playhead; `time` in seconds, `position` in metres, `heading_deg` about +Y."""
 
@@ -74,6 +85,7 @@ class ActorView(ResponseModel):
     variables: dict[str, float]
     """the free variables of the machine's expressions"""
     clamped: list[ClampedView]
+    reached: list[ReachedView]
 
 
 class Accepted(ResponseModel):

@@ -926,6 +926,7 @@ export interface components {
                 [key: string]: number;
             };
             clamped: components["schemas"]["ClampedView"][];
+            reached: components["schemas"]["ReachedView"][];
         };
         /**
          * @description An alternative of a cell; `blend` in seconds, `enter` is the phase 0…1 at which the motion begins, or
@@ -1873,6 +1874,16 @@ export interface components {
             };
         };
         /**
+         * @description What a solver of the machine file did in this tick: its weight 0…1, and the metres that are left to its
+         *     target; `reached` if they are within its tolerance, never without weight.
+         */
+        ReachedView: {
+            solver: string;
+            weight: number;
+            distance: number;
+            reached: boolean;
+        };
+        /**
          * @description The answer to a dry run whose text would be refused: what is wrong in words, the places, and the
          *     findings that the text would add (none if it cannot be read).
          */
@@ -2600,6 +2611,7 @@ export type PauseBody = components['schemas']['PauseBody'];
 export type PlanView = components['schemas']['PlanView'];
 export type PoseAnswer = components['schemas']['PoseAnswer'];
 export type PoseSource = components['schemas']['PoseSource'];
+export type ReachedView = components['schemas']['ReachedView'];
 export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
 export type RootView = components['schemas']['RootView'];

@@ -5,6 +5,7 @@ import { setParameter } from "../../net/actors";
 import type { MachineInfo, Parameter } from "../../net/protocol";
 import type { Session } from "../../state/session";
 import { el, say } from "../../ui/dom";
+import { canLook } from "../targets/targets";
 
 const STEPS = 200;
 
@@ -27,8 +28,9 @@ export class ParametersPanel {
   }
 
   private draw(machine: MachineInfo | null): void {
+    const button = canLook(machine) ? "look" : ""; // it has a button of its own, and points have handles
     const rows = (machine?.parameters ?? [])
-      .filter(({ driven }) => !driven)
+      .filter(({ name, driven, kind }) => !driven && name !== button && kind !== "point")
       .map((parameter) => this.row(parameter));
     this.host.hidden = !rows.length;
     this.host.replaceChildren(...rows);

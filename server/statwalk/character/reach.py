@@ -1,0 +1,179 @@
+"""The solvers of a machine file on a character: names become joints, chains and tables."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.character.chain_of_names import chain_joints, sensitivities
+from statwalk.character.character import Character
+from statwalk.character.motions import masks_of
+from statwalk.character.solver_memory import SolverMemory
+from statwalk.errors import ContentError, UnknownNameError
+from statwalk.machine.compile.link import REACHED
+from statwalk.machine.compile.machine import Machine
+from statwalk.machine.definition.machine_definition import MachineDefinition
+from statwalk.machine.definition.solver_definition import SolverDefinition
+from statwalk.machine.settings import parameter_indices
+from statwalk.maths.columns import locked
+from statwalk.motion.layers import Mask
+from statwalk.rig.evaluate import world_from_local
+from statwalk.rig.model_buffer import JointList
+from statwalk.solve.chains import DEFAULT_ITERATIONS, NO_POLE, POLE_DIRECTION, POLE_POINT, Chain
+from statwalk.solve.reach_tables import OF_SOLVER, ReachTables
+
+NONE = (-1, -1, -1)
+WHOLE_TURN = 180.0
+
+
+def reach_names(definition: MachineDefinition) -> dict[str, tuple[float, ...]]:
+    """Returns the numbers of a new actor in the solvers' memory, by the names of the solvers there."""
+    return dict.fromkeys(map(_memory_name, definition.solvers), (0.0,) * OF_SOLVER)
+
+
+def reach_chains(character: Character, machine: Machine, definition: MachineDefinition) -> list[Chain]:
+    """Returns the chain of each solver of a machine file.
+
+    :raises MachineError: when the character has no such joints, or they are no chain; with the line.
+    """
+    chains = []
+    for name, written in definition.solvers.items():
+        try:
+            chains.append(_chain(character, machine, written))
+        except (ContentError, UnknownNameError) as error:
+            raise definition.refuse(f"solvers: {name}: {error}", written.line) from None
+    return chains
+
+
+def _chain(character: Character, machine: Machine, written: SolverDefinition) -> Chain:
+    skeleton = character.skeleton
+    joints, middle = chain_joints(skeleton, written.chain, written.solver)
+    x, y, z = (np.array(written.forward) / np.linalg.norm(written.forward)).tolist()
+    return Chain(
+        solver=written.solver,
+        joints=joints,
+        sensitivity=sensitivities(skeleton, written.chain, joints, written.solver, written.sensitivity),
+        middle=middle,
+        softening=written.softening,
+        tolerance=written.tolerance,
+        iterations=written.iterations or DEFAULT_ITERATIONS[written.solver],
+        pole_kind=_pole_kind(machine, written),
+        forward=(x, y, z),
+    )
+
+
+def _pole_kind(machine: Machine, written: SolverDefinition) -> int:
+    if written.pole is None:
+        return NO_POLE
+    if isinstance(written.pole, str):
+        parameter = machine.parameters[parameter_indices(machine, written.pole)[0]]
+        return POLE_POINT if parameter.kind == "point" else POLE_DIRECTION
+    return POLE_DIRECTION
+
+
+def reach_tables(
+    character: Character,
+    machine: Machine,
+    definition: MachineDefinition,
+    chains: Sequence[Chain],
+    memory: SolverMemory,
+    first_chain: int,
+) -> ReachTables:
+    """Returns the tables of the solvers with these chains; `first_chain`: the number of the first."""
+    solvers = list(definition.solvers.values())
+    rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
+    measured = [
+        chain
+        for chain, solver in zip(chains, solvers, strict=True)
+        if solver.solver == "force" or solver.cone_deg < WHOLE_TURN
+    ]
+    ends = {joint for chain in measured for joint in (chain.joints[0], chain.joints[-1])}
+    joints = JointList.of(character.skeleton, sorted(ends))
+    poles = [solver.pole for solver in solvers]
+    masks = masks_of(character, definition)
+    return locked(
+        ReachTables(
+            first_chain=np.array([first_chain], np.int32),
+            target=_triples([parameter_indices(machine, each.target) for each in solvers]).astype(np.int32),
+            in_stage=np.array([solver.space == "stage" for solver in solvers], bool),
+            pole=_triples([pole if isinstance(pole, tuple) else (0, 0, 0) for pole in poles]),
+            pole_parameter=_triples(
+                [parameter_indices(machine, pole) if isinstance(pole, str) else NONE for pole in poles]
+            ).astype(np.int32),
+            weight_parameter=np.array([_weight_parameter(machine, solver) for solver in solvers], np.int32),
+            weight=np.array([_weights(machine, definition, each) for each in solvers], np.float64).reshape(
+                len(solvers), len(machine.states)
+            ),
+            eagerness=np.array([_eagerness(solver) for solver in solvers], np.float64),
+            travel=np.array(
+                [_rate(solver.travel) if solver.solver == "force" else -1.0 for solver in solvers], np.float64
+            ),
+            cone=np.array([_cone(each) for each in solvers], np.float64).reshape(-1, 2),
+            length=np.array([_length(rest, chain) for chain in chains], np.float64),
+            joints=joints.joints,
+            parents=joints.parents,
+            start=_places(joints, [chain.joints[0] for chain in chains]),
+            end=_places(joints, [chain.joints[-1] for chain in chains]),
+            covers=np.array([[_moves(mask, chain) for mask in masks] for chain in chains], bool).reshape(
+                len(chains), len(masks)
+            ),
+            memory=np.array([memory.first(_memory_name(name)) for name in definition.solvers], np.int32),
+        )
+    )
+
+
+def _memory_name(solver: str) -> str:
+    return f"solver {solver}"
+
+
+def _triples(rows: Sequence[Sequence[float]]) -> NDArray[np.float64]:
+    return np.array(rows, np.float64).reshape(-1, 3)
+
+
+def _rate(seconds: float) -> float:
+    return REACHED / seconds if seconds > 0 else 0.0
+
+
+def _cone(solver: SolverDefinition) -> tuple[float, float]:
+    angle = math.radians(solver.cone_deg)
+    return (-1.0, 0.0) if solver.cone_deg >= WHOLE_TURN else (math.cos(angle), math.sin(angle))
+
+
+def _eagerness(solver: SolverDefinition) -> float:
+    return _rate(solver.ease) if isinstance(solver.weight, Mapping) else 0.0
+
+
+def _weight_parameter(machine: Machine, solver: SolverDefinition) -> int:
+    return parameter_indices(machine, solver.weight)[0] if isinstance(solver.weight, str) else -1
+
+
+def _weights(machine: Machine, definition: MachineDefinition, solver: SolverDefinition) -> list[float]:
+    """The weight in each state; an inner state takes that of the composite state around it."""
+    if not isinstance(solver.weight, Mapping):
+        return [0.0 if isinstance(solver.weight, str) else solver.weight] * len(machine.states)
+    found = []
+    for row in machine.rows(0):
+        name, written = machine.states[row], definition.states[machine.states[row]]
+        outer = written.composite
+        while name not in solver.weight and outer:
+            name, outer = outer, definition.composites[outer].composite
+        found.append(solver.weight.get(name, 0.0))
+    return found + [0.0] * (len(machine.states) - len(found))
+
+
+def _length(rest: NDArray[np.float64], chain: Chain) -> float:
+    points = rest[list(chain.joints), :, 3]
+    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+
+
+def _places(joints: JointList, wanted: Sequence[int]) -> NDArray[np.int32]:
+    """Indices in the list; of joints that it does not have, 0."""
+    rows = np.array(wanted, np.int64)
+    return np.where(np.isin(rows, joints.joints), joints.joints.searchsorted(rows), 0).astype(np.int32)
+
+
+def _moves(mask: Mask, chain: Chain) -> bool:
+    return bool(np.isin(mask.joints, chain.joints).any())

@@ -1,0 +1,42 @@
+"""The `solvers:` of a machine as written (IK13 to IK15): chains that reach for a parameter in every tick."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+
+@dataclass(frozen=True)
+class SolverDefinition:
+    """A chain of joints whose end comes to a target."""
+
+    line: int
+    solver: str
+    """two-bone, ccd, fabrik, force or look-at"""
+    chain: tuple[str, ...]
+    """joints from start to end"""
+    target: str
+    """a parameter of kind point"""
+    space: Literal["stage", "model"] = "stage"
+    """of target and pole parameters"""
+    pole: str | tuple[float, float, float] | None = None
+    """a parameter of kind point or direction, or a direction in model space"""
+    weight: float | str | Mapping[str, float] = 1.0
+    """0…1, a parameter, or a number for each state of the base; states left out: 0"""
+    ease: float = 0.3
+    """seconds in which a weight by state is reached"""
+    travel: float = 0.3
+    """force: seconds in which the end travels to its target"""
+    softening: float = 0.0
+    tolerance: float = 1e-4
+    iterations: int | None = None
+    sensitivity: Mapping[str, float] = field(default_factory=dict)
+    forward: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    cone_deg: float = 180.0
+    """look-at: it looks no further than this from the front, +Z of model space"""
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Returns the parameters that the solver reads."""
+        return tuple(name for name in (self.target, self.pole, self.weight) if isinstance(name, str))

@@ -1,0 +1,61 @@
+"""What the solvers of a machine file read in a tick: their targets, weights and memory."""
+
+from __future__ import annotations
+
+from typing import Annotated, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from statwalk.maths.columns import columns
+
+
+class ReachTables(NamedTuple):
+    """K solvers, n joints, P parameters, S states, L layers; parameters are columns of the smoothed ones."""
+
+    first_chain: Annotated[NDArray[np.int32], "1"]
+    """the chain of the first solver: the chains of feet come before it"""
+    target: Annotated[NDArray[np.int32], "solver, xyz"]
+    """parameters"""
+    in_stage: Annotated[NDArray[np.bool_], "solver"]
+    """whether target and pole parameters are in stage space, else in model space"""
+    pole: Annotated[NDArray[np.float64], "solver, xyz"]
+    """a direction in model space, if `pole_parameter` is -1"""
+    pole_parameter: Annotated[NDArray[np.int32], "solver, xyz"]
+    weight_parameter: Annotated[NDArray[np.int32], "solver"]
+    """-1: the weight is `weight`"""
+    weight: Annotated[NDArray[np.float64], "solver, state"]
+    eagerness: Annotated[NDArray[np.float64], "solver"]
+    """1/s with which a weight by state is reached; 0: immediately"""
+    travel: Annotated[NDArray[np.float64], "solver"]
+    """1/s with which the end of a force solver travels; 0: immediately; below 0: another solver"""
+    cone: Annotated[NDArray[np.float64], "solver, 2"]
+    """cosine and sine of the angle from +Z within which a look-at solver looks; -1, 0: everywhere"""
+    length: Annotated[NDArray[np.float64], "solver"]
+    """metres: of the chain at rest"""
+    joints: Annotated[NDArray[np.int32], "joint"]
+    """the starts and ends of the chains of force solvers, the ends of look-at solvers with a cone, and all
+    above them, parents first
+    """
+    parents: Annotated[NDArray[np.int32], "joint"]
+    """the index of each joint's parent in `joints`, -1 a root"""
+    start: Annotated[NDArray[np.int32], "solver"]
+    """the index in `joints` of a chain's start, 0 if it is not there"""
+    end: Annotated[NDArray[np.int32], "solver"]
+    covers: Annotated[NDArray[np.bool_], "solver, layer"]
+    """whether a layer moves joints of the chain"""
+    memory: Annotated[NDArray[np.int32], "solver"]
+    """a solver's first column in the solvers' memory"""
+
+
+REACH = columns(ReachTables, readonly=True)
+"""the numba type of ReachTables"""
+OF_SOLVER = 13
+"""numbers of a solver in the solvers' memory"""
+(
+    SINCE, WEIGHT, WEIGHT_RATE, SHOWN, CARRIED, LAYER, DISTANCE, X, Y, Z, X_RATE, Y_RATE, Z_RATE,
+) = range(OF_SOLVER)  # fmt: skip
+"""0 in a new actor; the weight by state, and its rate; the weight that was shown; the part of it that is in
+the pose offset of a transition when it began, and the layer of that transition; metres from the end to the
+target; where the end of a force solver travels to, and its velocity (in the space of the target)
+"""

@@ -1,0 +1,157 @@
+"""The inputs of the chains of a machine file's solvers: targets and poles from parameters to model space.
+
+`r` ReachTables; `smoothed` the parameters, a row for each actor; `joints` the model matrices of `r.joints`;
+`keep` the solvers' memory; `root` x, y, z of the actor, sine and cosine of its heading.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from statwalk.maths.compiling import inlined
+from statwalk.maths.reference import called
+from statwalk.maths.simd.pose_layout import place_of
+from statwalk.maths.springs import settled
+from statwalk.solve.chains import POLE, POLE_POINT, TARGET
+from statwalk.solve.foot_points import on_stage
+from statwalk.solve.reach_tables import X_RATE, X
+
+
+@called
+def write_inputs(
+    r: Any, chains: Any, smoothed: Any, joints: Any, keep: Any, rows: Any, row: int, k: int, root: Any,
+    weight: float, dt: float,
+) -> None:  # fmt: skip
+    """Writes target and pole of a solver's chain for one actor; the end of a force solver travels on."""
+    _, lane = place_of(row)
+    x, y, z = _target(r, smoothed, row, k, root)
+    if r.travel[k] >= 0.0:
+        x, y, z = _travelled(r, joints, keep, row, k, root, (x, y, z), weight, dt)
+    if r.cone[k, 0] > -1.0:
+        x, y, z = _in_cone(_joint(joints, row, r.end[k]), (x, y, z), r.cone[k, 0], r.cone[k, 1])
+    rows[TARGET, lane], rows[TARGET + 1, lane], rows[TARGET + 2, lane] = x, y, z
+    x, y, z = _pole(r, chains, smoothed, row, k, root)
+    rows[POLE, lane], rows[POLE + 1, lane], rows[POLE + 2, lane] = x, y, z
+
+
+@inlined
+def is_measured(r: Any, k: int) -> Any:
+    """Returns whether the chain of a solver aims elsewhere than at the solver's target: on the way, or at the
+    edge of a cone.
+    """
+    return r.travel[k] >= 0.0 or r.cone[k, 0] > -1.0
+
+
+@called
+def distance_left(r: Any, chains: Any, smoothed: Any, joints: Any, row: int, k: int, root: Any) -> Any:
+    """Returns the metres from the end of a solver's chain to its target; look-at: by which the line of sight
+    passes it, or from the eye if the target is behind.
+    """
+    x, y, z = _target(r, smoothed, row, k, root)
+    a, b, c = _joint(joints, row, r.end[k])
+    x, y, z = x - a, y - b, z - c
+    square, along = x * x + y * y + z * z, 0.0
+    if r.travel[k] < 0.0:
+        a, b, c = _sight(chains, joints, row, r.end[k], r.first_chain[0] + k)
+        along = max((x * a + y * b + z * c) / math.sqrt(max(a * a + b * b + c * c, 1e-12)), 0.0)
+    return math.sqrt(max(square - along * along, 0.0))
+
+
+@inlined
+def _sight(chains: Any, joints: Any, row: int, place: int, number: int) -> Any:
+    """The direction in which a joint looks."""
+    block, lane = place_of(row)
+    x, y, z = chains.forward[number, 0], chains.forward[number, 1], chains.forward[number, 2]
+    a = joints[block, place, 0, lane] * x + joints[block, place, 1, lane] * y
+    b = joints[block, place, 4, lane] * x + joints[block, place, 5, lane] * y
+    c = joints[block, place, 8, lane] * x + joints[block, place, 9, lane] * y
+    a, b = a + joints[block, place, 2, lane] * z, b + joints[block, place, 6, lane] * z
+    return a, b, c + joints[block, place, 10, lane] * z
+
+
+@inlined
+def _in_model(x: float, y: float, z: float, root: Any) -> Any:
+    """A point of the stage in model space."""
+    x, z = x - root[0], z - root[2]
+    return x * root[4] - z * root[3], y - root[1], z * root[4] + x * root[3]
+
+
+@inlined
+def _target(r: Any, smoothed: Any, row: int, k: int, root: Any) -> Any:
+    """The target in model space."""
+    x, y = smoothed[row, r.target[k, 0]], smoothed[row, r.target[k, 1]]
+    z = smoothed[row, r.target[k, 2]]
+    if r.in_stage[k]:
+        return _in_model(x, y, z, root)
+    return x, y, z
+
+
+@inlined
+def _pole(r: Any, chains: Any, smoothed: Any, row: int, k: int, root: Any) -> Any:
+    """The pole, a point or a direction, in model space."""
+    if r.pole_parameter[k, 0] < 0:
+        return r.pole[k, 0], r.pole[k, 1], r.pole[k, 2]
+    x, y = smoothed[row, r.pole_parameter[k, 0]], smoothed[row, r.pole_parameter[k, 1]]
+    z = smoothed[row, r.pole_parameter[k, 2]]
+    if not r.in_stage[k]:
+        return x, y, z
+    if chains.pole_kind[r.first_chain[0] + k] == POLE_POINT:
+        return _in_model(x, y, z, root)
+    return x * root[4] - z * root[3], y, z * root[4] + x * root[3]
+
+
+@inlined
+def _joint(joints: Any, row: int, place: int) -> Any:
+    block, lane = place_of(row)
+    return joints[block, place, 3, lane], joints[block, place, 7, lane], joints[block, place, 11, lane]
+
+
+@inlined
+def _travelled(
+    r: Any, joints: Any, keep: Any, row: int, k: int, root: Any, target: Any, weight: float, dt: float
+) -> Any:
+    """Where the end of a force solver has got to on its way to the target; without weight: where it is."""
+    start, at = _joint(joints, row, r.start[k]), r.memory[k]
+    if weight <= 0.0:
+        end = _joint(joints, row, r.end[k])
+        if r.in_stage[k]:
+            end = on_stage(end[0], end[1], end[2], root)
+        for axis in range(3):
+            keep[row, at + X + axis], keep[row, at + X_RATE + axis] = end[axis], 0.0
+        return target
+    goal = _within_reach(start, target, r.length[k])
+    if r.in_stage[k]:
+        goal = on_stage(goal[0], goal[1], goal[2], root)
+    for axis in range(3):
+        place, rate = goal[axis], 0.0
+        if r.travel[k] > 0.0:
+            left = keep[row, at + X + axis] - goal[axis]
+            left, rate = settled(left, keep[row, at + X_RATE + axis], r.travel[k], dt)
+            place += left
+        keep[row, at + X + axis], keep[row, at + X_RATE + axis] = place, rate
+    x, y, z = keep[row, at + X], keep[row, at + X + 1], keep[row, at + X + 2]
+    if r.in_stage[k]:
+        return _in_model(x, y, z, root)
+    return x, y, z
+
+
+@inlined
+def _in_cone(eye: Any, target: Any, cosine: float, sine: float) -> Any:
+    """The target, or the nearest direction to it in a cone about +Z, as far from the eye."""
+    x, y, z = target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]
+    across, away = math.sqrt(x * x + y * y), math.sqrt(x * x + y * y + z * z)
+    if z >= cosine * away:
+        return target
+    if across < 1e-6 * away:
+        x, y, across = 1.0, 0.0, 1.0
+    part = away * sine / across
+    return eye[0] + part * x, eye[1] + part * y, eye[2] + away * cosine
+
+
+@inlined
+def _within_reach(start: Any, target: Any, length: float) -> Any:
+    """The target, or the point of the way there at which the chain is at full stretch."""
+    x, y, z = target[0] - start[0], target[1] - start[1], target[2] - start[2]
+    part = min(1.0, length / max(math.sqrt(x * x + y * y + z * z), 1e-9))
+    return start[0] + part * x, start[1] + part * y, start[2] + part * z

@@ -1,0 +1,103 @@
+"""Step 8 of the tick for the solvers of a machine file: their chains reach for their targets.
+
+The pose offset of a transition is taken from the shown pose: what a solver had added is in the offset, and
+dies out with it. Until then a solver adds what is missing to its weight, so the pose does not jump.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from statwalk.maths.compiling import inlined
+from statwalk.maths.reference import called
+from statwalk.maths.scalar import sincos
+from statwalk.maths.simd.lanes import LANES
+from statwalk.maths.simd.pose_layout import end_row, first_row
+from statwalk.maths.springs import settled
+from statwalk.rig.hierarchy import model_block
+from statwalk.solve.chains import DISTANCE as SOLVED_DISTANCE
+from statwalk.solve.chains import ROWS
+from statwalk.solve.chains import WEIGHT as INPUT_WEIGHT
+from statwalk.solve.reach_tables import CARRIED, DISTANCE, LAYER, SHOWN, SINCE, WEIGHT, WEIGHT_RATE
+from statwalk.solve.reach_targets import distance_left, is_measured, write_inputs
+from statwalk.solve.solve_block import solve_chain_block
+from statwalk.stage.steps.offset_clocks import remaining
+
+ARRIVED, SLOW = 1e-4, 1e-3
+"""a weight by state this near to its goal, and slower than this per second, has arrived"""
+
+
+@called
+def reach(
+    r: Any, chains: Any, clamps: Any, s: Any, o: Any, mem: Any, values: Any, position: Any, heading: Any,
+    keep: Any, block: int, dt: float,
+) -> None:  # fmt: skip
+    """Turns the chains of a block's actors in `values` towards their targets, one solver after the other."""
+    first, end = first_row(block), end_row(block, s.state.shape[0])
+    if r.joints.shape[0] > 0:
+        model_block(r.joints, r.parents, values, mem.reach_joints, block)
+    for k in range(r.memory.shape[0]):
+        rows = mem.reach_rows[k]
+        for lane in range(LANES):
+            rows[INPUT_WEIGHT, lane] = 0.0
+        for row in range(first, end):
+            weight = _weight(r, s, keep, row, k, dt)
+            root = _root(position, heading, row)
+            write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
+            rows[INPUT_WEIGHT, row - first] = _missing(r, o, mem, keep, row, k, weight)
+        number = r.first_chain[0] + k
+        solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, k * ROWS * LANES, mem.chain)
+        for row in range(first, end):
+            keep[row, r.memory[k] + DISTANCE] = rows[SOLVED_DISTANCE, row - first]
+    if r.joints.shape[0] > 0:
+        model_block(r.joints, r.parents, values, mem.reach_joints, block)
+        for k in range(r.memory.shape[0]):
+            for row in range(first, end):
+                if is_measured(r, k) and keep[row, r.memory[k] + SHOWN] > 0.0:
+                    root = _root(position, heading, row)
+                    distance = distance_left(r, chains, s.smoothed, mem.reach_joints, row, k, root)
+                    keep[row, r.memory[k] + DISTANCE] = distance
+
+
+@inlined
+def _root(position: Any, heading: Any, row: int) -> Any:
+    """x, y, z of an actor, sine and cosine of its heading."""
+    sine, cosine = sincos(heading[row])
+    return position[row, 0], position[row, 1], position[row, 2], sine, cosine
+
+
+@inlined
+def _weight(r: Any, s: Any, keep: Any, row: int, k: int, dt: float) -> Any:
+    """The weight of a solver in this tick; by state: eased."""
+    at, parameter = r.memory[k], r.weight_parameter[k]
+    goal = s.smoothed[row, parameter] if parameter >= 0 else r.weight[k, s.state[row, 0]]
+    goal = min(max(goal, 0.0), 1.0)
+    weight, rate = goal, 0.0
+    if keep[row, at + SINCE] > 0.0 and r.eagerness[k] > 0.0:
+        left, rate = settled(keep[row, at + WEIGHT] - goal, keep[row, at + WEIGHT_RATE], r.eagerness[k], dt)
+        weight = goal + left
+        if abs(left) < ARRIVED and abs(rate) < SLOW:
+            weight, rate = goal, 0.0
+    keep[row, at + SINCE] = 1.0
+    keep[row, at + WEIGHT], keep[row, at + WEIGHT_RATE] = weight, rate
+    return min(max(weight, 0.0), 1.0)
+
+
+@inlined
+def _missing(r: Any, o: Any, mem: Any, keep: Any, row: int, k: int, weight: float) -> Any:
+    """The weight with which a solver has to work, so that `weight` is shown with what pose offsets carry."""
+    at = r.memory[k]
+    for layer in range(r.covers.shape[1]):
+        if mem.seconds[row, layer] > 0.0 and r.covers[k, layer]:
+            keep[row, at + CARRIED], keep[row, at + LAYER] = keep[row, at + SHOWN], layer
+    carried = keep[row, at + CARRIED]
+    if carried > 0.0:
+        layer = min(int(keep[row, at + LAYER]), r.covers.shape[1] - 1)  # an edit may have removed its layer
+        carried *= remaining(o, row, layer, 0.0)[0]
+        if carried <= 0.0:
+            keep[row, at + CARRIED] = 0.0
+    missing = weight
+    if weight < 1.0 and carried > 0.0:
+        missing = (weight - carried) / (1.0 - carried) if carried < weight else 0.0
+    keep[row, at + SHOWN] = max(weight, carried)
+    return missing

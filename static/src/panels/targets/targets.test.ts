@@ -1,0 +1,21 @@
+import { describe, expect, it } from "vitest";
+import type { MachineInfo } from "../../net/protocol";
+import { pointsOf } from "./targets";
+
+const part = (name: string, kind: string, vector: string, standard: number): object => ({
+  ...{ name, kind, vector, default: standard, minimum: -9, maximum: 9, smooth: 0, driven: false },
+});
+
+describe("the points of a machine", () => {
+  it("are put together from their components", () => {
+    const parameters = [
+      part("pace", "number", "", 1),
+      part("grip.x", "point", "grip", 1),
+      part("grip.y", "point", "grip", 2),
+      part("grip.z", "point", "grip", 3),
+      part("side.x", "direction", "side", 1),
+    ];
+    expect([...pointsOf({ parameters } as unknown as MachineInfo)]).toEqual([["grip", [1, 2, 3]]]);
+    expect(pointsOf(null).size).toBe(0);
+  });
+});

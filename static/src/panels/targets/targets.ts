@@ -1,0 +1,137 @@
+/**
+ * Buttons for the point parameters of the watched machine: a handle to drag in the scene for each, and, for a
+ * machine with `gaze` and `look`, a character that looks at the pointer.
+ */
+
+import "./targets.css";
+import * as THREE from "three";
+import { Latest } from "../../net/latest";
+import type { MachineInfo } from "../../net/protocol";
+import type { Session } from "../../state/session";
+import { el } from "../../ui/dom";
+import { onFacingPlane, type Point, PointHandles } from "../../view/pointHandles";
+import type { StageView } from "../../view/stageView";
+
+const PER_SECOND = 30;
+/** Metres in front of the character at which the pointer's plane stands. */
+const IN_FRONT = 1.2;
+/** Metres: the size of a handle, as a part of the character's height. */
+const SIZE = 0.035;
+const [GAZE, LOOK] = ["gaze", "look"];
+
+/** The point parameters of a machine with their default places. */
+export function pointsOf(machine: MachineInfo | null): Map<string, Point> {
+  const points = new Map<string, Point>();
+  for (const { name, kind, vector, default: standard } of machine?.parameters ?? []) {
+    if (kind !== "point") continue;
+    const point = points.get(vector) ?? [0, 0, 0];
+    point["xyz".indexOf(name.slice(-1))] = standard;
+    points.set(vector, point);
+  }
+  return points;
+}
+
+/** Whether a machine's character can look at the pointer: it has a point `gaze` and a weight `look`. */
+export function canLook(machine: MachineInfo | null): boolean {
+  return pointsOf(machine).has(GAZE) && machine!.parameters.some(({ name }) => name === LOOK);
+}
+
+export class TargetsPanel {
+  private readonly handles: PointHandles;
+  private readonly points = new Map<string, Point>();
+  private readonly senders = new Map<string, Latest<Point>>();
+  private shown = new Set<string>();
+  private looks = false;
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly session: Session,
+    private readonly stageView: StageView,
+  ) {
+    this.handles = new PointHandles(stageView.scene, (name, point) => this.send(name, point));
+    const begin = (): void => this.begin(session.machine.value);
+    session.machine.on(begin);
+    session.actor.on(begin);
+    stageView.scene.canvas.addEventListener("pointermove", (event) => this.follow(event));
+  }
+
+  /** Where each handle is drawn, in pixels; for tests. */
+  places(): Record<string, [number, number]> {
+    return this.handles.places();
+  }
+
+  private begin(machine: MachineInfo | null): void {
+    this.handles.clear();
+    this.shown = new Set();
+    this.looks = false;
+    this.points.clear();
+    for (const [name, point] of pointsOf(machine)) this.points.set(name, point);
+    this.draw(machine);
+  }
+
+  private draw(machine: MachineInfo | null): void {
+    const buttons = [...this.points.keys()].map((name) =>
+      this.button(`drag ${name}`, `shows a handle that moves the point ${name}`, () => this.toggle(name)),
+    );
+    if (canLook(machine))
+      buttons.push(this.button("look at the pointer", "he looks where you point", () => this.stare()));
+    this.host.hidden = !buttons.length;
+    this.host.replaceChildren(...buttons);
+  }
+
+  private button(words: string, title: string, act: () => boolean): HTMLButtonElement {
+    const made = el("button", { type: "button", title, "aria-pressed": "false" }, words);
+    made.addEventListener("click", () => made.setAttribute("aria-pressed", String(act())));
+    return made;
+  }
+
+  /** Shows or hides the handle of a point; returns whether it is shown. */
+  private toggle(name: string): boolean {
+    if (this.shown.delete(name)) this.handles.hide(name);
+    else {
+      this.shown.add(name);
+      this.handles.show(name, this.points.get(name)!, this.size());
+    }
+    return this.shown.has(name);
+  }
+
+  private size(): number {
+    const box = this.stageView.selected()?.box();
+    return SIZE * (box ? Math.max(box.max.y - box.min.y, 0.1) : 1.8);
+  }
+
+  /** Makes the character look at the pointer, or no more; returns whether it does. */
+  private stare(): boolean {
+    this.looks = !this.looks;
+    this.set(LOOK, this.looks ? 1 : 0);
+    return this.looks;
+  }
+
+  /** Sends the place under the pointer on a plane in front of the character. */
+  private follow(event: PointerEvent): void {
+    const actor = this.looks ? this.stageView.selected() : null;
+    if (!actor) return;
+    const { camera } = this.stageView.scene.view;
+    const centre = actor.box().getCenter(new THREE.Vector3());
+    const before = camera.getWorldDirection(new THREE.Vector3()).multiplyScalar(-IN_FRONT).add(centre);
+    const place = onFacingPlane(this.handles.ray(event), camera, before);
+    if (place) this.send(GAZE, place.toArray());
+  }
+
+  /** Sets a parameter of the watched actor. */
+  private set(parameter: string, value: number | Point): void {
+    const actor = this.session.actor.value;
+    if (actor !== null) this.session.connection.send({ type: "set", parameter, value, actor });
+  }
+
+  private send(name: string, point: Point): void {
+    this.points.set(name, point);
+    if (this.shown.has(name)) this.handles.show(name, point, this.size());
+    let sender = this.senders.get(name);
+    if (!sender) {
+      sender = new Latest<Point>((newest) => this.set(name, newest), PER_SECOND);
+      this.senders.set(name, sender);
+    }
+    sender.put(point);
+  }
+}

@@ -1,0 +1,113 @@
+/** Balls in the scene that you drag: each is the value of a point parameter of the watched machine. */
+
+import * as THREE from "three";
+import type { Scene } from "./scene";
+
+export type Point = [number, number, number];
+
+/** The place where a ray meets the plane through `through` that faces the camera; null: it does not meet it. */
+export function onFacingPlane(
+  ray: THREE.Ray,
+  camera: THREE.Camera,
+  through: THREE.Vector3,
+): THREE.Vector3 | null {
+  const normal = camera.getWorldDirection(new THREE.Vector3());
+  return ray.intersectPlane(
+    new THREE.Plane().setFromNormalAndCoplanarPoint(normal, through),
+    new THREE.Vector3(),
+  );
+}
+
+export class PointHandles {
+  private readonly balls = new Map<string, THREE.Mesh>();
+  private readonly shape = new THREE.SphereGeometry(1, 24, 16);
+  private readonly look = new THREE.MeshBasicMaterial({
+    color: "#e9803a",
+    transparent: true,
+    opacity: 0.75,
+    depthTest: false,
+  });
+  private readonly caster = new THREE.Raycaster();
+  private dragged: string | null = null;
+
+  constructor(
+    private readonly scene: Scene,
+    private readonly moved: (name: string, point: Point) => void,
+  ) {
+    const { canvas } = scene;
+    canvas.addEventListener("pointerdown", (event) => this.grab(event), { capture: true });
+    canvas.addEventListener("pointermove", (event) => this.drag(event));
+    for (const end of ["pointerup", "pointercancel"] as const)
+      canvas.addEventListener(end, () => this.drop());
+  }
+
+  /** Shows a handle of `size` metres at a point. */
+  show(name: string, point: Point, size: number): void {
+    let ball = this.balls.get(name);
+    if (!ball) {
+      ball = new THREE.Mesh(this.shape, this.look);
+      ball.renderOrder = 20;
+      this.balls.set(name, ball);
+      this.scene.world.add(ball);
+    }
+    ball.position.set(...point);
+    ball.scale.setScalar(size);
+    this.scene.invalidate();
+  }
+
+  hide(name: string): void {
+    this.balls.get(name)?.removeFromParent();
+    this.balls.delete(name);
+    this.scene.invalidate();
+  }
+
+  clear(): void {
+    for (const name of [...this.balls.keys()]) this.hide(name);
+    this.drop();
+  }
+
+  /** Where each handle is drawn, in pixels of the page; for tests. */
+  places(): Record<string, [number, number]> {
+    const box = this.scene.canvas.getBoundingClientRect();
+    const place = (ball: THREE.Mesh): [number, number] => {
+      const { x, y } = ball.position.clone().project(this.scene.view.camera);
+      return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
+    };
+    return Object.fromEntries([...this.balls].map(([name, ball]) => [name, place(ball)]));
+  }
+
+  /** The ray under the pointer. */
+  ray(event: PointerEvent): THREE.Ray {
+    const box = this.scene.canvas.getBoundingClientRect();
+    const x = ((event.clientX - box.left) / box.width) * 2 - 1;
+    const y = 1 - ((event.clientY - box.top) / box.height) * 2;
+    this.caster.setFromCamera(new THREE.Vector2(x, y), this.scene.view.camera);
+    return this.caster.ray;
+  }
+
+  private grab(event: PointerEvent): void {
+    if (event.button !== 0 || !this.balls.size) return;
+    this.ray(event);
+    const [hit] = this.caster.intersectObjects([...this.balls.values()], false);
+    const name = [...this.balls].find(([, ball]) => ball === hit?.object)?.[0];
+    if (name === undefined) return;
+    this.dragged = name;
+    this.scene.view.controls.enabled = false;
+    this.scene.canvas.setPointerCapture(event.pointerId);
+  }
+
+  private drag(event: PointerEvent): void {
+    const ball = this.dragged === null ? undefined : this.balls.get(this.dragged);
+    const place = ball && onFacingPlane(this.ray(event), this.scene.view.camera, ball.position);
+    if (!ball || !place || this.dragged === null) return;
+    ball.position.copy(place);
+    this.scene.invalidate();
+    this.moved(this.dragged, place.toArray());
+  }
+
+  private drop(): void {
+    if (this.dragged === null) return;
+    this.dragged = null;
+    this.scene.view.controls.enabled = true;
+  }
+}

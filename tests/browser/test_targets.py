@@ -1,0 +1,58 @@
+"""Point parameters in the page: a handle to drag, a character that looks at the pointer; all is logged."""
+
+import json
+
+import httpx
+from browser.conftest import Server, until
+from playwright.sync_api import Page
+from serving import wait_for
+
+
+def reached(server: Server, viewer: Page) -> dict[str, float]:
+    """What the gaze solver of the watched actor did."""
+    stage = viewer.evaluate("__viewer.stage()")
+    (actor,) = httpx.get(f"{server.url}/api/stages/{stage}").json()["actors"]
+    (found,) = actor["reached"]
+    return found
+
+
+def gazes(server: Server, viewer: Page) -> list[float]:
+    """The x of all places of `gaze` in the log of the stage."""
+    stage = viewer.evaluate("__viewer.stage()")
+    lines = httpx.get(f"{server.url}/api/stages/{stage}/log").text.splitlines()
+    found = [json.loads(line) for line in lines]
+    return [line["value"] for line in found if line.get("parameter") == "gaze.x"]
+
+
+def test_he_looks_at_the_pointer_on_request(server: Server, viewer: Page) -> None:
+    until(viewer, "__viewer.state() === 'STAT'")
+    assert reached(server, viewer)["weight"] == 0
+    box = viewer.locator("#stage-view").bounding_box()
+    assert box
+    viewer.get_by_role("button", name="look at the pointer").click()
+    viewer.mouse.move(box["x"] + 0.6 * box["width"], box["y"] + 0.3 * box["height"])
+    viewer.mouse.move(box["x"] + 0.7 * box["width"], box["y"] + 0.35 * box["height"])
+    wait_for(lambda: reached(server, viewer)["weight"] > 0.99)
+    wait_for(lambda: reached(server, viewer)["reached"])
+    assert gazes(server, viewer)
+    viewer.get_by_role("button", name="look at the pointer").click()
+    wait_for(lambda: reached(server, viewer)["weight"] == 0)
+
+
+def test_a_dragged_handle_moves_its_point(server: Server, viewer: Page) -> None:
+    until(viewer, "__viewer.ready")
+    viewer.get_by_role("button", name="drag gaze").click()
+    until(viewer, "'gaze' in __viewer.handles()")
+    x, y = viewer.evaluate("__viewer.handles().gaze")
+    before = len(gazes(server, viewer))
+    viewer.mouse.move(x, y)
+    viewer.mouse.down()
+    for step in range(1, 6):
+        viewer.mouse.move(x - 8 * step, y + 4 * step)
+    viewer.mouse.up()
+    wait_for(lambda: len(gazes(server, viewer)) > before)
+    moved = viewer.evaluate("__viewer.handles().gaze")
+    assert abs(moved[0] - (x - 40)) < 2
+    assert abs(moved[1] - (y + 20)) < 2
+    viewer.get_by_role("button", name="drag gaze").click()
+    until(viewer, "!('gaze' in __viewer.handles())")
