@@ -50,7 +50,7 @@ TWIST, FAR_TWIST = 0.15, 0.5
 """radians, likewise"""
 SHORTEST_STAND, SHORTEST_STEP = 0.05, 0.1
 """seconds"""
-HARDEST, MOST_EAGER = 40.0, 24.0
+HARDEST, MOST_EAGER = 28.0, 24.0
 """m/s² with which a released foot sets off to its motion at most; 1/s"""
 CLEARANCE, PER_METRE, PER_SPEED = 0.06, 0.3, 0.03
 """metres by which a foot on its way is lifted at most; for each metre from its motion; for each m/s"""
@@ -58,7 +58,7 @@ LEAST_CLEARANCE, NEARLY_THERE = 0.009, 0.004
 """metres by which a foot on its way is lifted at least, until it is so near to its motion"""
 CLEAR, LONGEST_LEAVE = 0.007, 0.1
 """a released foot keeps its place until it is so high (metres), for so long at most (seconds)"""
-RISE = 28.0
+RISE = 24.0
 """1/s: how eagerly a foot comes to its height"""
 ROLL = 0.001
 """metres by which another point of the sole must be lower, for the foot to roll on to it"""
