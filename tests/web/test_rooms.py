@@ -49,7 +49,7 @@ async def test_a_character_has_joints_clips_and_a_model(client: httpx.AsyncClien
     assert all(
         nodes[joint["node"]].get("name", joint["name"]) == joint["name"] for joint in character["joints"]
     )
-    assert {"walk", "stand", "jump"} <= {clip["name"] for clip in character["clips"]}
+    assert {"walk", "stand", "fly"} <= {clip["name"] for clip in character["clips"]}
 
 
 @pytest.mark.parametrize(

@@ -143,7 +143,9 @@ class Actor:
     def reached(self) -> dict[str, ReachedTarget]:
         """What each solver of the machine file did in this tick: weight, distance left, reached; by name."""
         cast, row = self._find(self.id)[:2]
-        return {found.solver: found for found in reached_targets(cast, np.array([row]))[0]}
+        return {
+            found.solver: found for found in reached_targets(cast.role, cast.solver_memory[row : row + 1])[0]
+        }
 
     @property
     def hash(self) -> str:

@@ -1,9 +1,8 @@
 /** Balls in the scene that you drag: each is the value of a point parameter of the watched machine. */
 
 import * as THREE from "three";
+import type { Point } from "../state/points";
 import type { Scene } from "./scene";
-
-export type Point = [number, number, number];
 
 /** The place where a ray meets the plane through `through` that faces the camera; null: it does not meet it. */
 export function onFacingPlane(

@@ -18,7 +18,7 @@ from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.hashing import text
 from statwalk.stage.steps.expression_values import free_values
 from statwalk.stage.steps.limit_excess import clamped_joints
-from statwalk.stage.steps.reached import ReachedTarget, reached_targets
+from statwalk.stage.steps.reached import reached_targets
 
 
 class ActorColumns(NamedTuple):
@@ -39,7 +39,8 @@ class ActorColumns(NamedTuple):
     variables: Floats
     """(n, F) the free variables of expressions"""
     clamped: list[tuple[ClampedJoint, ...]]
-    reached: list[tuple[ReachedTarget, ...]]
+    solver_memory: Floats
+    """(n, K)"""
 
     @classmethod
     def of(cls, cast: Cast, names: Mapping[int, str], rows: Ints, tick: int, dt: float) -> ActorColumns:
@@ -52,7 +53,7 @@ class ActorColumns(NamedTuple):
             *(column[rows].copy() for column in columns),
             free_values(cast, rows, tick, dt),
             clamped,
-            reached_targets(cast, rows),
+            cast.solver_memory[rows],
         )
         return cls(cast.role, names, *copies)
 
@@ -60,7 +61,10 @@ class ActorColumns(NamedTuple):
         """Yields the facts of each actor."""
         machine = self.role.machine
         for actor, states, time, position, heading, hashed, values, clamped, reached in zip(
-            *(column.tolist() for column in self[2:-2]), self.clamped, self.reached, strict=True
+            *(column.tolist() for column in self[2:-2]),
+            self.clamped,
+            reached_targets(self.role, self.solver_memory),
+            strict=True,
         ):
             names = tuple(machine.states[state] for state in states)
             yield ActorFacts(

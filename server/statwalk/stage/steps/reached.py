@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from statwalk.maths.arrays import Ints
+from statwalk.character.role import Role
+from statwalk.maths.arrays import Floats
 from statwalk.solve.reach_tables import DISTANCE, SHOWN
-from statwalk.stage.state.cast import Cast
 
 
 class ReachedTarget(NamedTuple):
@@ -21,14 +21,14 @@ class ReachedTarget(NamedTuple):
     """whether the distance is within the tolerance; never without weight"""
 
 
-def reached_targets(cast: Cast, rows: Ints) -> list[tuple[ReachedTarget, ...]]:
-    """Returns, for each of some rows of a cast, what each solver did, in the order of the file."""
-    solvers, names = cast.role.solvers, tuple(cast.role.definition.solvers)
+def reached_targets(role: Role, memory: Floats) -> list[tuple[ReachedTarget, ...]]:
+    """Returns, for each row of solver memory (n, K), what each solver did, in the order of the file."""
+    solvers, names = role.solvers, tuple(role.definition.solvers)
     columns = solvers.reach.memory
     first = int(solvers.reach.first_chain[0])
     tolerances = solvers.chains.tolerance[first : first + len(names)].tolist()
-    weights = cast.solver_memory[rows[:, None], columns + SHOWN].tolist()
-    distances = cast.solver_memory[rows[:, None], columns + DISTANCE].tolist()
+    weights = memory[:, columns + SHOWN].tolist()
+    distances = memory[:, columns + DISTANCE].tolist()
     return [
         tuple(
             ReachedTarget(name, weight, distance, weight > 0 and distance <= tolerance)

@@ -3,9 +3,9 @@
 import "./parameters.css";
 import { setParameter } from "../../net/actors";
 import type { MachineInfo, Parameter } from "../../net/protocol";
+import { canLook } from "../../state/points";
 import type { Session } from "../../state/session";
 import { el, say } from "../../ui/dom";
-import { canLook } from "../targets/targets";
 
 const STEPS = 200;
 

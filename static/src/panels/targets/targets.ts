@@ -7,9 +7,10 @@ import "./targets.css";
 import * as THREE from "three";
 import { Latest } from "../../net/latest";
 import type { MachineInfo } from "../../net/protocol";
+import { canLook, GAZE, LOOK, type Point, pointsOf } from "../../state/points";
 import type { Session } from "../../state/session";
 import { el } from "../../ui/dom";
-import { onFacingPlane, type Point, PointHandles } from "../../view/pointHandles";
+import { onFacingPlane, PointHandles } from "../../view/pointHandles";
 import type { StageView } from "../../view/stageView";
 
 const PER_SECOND = 30;
@@ -17,24 +18,6 @@ const PER_SECOND = 30;
 const IN_FRONT = 1.2;
 /** Metres: the size of a handle, as a part of the character's height. */
 const SIZE = 0.035;
-const [GAZE, LOOK] = ["gaze", "look"];
-
-/** The point parameters of a machine with their default places. */
-export function pointsOf(machine: MachineInfo | null): Map<string, Point> {
-  const points = new Map<string, Point>();
-  for (const { name, kind, vector, default: standard } of machine?.parameters ?? []) {
-    if (kind !== "point") continue;
-    const point = points.get(vector) ?? [0, 0, 0];
-    point["xyz".indexOf(name.slice(-1))] = standard;
-    points.set(vector, point);
-  }
-  return points;
-}
-
-/** Whether a machine's character can look at the pointer: it has a point `gaze` and a weight `look`. */
-export function canLook(machine: MachineInfo | null): boolean {
-  return pointsOf(machine).has(GAZE) && machine!.parameters.some(({ name }) => name === LOOK);
-}
 
 export class TargetsPanel {
   private readonly handles: PointHandles;

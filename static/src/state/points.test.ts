@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { MachineInfo } from "../../net/protocol";
-import { pointsOf } from "./targets";
+import type { MachineInfo } from "../net/protocol";
+import { pointsOf } from "./points";
 
 const part = (name: string, kind: string, vector: string, standard: number): object => ({
   ...{ name, kind, vector, default: standard, minimum: -9, maximum: 9, smooth: 0, driven: false },

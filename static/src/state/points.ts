@@ -1,0 +1,24 @@
+/** The point parameters of a machine. */
+
+import type { MachineInfo } from "../net/protocol";
+
+export type Point = [number, number, number];
+/** The parameters of a character that looks at the pointer. */
+export const [GAZE, LOOK] = ["gaze", "look"] as const;
+
+/** The point parameters of a machine with their default places. */
+export function pointsOf(machine: MachineInfo | null): Map<string, Point> {
+  const points = new Map<string, Point>();
+  for (const { name, kind, vector, default: standard } of machine?.parameters ?? []) {
+    if (kind !== "point") continue;
+    const point = points.get(vector) ?? [0, 0, 0];
+    point["xyz".indexOf(name.slice(-1))] = standard;
+    points.set(vector, point);
+  }
+  return points;
+}
+
+/** Whether a machine's character can look at the pointer: it has a point `gaze` and a weight `look`. */
+export function canLook(machine: MachineInfo | null): boolean {
+  return pointsOf(machine).has(GAZE) && machine!.parameters.some(({ name }) => name === LOOK);
+}
