@@ -107,7 +107,8 @@ def run_tests(arguments: list[str]) -> None:
     if arguments:
         run(*pytest, *arguments)
         return
-    run(*pytest, "--numprocesses=auto", "--maxprocesses=4", "--dist=loadfile", "--ignore=tests/browser")
+    workers = "--numprocesses=auto", "--maxprocesses=4", "--dist=loadfile", "--no-loadscope-reorder"
+    run(*pytest, *workers, "--ignore=tests/browser")
     run(*pytest, "tests/browser")
 
 

@@ -1,4 +1,5 @@
-"""One order for all tests: those of a real browser come last, since Playwright keeps an event loop running.
+"""One order for all tests: those of a real browser come last, since Playwright keeps an event loop running;
+the file that compiles everything for other processors comes first, so that no worker waits for it at the end.
 
 What did not run is said.
 """
@@ -7,9 +8,11 @@ from collections import Counter
 
 import pytest
 
+LONGEST = "test_targets.py"
+
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    items.sort(key=lambda item: "browser" in item.path.parts)
+    items.sort(key=lambda item: ("browser" in item.path.parts, item.path.name != LONGEST))
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

@@ -25,7 +25,7 @@ def test_enter_keeps_what_is_typed(own: Server, folder: Path, table: Page) -> No
     edited(table)
     until(table, "__viewer.played() > window.played")
     after = (folder / "machine.yaml").read_text().splitlines()
-    assert table.locator(CELL).inner_text() == "TRGT⇥"
+    assert table.locator(CELL).inner_text() == "TRGT⇥≈"
     assert [line for line in after if line not in before] == [
         next(line for line in after if line.strip().startswith("WALK  |"))
     ]
@@ -61,7 +61,7 @@ def test_escape_drops_what_is_typed(own: Server, table: Page) -> None:
     type_in_cell(table, "STAT")
     table.keyboard.press("Escape")
     until(table, "document.querySelector('.cell-field').hidden")
-    assert table.locator(CELL).inner_text() == "TLFT"
+    assert table.locator(CELL).inner_text() == "TLFT≈"
     assert machine(own)["version"] == table.evaluate("window.start")
 
 
@@ -93,7 +93,7 @@ def test_the_keyboard_alone_edits(own: Server, table: Page) -> None:
     table.keyboard.press("Tab")
     table.keyboard.press("Enter")
     edited(table)
-    assert table.locator(CELL).inner_text() == "TRGT"
+    assert table.locator(CELL).inner_text() == "TRGT≈"
 
 
 def test_another_editors_change_is_not_overwritten(own: Server, table: Page, allowed: list[str]) -> None:
