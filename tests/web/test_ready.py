@@ -41,9 +41,10 @@ main()
 
 
 WALKER = "/api/machines/faq-walker"
-WRITTEN = "WALK/LEFT:    {blend: 0.5}"
+WRITTEN = "WALK/LEFT:    {enter: match, blend: 0.145}"
 FORMULA = "WALK/LEFT: [{if: sin(time) < 2 and speed * speed >= 0 or phase % 0.5 > 2, to: TLFT}]"
 TEXT = (shipped_machines_folder() / "faq-walker" / "machine.yaml").read_text(encoding="utf-8")
+assert WRITTEN in TEXT
 
 
 def asks(method: str, path: str, body: Any = None, version: str = "") -> tuple[str, str, Any, str]:
@@ -104,8 +105,11 @@ def served(tmp_path: Path) -> Iterator[tuple[str, Path]]:
 
 
 def kept_code() -> dict[str, int]:
-    """The files of compiled code and when they were written, by the server or by a child of it."""
-    return {path.name: path.stat().st_mtime_ns for path in code_folder.folder().iterdir()}
+    """The files of compiled code and when they were written, by the server or by a child of it; the marker that
+    says that they are all there may come later, from another process.
+    """
+    files = [path for path in code_folder.folder().iterdir() if path.name != "complete"]
+    return {path.name: path.stat().st_mtime_ns for path in files}
 
 
 def use_everything(address: str) -> None:
