@@ -15,11 +15,13 @@ from statwalk.machine.definition.clip_definition import (
     ClipDefinition,
     EaseChange,
     ExaggerateChange,
+    FilterChange,
     LengthChange,
     SpeedChange,
     SquashChange,
 )
 from statwalk.motion.clip import Clip
+from statwalk.motion.filter_clip import filtered
 from statwalk.motion.layers import below
 from statwalk.motion.principles.anticipate import anticipate
 from statwalk.motion.principles.ease import ease
@@ -82,6 +84,8 @@ def _changed(character: Character, clip: Clip, change: ClipChange) -> Clip:
             return anticipate(clip, amount, seconds, _rows(character, joints))
         case SquashChange(_, joint, axis, stretch):
             return squash(clip, character.skeleton.index(joint), stretch, axis)
+        case FilterChange(_, low_pass, spikes):
+            return filtered(clip, low_pass, spikes)
         case _:
             return sides_of(character).clip(clip)
 

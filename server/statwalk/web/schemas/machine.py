@@ -89,6 +89,15 @@ class LimitView(ResponseModel):
     freedoms: list[FreedomView]
 
 
+class ExpressionView(ResponseModel):
+    """An expression: the line of its file, what it sets, the formula, and whose file it is."""
+
+    line: int
+    name: str
+    formula: str
+    source: Literal["machine", "character"]
+
+
 class MachineView(ResponseModel):
     """A machine; `states`, `table`, `rows` and `edges` belong to its base, the first layer."""
 
@@ -116,7 +125,7 @@ class MachineView(ResponseModel):
     ground: list[GroundView]
     limits: list[LimitView]
     layers: list[LayerView]
-    expressions: list[str]
+    expressions: list[ExpressionView]
     """assignments to channels and variables, in the order in which they run"""
     text: str
     """the machine file"""
