@@ -50,7 +50,9 @@ def with_clips(character: Character, made: Mapping[str, ClipDefinition], refuse:
             raise refuse(f"the character has a clip {name} already; choose another name", definition.line)
         if definition.of not in clips:
             raise refuse(str(UnknownNameError("clip", definition.of, clips)), definition.line)
-        clip = changed(character, clips[definition.of], definition.changes, refuse)
+        source = clips[definition.of]
+        source = source if definition.loop is None else replace(source, loop=definition.loop)
+        clip = changed(character, source, definition.changes, refuse)
         loop = clip.loop if definition.loop is None else definition.loop
         clips[name] = replace(clip, name=name, loop=loop)
     return replace(character, clips=clips, made=frozenset(made))

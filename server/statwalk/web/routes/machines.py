@@ -13,6 +13,7 @@ from pydantic import TypeAdapter
 
 from statwalk.character.expressions import OWN
 from statwalk.character.role import Role
+from statwalk.files.machine_yaml.expression_text import expression_text
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.resolved_table import ResolvedTable
 from statwalk.machine.definition.expression_definition import ExpressionMotion
@@ -170,6 +171,7 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
         "limits": limit_views(role),
         "layers": layers,
         "expressions": _expression_views(role),
+        "expression_text": expression_text(version.text),
         "text": version.text,
         **{name: getattr(layers[0], name) for name in ("states", "table", "rows", "edges")},
     }

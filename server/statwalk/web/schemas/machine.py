@@ -53,6 +53,12 @@ class NewCell(RequestModel):
     layer: Name = BASE
 
 
+class NewExpressions(RequestModel):
+    """New expressions for a machine, a line each; blank: none."""
+
+    text: Annotated[str, StringConstraints(max_length=LONGEST_TEXT)]
+
+
 class MachineSummary(ResponseModel):
     """A machine in the list; `scene` is the scene whose folder holds it, or empty."""
 
@@ -127,6 +133,8 @@ class MachineView(ResponseModel):
     layers: list[LayerView]
     expressions: list[ExpressionView]
     """assignments to channels and variables, in the order in which they run"""
+    expression_text: str
+    """the machine's own expressions as the file has them, with comments"""
     text: str
     """the machine file"""
 
