@@ -11,6 +11,7 @@ import gearbox
 import goose
 import hand
 import joints
+import principles
 import tree
 
 PLACES = {
@@ -20,6 +21,7 @@ PLACES = {
     "gearbox/gearbox.glb": gearbox,
     "tree/tree.glb": tree,
     "hand/hand.glb": hand,
+    "principles/principles.glb": principles,
     "geese/goose/goose.glb": goose,
     "swarm/bee/bee.glb": bee,
 }

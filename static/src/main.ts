@@ -152,7 +152,8 @@ function start(name: string): void {
   const drawn = new Meter();
   const transport = new Transport(byId("transport"), session, player);
   const travel = new Travel(session);
-  const table = new TableController(session, new Editing(session), travel);
+  const editing = new Editing(session);
+  const table = new TableController(session, editing, travel);
   const why = explainer(session, table, travel);
   const timeline = new Timeline(
     byId("lanes"),
@@ -166,7 +167,7 @@ function start(name: string): void {
   const badge = new StateBadge(byId("badge"), session, stageView);
   const feet = new FeetStrip(byId("badge"), session);
   new ParametersPanel(byId("parameters"), session);
-  new ExpressionsPanel(byId("expressions"), session);
+  new ExpressionsPanel(byId("expressions"), session, editing);
   clampedPanel(byId("clamped"), session);
   const targets = new TargetsPanel(byId("targets"), session, stageView);
   const events = new EventsPanel(byId("events"), session);
