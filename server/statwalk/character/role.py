@@ -41,6 +41,7 @@ from statwalk.motion.tables.motion_tables import MotionTables
 from statwalk.solve.chains import CHAINS
 from statwalk.solve.expression_tables import ExpressionProgram
 from statwalk.solve.foot_tables import FEET
+from statwalk.solve.hanging import HANGING
 from statwalk.solve.reach_tables import REACH
 
 
@@ -146,7 +147,8 @@ class Role:
         legs, chains = packed(self.solvers.legs, FEET), packed(self.solvers.chains, CHAINS)
         clamps = packed(self.solvers.clamps, CLAMP_TABLE)
         reach = packed(self.solvers.reach, REACH)
-        return PackedRole(program, motions, poses, masks, legs, chains, clamps, reach)
+        hanging = packed(self.solvers.hanging, HANGING)
+        return PackedRole(program, motions, poses, masks, legs, chains, clamps, reach, hanging)
 
     @cached_property
     def limits(self) -> Mapping[int, JointLimit]:
