@@ -2,7 +2,8 @@
 
 Rod j goes from point j to point j + 1 with d = x(j+1) − x(j), and shall have the length l. A round solves
 (w(j) + w(j+1)) |d|² p(j) − w(j) d(j−1)·d(j) p(j−1) − w(j+1) d(j)·d(j+1) p(j+1) = (|d|² − l²) / 2 for the
-pulls p, a tridiagonal system, and moves each point by w (d(j) p(j) − d(j−1) p(j−1)); w: the inverse of its mass.
+pulls p, a tridiagonal system, and moves each point by w (d(j) p(j) − d(j−1) p(j−1)); w: the inverse of its
+mass.
 """
 
 from __future__ import annotations
