@@ -3,6 +3,7 @@
 import sys
 from pathlib import Path
 
+import anchor_chain
 import bee
 import cannon
 import coin
@@ -20,6 +21,7 @@ PLACES = {
     "gearbox/gearbox.glb": gearbox,
     "tree/tree.glb": tree,
     "hand/hand.glb": hand,
+    "anchor-chain/anchor-chain.glb": anchor_chain,
     "geese/goose/goose.glb": goose,
     "swarm/bee/bee.glb": bee,
 }
