@@ -15,7 +15,7 @@ from statwalk.character.colliders import Colliders
 from statwalk.character.expressions import expressions_of
 from statwalk.character.feet import Foot
 from statwalk.character.foot_contacts import ClipContacts
-from statwalk.character.joint_limits import limits_of
+from statwalk.character.joint_limits import check_handles, limits_of
 from statwalk.character.made_clips import with_clips
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.packed_role import PackedRole
@@ -88,6 +88,7 @@ class Role:
         machine = build(definition, facts, resolved)
         root = root_of(character, root_joint)
         check_feet(character, definition)
+        check_handles(character, definition)
         is_same = before is not None and before.character is character and before.root == root
         stock = before.stock if before is not None and is_same else Stock(character, root)
         motions = motions_of(stock, machine, definition)

@@ -25,8 +25,8 @@ RANGES: Mapping[Kind, tuple[float, float]] = {
     "rotation": (-1.0, 1.0),
 }
 """of each component as it is stored; a point has `min` and `max` of its own"""
-STANDARD: Mapping[Kind, tuple[float, ...]] = {
-    "flag": (0.0,),
+STANDARD: Mapping[Kind, float | tuple[float, ...]] = {
+    "flag": 0.0,
     "point": (0.0, 0.0, 0.0),
     "direction": (0.0, 0.0, 1.0),
     "rotation": (0.0, 0.0, 0.0, 1.0),
@@ -50,20 +50,32 @@ def parameters(node: Node | None) -> dict[str, ParameterDefinition]:
 
 def parameter(name: str, node: Node) -> dict[str, ParameterDefinition]:
     """Reads `{default: 1, min: 0.5, max: 2}`, and perhaps `smooth`: the seconds in which a new value is
-    reached; of another `kind` than a number, see `_typed`. Returns the numbers that store it, by name.
+    reached, and `handle`: the degree of freedom of a joint that it moves; of another `kind` than a number,
+    see `_typed`. Returns the numbers that store it, by name.
 
     :raises MachineError: when a field is missing, or `min` is more than `max`.
     """
-    entries = node.entries("kind", "default", "min", "max", "smooth")
+    entries = node.entries("kind", "default", "min", "max", "smooth", "handle")
     smooth = fields.seconds(entries["smooth"]) if "smooth" in entries else 0.0
     kind = _kind(entries["kind"]) if "kind" in entries else "number"
+    if kind != "number" and "handle" in entries:
+        raise entries["handle"].refuse(f"a handle at a joint is for numbers, not for a {kind}")
     if kind != "number":
         return _typed(name, kind, node, smooth)
     if not {"default", "min", "max"} <= set(entries):
         raise node.refuse("a parameter needs `default`, `min` and `max`")
     lowest, highest = _range(node, LARGEST)
     default = entries["default"].number(lowest, highest)
-    return {name: ParameterDefinition(default, lowest, highest, node.line, smooth)}
+    joint, freedom = _handle(entries["handle"]) if "handle" in entries else ("", "")
+    return {
+        name: ParameterDefinition(default, lowest, highest, node.line, smooth, joint=joint, freedom=freedom)
+    }
+
+
+def _handle(node: Node) -> tuple[str, str]:
+    """Reads `{joint: Knee, freedom: angle}`."""
+    node.entries("joint", "freedom")
+    return fields.required(node, "joint").text(), fields.required(node, "freedom").text()
 
 
 def _kind(node: Node) -> Kind:

@@ -28,6 +28,10 @@ class ParameterDefinition:
     kind: Kind = "number"
     vector: str = ""
     """the parameter that this number is a component of; empty: none"""
+    joint: str = ""
+    """the joint at which the page has a handle for it; empty: none"""
+    freedom: str = ""
+    """the degree of freedom of that joint that the handle moves, degrees or metres"""
 
 
 def component_names(name: str, kind: Kind) -> tuple[str, ...]:

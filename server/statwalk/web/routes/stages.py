@@ -47,8 +47,13 @@ def view_actor(actor: ActorFacts) -> ActorView:
         hash=actor.hash,
         variables=dict(actor.variables),
         clamped=[
-            ClampedView(joint=one.joint, angle_deg=math.degrees(one.angle), distance=one.distance)
-            for one in actor.clamped
+            ClampedView(
+                joint=clamped.joint,
+                angle_deg=math.degrees(clamped.angle),
+                distance=clamped.distance,
+                by=clamped.by,
+            )
+            for clamped in actor.clamped
         ],
         reached=[ReachedView(**found._asdict()) for found in actor.reached],
     )

@@ -89,6 +89,31 @@ class LimitView(ResponseModel):
     freedoms: list[FreedomView]
 
 
+class SolverView(ResponseModel):
+    """A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
+    parameters of its target and (empty: none) of its weight; `grab`: while the page drags its handle, the
+    weight is 1.
+    """
+
+    name: str
+    solver: str
+    start: str
+    end: str
+    anchor: str
+    target: str
+    weight: str
+    grab: bool
+
+
+class ChainView(ResponseModel):
+    """A chain that hangs under gravity, from `start` to `end`, and its anchors."""
+
+    name: str
+    start: str
+    end: str
+    anchors: list[str]
+
+
 class MachineView(ResponseModel):
     """A machine; `states`, `table`, `rows` and `edges` belong to its base, the first layer."""
 
@@ -115,6 +140,8 @@ class MachineView(ResponseModel):
     colliders: dict[str, ColliderView]
     ground: list[GroundView]
     limits: list[LimitView]
+    solvers: list[SolverView]
+    chains: list[ChainView]
     layers: list[LayerView]
     expressions: list[str]
     """assignments to channels and variables, in the order in which they run"""
