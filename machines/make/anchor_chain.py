@@ -13,8 +13,11 @@ SHANK = 0.42
 """metres from the anchor's ring to its crown"""
 HAWSE = (0.0, 2.75, 0.0)
 """metres: where the first link hangs"""
+ROCK = (0.95, 1.05, 0.95)
+"""metres: the top of the rock on which the anchor can lie"""
 LENGTH, TOP = 2.0, HAWSE[1] + 0.02
 """metres: of the ship, and the height of its deck"""
+STONE = material("stone", "#7c7468", 0.95)
 Faces = NDArray[np.int64]
 STEEL = material("steel", "#8b96a3", 0.42, 0.35)
 BLACK = material("black iron", "#3d444d", 0.5, 0.25)
@@ -37,6 +40,8 @@ def make() -> Model:
     model.joint("Crown", "Anchor", (0.0, -SHANK, 0.0))
     model.part("Anchor", _anchor().turned(about_y(90 * ((LINKS + 1) % 2))), BLACK)
     _ship(model)
+    model.joint("Rock", "", (ROCK[0], 0.0, ROCK[2]))
+    model.part("Rock", _rock(), STONE)
     model.motion("rest", 1.0, {("Ship", "translation"): lambda t: np.zeros((len(t), 3))})
     return model
 
@@ -47,9 +52,7 @@ def _link() -> Mesh:
     turn = np.linspace(0, np.pi, 9)
     bow = np.stack([radius * np.cos(turn), straight + radius * np.sin(turn)], -1)
     ring = _closed(np.concatenate([bow, -bow]), WIRE / 2)
-    stud = lathe(
-        [(0.32 * WIRE, -radius), (0.26 * WIRE, 0.0), (0.32 * WIRE, radius)], 10
-    ).turned(about_z(90))
+    stud = lathe([(0.32 * WIRE, -radius), (0.26 * WIRE, 0.0), (0.32 * WIRE, radius)], 10).turned(about_z(90))
     return joined(ring, stud).moved(0, -PITCH / 2)
 
 
@@ -84,6 +87,18 @@ def _anchor() -> Mesh:
     )
     flukes = [_fluke(side) for side in (-1, 1)]
     return joined(ring, shank, stock, arms, *flukes)
+
+
+def _rock() -> Mesh:
+    """A rock with a flat top."""
+    profile = np.array(
+        [(0.0, 0.0), (0.5, 0.0), (0.47, 0.25), (0.4, 0.5), (0.37, 0.8), (0.3, ROCK[1]), (0, ROCK[1])]
+    )
+    turned = lathe([(float(r), float(h)) for r, h in profile], 18)
+    x, y, z = turned.points.T
+    rough = 1 + 0.12 * np.sin(3.1 * np.arctan2(x, z) + 4 * y) + 0.07 * np.sin(7 * np.arctan2(z, x) - 6 * y)
+    points = np.stack([x * rough, y, z * rough], -1)
+    return smooth(points, turned.faces)
 
 
 def _circle(radius: float) -> Array:

@@ -47,8 +47,8 @@ def hanging_chains(character: Character, definition: MachineDefinition) -> list[
 def hanging_of(
     character: Character, definition: MachineDefinition, chains: Sequence[Chain], reaching: Sequence[Chain]
 ) -> list[Hanging]:
-    """Returns what the machine file says about its hanging chains; `reaching`: the chains of its solvers,
-    which hold the last joint of a hanging chain while they have weight.
+    """Returns what the machine file says about its hanging chains; `reaching`: the chains of its solvers. A
+    solver that brings the last joint of a hanging chain to a target holds it while it has weight.
 
     :raises MachineError: when an anchor is neither the first nor the last joint of its chain.
     """
@@ -70,11 +70,14 @@ def _hanging(
         last = [ends_at(character.skeleton, chain.joints, anchor) for anchor in written.anchors]
     except (ContentError, UnknownNameError) as error:
         raise definition.refuse(f"chains: {name}: {error}", written.line) from None
+    end = chain.joints[-1]
     return Hanging(
         joints=len(chain.joints),
         gravity=written.gravity,
         half_life=written.half_life,
         mass=written.mass,
         holds=(not last or False in last, True in last),
-        holders=tuple(k for k, solver in enumerate(reaching) if solver.joints[-1] == chain.joints[-1]),
+        holders=tuple(
+            k for k, solver in enumerate(reaching) if solver.joints[-1] == end and not solver.is_moored
+        ),
     )

@@ -32,7 +32,7 @@ def hang(
     for k in range(h.chain.shape[0]):
         for number in range(h.first_holder[k], h.first_holder[k + 1]):
             solver = h.holder[number]
-            if r.travel[solver] >= 0.0 and not chains.is_moored[r.first_chain[0] + solver]:
+            if r.travel[solver] >= 0.0:
                 for row in range(first, end):
                     if keep[row, r.memory[solver] + WEIGHT] <= 0.0:
                         _begin_here(h, r, chains, keep, position, heading, k, solver, row)

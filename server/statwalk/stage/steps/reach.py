@@ -37,7 +37,9 @@ def reach(
     if r.joints.shape[0] > 0:
         model_block(r.joints, r.parents, values, mem.reach_joints, block)
     for k in range(r.memory.shape[0]):
-        rows = mem.reach_rows[k]
+        rows, number = mem.reach_rows[k], r.first_chain[0] + k
+        if k > 0 and chains.is_moored[number] and r.travel[k] >= 0.0:
+            model_block(r.joints, r.parents, values, mem.reach_joints, block)  # where its anchor is now
         for lane in range(LANES):
             rows[INPUT_WEIGHT, lane] = 0.0
         for row in range(first, end):
@@ -45,7 +47,6 @@ def reach(
             root = _root(position, heading, row)
             write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
             rows[INPUT_WEIGHT, row - first] = _missing(r, o, mem, keep, row, k, weight)
-        number = r.first_chain[0] + k
         at = k * ROWS * LANES
         solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, at, mem.chain, keep)
         for row in range(first, end):

@@ -1010,6 +1010,13 @@ export interface components {
             ];
             alternatives: components["schemas"]["AlternativeView"][];
         };
+        /** @description A chain that hangs under gravity, from `start` to `end`, and its anchors. */
+        ChainView: {
+            name: string;
+            start: string;
+            end: string;
+            anchors: string[];
+        };
         /**
          * @description A character: its joints (parents first), clips and skins, notes on what the server repaired in the
          *     file, and the address of its model.
@@ -1023,11 +1030,16 @@ export interface components {
             notes: string[];
             model: string;
         };
-        /** @description A joint that its limits changed in this tick: by how many degrees and metres. */
+        /**
+         * @description A joint that its limits changed in this tick: by how many degrees and metres, after blending (`motion`)
+         *     or in inverse kinematics (`solver`: the last turn of the joint).
+         */
         ClampedView: {
             joint: string;
             angle_deg: number;
             distance: number;
+            /** @enum {string} */
+            by: "motion" | "solver";
         };
         /** @description The contacts of all feet in a clip. */
         ClipContactsView: {
@@ -1161,6 +1173,8 @@ export interface components {
             };
             ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
+            solvers: components["schemas"]["SolverView"][];
+            chains: components["schemas"]["ChainView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
             expressions: string[];
@@ -1489,6 +1503,8 @@ export interface components {
             };
             ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
+            solvers: components["schemas"]["SolverView"][];
+            chains: components["schemas"]["ChainView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
             expressions: string[];
@@ -1780,6 +1796,8 @@ export interface components {
                 number,
                 number
             ];
+            /** @default  */
+            anchor?: string;
         };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
         NewStage: {
@@ -1806,7 +1824,8 @@ export interface components {
         };
         /**
          * @description A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
-         *     direction or rotation that it is a component of (empty: none).
+         *     direction or rotation that it is a component of (empty: none); `joint`, `freedom`: the degree of freedom
+         *     at which the page has a handle for it (empty: none).
          */
         ParameterView: {
             name: string;
@@ -1817,6 +1836,8 @@ export interface components {
             /** @enum {string} */
             kind: "number" | "flag" | "point" | "direction" | "rotation";
             vector: string;
+            joint: string;
+            freedom: string;
             driven: boolean;
         };
         /** @description A mesh primitive of the model; `vertices` is their number. */
@@ -1954,12 +1975,24 @@ export interface components {
              */
             uploaded: false;
         };
-        /** @description The solved chain, from start to end; `distance`: metres from the end to the target. */
+        /**
+         * @description The solved chain, from start to end; `distance`: metres from the end to the target; `clamped`: the
+         *     degrees by which limits cut the last turns of its joints; `root`: the translation of the skeleton's root,
+         *     which moves if the chain's end is the anchor.
+         */
         SolveView: {
             joints: components["schemas"]["SolvedJointView"][];
             reached: boolean;
             distance: number;
             iterations: number;
+            clamped: {
+                [key: string]: number;
+            };
+            root: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description A joint of the chain afterwards: its local rotation x y z w, its place in model space, metres. */
         SolvedJointView: {
@@ -1975,6 +2008,21 @@ export interface components {
                 number,
                 number
             ];
+        };
+        /**
+         * @description A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
+         *     parameters of its target and (empty: none) of its weight; `grab`: while the page drags its handle, the
+         *     weight is 1.
+         */
+        SolverView: {
+            name: string;
+            solver: string;
+            start: string;
+            end: string;
+            anchor: string;
+            target: string;
+            weight: string;
+            grab: boolean;
         };
         /** @description The speed of the clock; 1 is real time. */
         Speed: {
@@ -2551,6 +2599,7 @@ export type BonesView = components['schemas']['BonesView'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
+export type ChainView = components['schemas']['ChainView'];
 export type CharacterView = components['schemas']['CharacterView'];
 export type ClampedView = components['schemas']['ClampedView'];
 export type ClipContactsView = components['schemas']['ClipContactsView'];
@@ -2622,6 +2671,7 @@ export type SetChange = components['schemas']['SetChange'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
 export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
+export type SolverView = components['schemas']['SolverView'];
 export type Speed = components['schemas']['Speed'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];
