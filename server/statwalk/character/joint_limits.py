@@ -35,7 +35,10 @@ def check_handles(character: Character, definition: MachineDefinition) -> None:
         if joint not in limits:
             error = UnknownNameError("joint with limits", joint, limits)
             raise definition.refuse(f"handle: {error}", parameter.line)
-        names = [one.name for one in freedoms(limits[joint])]
+        if parameter.event and parameter.event not in definition.events:
+            error = UnknownNameError("event", parameter.event, definition.events)
+            raise definition.refuse(f"handle: {error}", parameter.line)
+        names = [free.name for free in freedoms(limits[joint])]
         if freedom not in names:
             error = UnknownNameError(f"degree of freedom of {joint}", freedom, names)
             raise definition.refuse(f"handle: {error}", parameter.line)

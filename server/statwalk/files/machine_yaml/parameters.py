@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from statwalk.files.machine_yaml import fields
 from statwalk.files.yaml.yaml_text import Node
@@ -66,16 +67,19 @@ def parameter(name: str, node: Node) -> dict[str, ParameterDefinition]:
         raise node.refuse("a parameter needs `default`, `min` and `max`")
     lowest, highest = _range(node, LARGEST)
     default = entries["default"].number(lowest, highest)
-    joint, freedom = _handle(entries["handle"]) if "handle" in entries else ("", "")
-    return {
-        name: ParameterDefinition(default, lowest, highest, node.line, smooth, joint=joint, freedom=freedom)
-    }
+    standard = ParameterDefinition(default, lowest, highest, node.line, smooth)
+    return {name: _with_handle(standard, entries["handle"]) if "handle" in entries else standard}
 
 
-def _handle(node: Node) -> tuple[str, str]:
-    """Reads `{joint: Knee, freedom: angle}`."""
-    node.entries("joint", "freedom")
-    return fields.required(node, "joint").text(), fields.required(node, "freedom").text()
+def _with_handle(parameter: ParameterDefinition, node: Node) -> ParameterDefinition:
+    """Reads `{joint: Knee, freedom: angle}`, and perhaps `event`."""
+    entries = node.entries("joint", "freedom", "event")
+    return replace(
+        parameter,
+        joint=fields.required(node, "joint").text(),
+        freedom=fields.required(node, "freedom").text(),
+        event=entries["event"].text() if "event" in entries else "",
+    )
 
 
 def _kind(node: Node) -> Kind:

@@ -97,6 +97,7 @@ def build(
                 put.vector,
                 put.joint,
                 put.freedom,
+                put.event,
             )
             for name, put in definition.parameters.items()
         ),

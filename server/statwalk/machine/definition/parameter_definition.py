@@ -32,6 +32,8 @@ class ParameterDefinition:
     """the joint at which the page has a handle for it; empty: none"""
     freedom: str = ""
     """the degree of freedom of that joint that the handle moves, degrees or metres"""
+    event: str = ""
+    """the event that the page sends when the handle is taken; empty: none"""
 
 
 def component_names(name: str, kind: Kind) -> tuple[str, ...]:

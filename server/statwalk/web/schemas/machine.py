@@ -76,7 +76,8 @@ class FreedomView(ResponseModel):
 
 class LimitView(ResponseModel):
     """The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
-    into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+    into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose; `pitch`: metres a
+    turn of a helical joint, else 0.
     """
 
     joint: str
@@ -86,6 +87,7 @@ class LimitView(ResponseModel):
     shape: Literal["free", "hinge", "cone", "range", "axes"]
     frame: list[float]
     rest: list[float]
+    pitch: float
     freedoms: list[FreedomView]
 
 

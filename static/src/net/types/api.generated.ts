@@ -1442,7 +1442,8 @@ export interface components {
         };
         /**
          * @description The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
-         *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+         *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose; `pitch`: metres a
+         *     turn of a helical joint, else 0.
          */
         LimitView: {
             joint: string;
@@ -1453,6 +1454,7 @@ export interface components {
             shape: "free" | "hinge" | "cone" | "range" | "axes";
             frame: number[];
             rest: number[];
+            pitch: number;
             freedoms: components["schemas"]["FreedomView"][];
         };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
@@ -1825,7 +1827,7 @@ export interface components {
         /**
          * @description A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
          *     direction or rotation that it is a component of (empty: none); `joint`, `freedom`: the degree of freedom
-         *     at which the page has a handle for it (empty: none).
+         *     at which the page has a handle for it, and the event that the page sends when you take it (empty: none).
          */
         ParameterView: {
             name: string;
@@ -1838,6 +1840,7 @@ export interface components {
             vector: string;
             joint: string;
             freedom: string;
+            event: string;
             driven: boolean;
         };
         /** @description A mesh primitive of the model; `vertices` is their number. */
