@@ -13,7 +13,7 @@ SHANK = 0.42
 """metres from the anchor's ring to its crown"""
 HAWSE = (0.0, 2.75, 0.0)
 """metres: where the first link hangs"""
-ROCK = (0.95, 1.05, 0.95)
+ROCK = (-1.0, 1.05, 0.45)
 """metres: the top of the rock on which the anchor can lie"""
 LENGTH, TOP = 2.0, HAWSE[1] + 0.02
 """metres: of the ship, and the height of its deck"""
@@ -120,8 +120,8 @@ def _ship(model: Model) -> None:
     model.part("Ship", smooth(keel.reshape(-1, 3), _net(*keel.shape[:2])), HULL)
     band = np.stack([rim * [1.02, 1, 1] + [0, 0.005, 0], rim * [1.02, 1, 1] - [0, 0.05, 0]], 1)
     edge = np.stack([rim * [1.02, 1, 1] + [0, 0.005, 0], rim * [0.9, 1, 1] + [0, 0.005, 0]], 1)
-    model.part("Ship", smooth(band.reshape(-1, 3), _net(len(rim), 2)), STRIPE)
-    model.part("Ship", smooth(edge.reshape(-1, 3), _net(len(rim), 2)[:, ::-1]), STRIPE)
+    model.part("Ship", smooth(band.reshape(-1, 3), _net(len(rim), 2)[:, ::-1]), STRIPE)
+    model.part("Ship", smooth(edge.reshape(-1, 3), _net(len(rim), 2)), STRIPE)
     inner = rim * [0.9, 1, 1] - [0, 0.03, 0]
     half = len(inner) // 2 + 1
     deck = np.stack([inner[:half], inner[half - 1 :][::-1]], 1)
@@ -132,7 +132,7 @@ def _ship(model: Model) -> None:
     model.part("Ship", joined(roof), HULL)
     windows = [box((0.512, 0.12, 0.13), 0.01).moved(0, TOP + 0.22, -1.5 + x) for x in (-0.17, 0.0, 0.17)]
     model.part("Ship", joined(*windows, box((0.34, 0.12, 0.612), 0.01).moved(0, TOP + 0.22, -1.5)), BLACK)
-    cheeks = [box((0.02, 0.14, 0.34), 0.008).moved(side * 0.075, HAWSE[1] + 0.05, -0.13) for side in (-1, 1)]
+    cheeks = [box((0.016, 0.1, 0.2), 0.006).moved(side * 0.075, HAWSE[1] + 0.05, -0.08) for side in (-1, 1)]
     roller = lathe([(0.0, -0.07), (0.05, -0.07), (0.036, 0.0), (0.05, 0.07), (0.0, 0.07)], 16)
     model.part("Ship", joined(*cheeks), BLACK)
     model.part("Ship", roller.turned(about_z(90)).moved(0, HAWSE[1] + 0.04, -0.04), BRASS)

@@ -265,7 +265,7 @@ def test_moored_the_anchor_stays_where_it_is_while_the_ship_moves():
     ship = Ship()
     ship.stage.send(ship.actor, "MOOR")
     ship.play(180)
-    moored = np.array((0.95, 1.1, 0.95))
+    moored = np.array((-1, 1.1, 0.45))
     np.testing.assert_allclose(ship.points()[-1], moored, atol=1e-3)
     ship.stage.set(ship.actor, "sailing", 1)
     seen = ship.play(150, "ship", lambda tick: (-0.5 * np.sin(tick / 30), 2.6, 0.3))
