@@ -3,6 +3,7 @@
 import sys
 from pathlib import Path
 
+import anchor_chain
 import bee
 import cannon
 import coin
@@ -22,6 +23,7 @@ PLACES = {
     "tree/tree.glb": tree,
     "hand/hand.glb": hand,
     "principles/principles.glb": principles,
+    "anchor-chain/anchor-chain.glb": anchor_chain,
     "geese/goose/goose.glb": goose,
     "swarm/bee/bee.glb": bee,
 }

@@ -12,6 +12,7 @@ import { ImportDialog } from "./panels/importDialog/importDialog";
 import { Picker } from "./panels/picker/picker";
 import { byId, el, onTheme, reducedMotion } from "./ui/dom";
 import { dropZone } from "./panels/importDialog/dropZone";
+import { JointPanel } from "./panels/joint/joint";
 import { clampedPanel } from "./panels/clamped/clamped";
 import { EventsPanel } from "./panels/events/events";
 import { FeetStrip } from "./panels/feet/feet";
@@ -169,6 +170,7 @@ function start(name: string): void {
   new ParametersPanel(byId("parameters"), session);
   new ExpressionsPanel(byId("expressions"), session, editing);
   clampedPanel(byId("clamped"), session);
+  const joint = new JointPanel(byId("joint"), session, stageView);
   const targets = new TargetsPanel(byId("targets"), session, stageView);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
@@ -191,7 +193,10 @@ function start(name: string): void {
   setInterval(() => status.update(performance.now()), READ_MS);
   keepAddress(session, stages);
   freeFocus();
-  exposeForTests(session, stageView, drawn, () => targets.places());
+  exposeForTests(session, stageView, drawn, () => ({
+    ...targets.places(),
+    ...joint.places(),
+  }));
   let last = performance.now();
   const loop = (now: number): void => {
     const dt = Math.min(0.1, Math.max(0, (now - last) / 1000));
@@ -199,6 +204,8 @@ function start(name: string): void {
     player.advance(dt);
     const phase = session.phase();
     stageView.update();
+    joint.update();
+    targets.update();
     if (scene.draw(dt)) drawn.add(now);
     badge.update(phase);
     feet.update(phase);

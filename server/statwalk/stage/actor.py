@@ -144,7 +144,7 @@ class Actor:
 
     @property
     def clamped(self) -> tuple[ClampedJoint, ...]:
-        """The joints that their limits changed in this tick, after sampling and blending, and by how much."""
+        """The joints that their limits changed in this tick, after blending or in solvers; by how much."""
         cast, row, _, tick, dt = self._find(self.id)
         return clamped_joints(cast, np.array([row]), (tick, dt))[0]
 

@@ -18,6 +18,24 @@ export function pointsOf(machine: MachineInfo | null): Map<string, Point> {
   return points;
 }
 
+/** Where the handle of a point waits: at the free end of the chain that takes hold when you drag it. */
+export interface Grip {
+  joint: string;
+  /** The parameter that is 1 while the handle is dragged, else 0. */
+  weight: string;
+}
+
+/** The grips of a machine, by point. */
+export function gripsOf(machine: MachineInfo | null): Map<string, Grip> {
+  const solvers = (machine?.solvers ?? []).filter(({ grab }) => grab);
+  return new Map(
+    solvers.map(({ target, weight, start, end, anchor }) => [
+      target,
+      { joint: anchor === end ? start : end, weight },
+    ]),
+  );
+}
+
 /** Whether a machine's character can look at the pointer: it has a point `gaze` and a weight `look`. */
 export function canLook(machine: MachineInfo | null): boolean {
   return pointsOf(machine).has(GAZE) && machine!.parameters.some(({ name }) => name === LOOK);

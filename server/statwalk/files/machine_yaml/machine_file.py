@@ -17,6 +17,7 @@ from statwalk.files.expressions import expressions as read_expressions
 from statwalk.files.joint_limits import joint_limits
 from statwalk.files.machine_yaml import (
     budgets,
+    chains_part,
     feet,
     fields,
     flock_part,
@@ -54,7 +55,7 @@ KEYS = (
     *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
     *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
     *("colliders", "flock", "springs", "captures", "expressions", "joints", "limits", "properties"),
-    *("feet", "contacts", "budgets", "foot_lock", "ground", "solvers"),
+    *("feet", "contacts", "budgets", "foot_lock", "ground", "solvers", "chains"),
 )
 
 
@@ -158,6 +159,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         clips=clip_changes.clips(entries.get("clips")),
         springs=springs_part.springs(entries.get("springs")),
         solvers=solvers_part.solvers(entries.get("solvers"), parameters, (*base.states, *base.composites)),
+        chains=chains_part.chains(entries.get("chains")),
         expressions=read_expressions(entries.get("expressions"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
         feet=feet.feet(entries.get("feet")),

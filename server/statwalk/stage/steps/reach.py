@@ -19,7 +19,7 @@ from statwalk.solve.chains import DISTANCE as SOLVED_DISTANCE
 from statwalk.solve.chains import ROWS
 from statwalk.solve.chains import WEIGHT as INPUT_WEIGHT
 from statwalk.solve.reach_tables import CARRIED, DISTANCE, LAYER, SHOWN, SINCE, WEIGHT, WEIGHT_RATE
-from statwalk.solve.reach_targets import distance_left, is_measured, write_inputs
+from statwalk.solve.reach_targets import distance_left, write_inputs
 from statwalk.solve.solve_block import solve_chain_block
 from statwalk.stage.steps.offset_clocks import remaining
 
@@ -37,7 +37,9 @@ def reach(
     if r.joints.shape[0] > 0:
         model_block(r.joints, r.parents, values, mem.reach_joints, block)
     for k in range(r.memory.shape[0]):
-        rows = mem.reach_rows[k]
+        rows, number = mem.reach_rows[k], r.first_chain[0] + k
+        if k > 0 and chains.is_moored[number] and r.travel[k] >= 0.0:
+            model_block(r.joints, r.parents, values, mem.reach_joints, block)  # where its anchor is now
         for lane in range(LANES):
             rows[INPUT_WEIGHT, lane] = 0.0
         for row in range(first, end):
@@ -45,15 +47,23 @@ def reach(
             root = _root(position, heading, row)
             write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
             rows[INPUT_WEIGHT, row - first] = _missing(r, o, mem, keep, row, k, weight)
-        number = r.first_chain[0] + k
-        solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, k * ROWS * LANES, mem.chain)
+        at = k * ROWS * LANES
+        solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, at, mem.chain, keep)
         for row in range(first, end):
             keep[row, r.memory[k] + DISTANCE] = rows[SOLVED_DISTANCE, row - first]
+
+
+@called
+def measure_reached(
+    r: Any, chains: Any, s: Any, mem: Any, values: Any, position: Any, heading: Any, keep: Any, block: int
+) -> None:
+    """Writes the distances that are left, where they are measured at last."""
+    first, end = first_row(block), end_row(block, s.state.shape[0])
     if r.joints.shape[0] > 0:
         model_block(r.joints, r.parents, values, mem.reach_joints, block)
         for k in range(r.memory.shape[0]):
             for row in range(first, end):
-                if is_measured(r, k) and keep[row, r.memory[k] + SHOWN] > 0.0:
+                if r.is_measured[k] and keep[row, r.memory[k] + SHOWN] > 0.0:
                     root = _root(position, heading, row)
                     distance = distance_left(r, chains, s.smoothed, mem.reach_joints, row, k, root)
                     keep[row, r.memory[k] + DISTANCE] = distance

@@ -32,6 +32,7 @@ from statwalk.stage.measure.over_budget import over_budget
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, catalogue_of, registry_of
 from statwalk.web.routes.limit_views import limit_views
+from statwalk.web.routes.solver_views import chain_views, solver_views
 from statwalk.web.schemas.base import ResponseModel
 from statwalk.web.schemas.finding import FindingsView, finding_views
 from statwalk.web.schemas.machine import ExpressionView, MachineSummary, MachineView
@@ -169,6 +170,8 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
             for piece in definition.ground
         ],
         "limits": limit_views(role),
+        "solvers": solver_views(definition),
+        "chains": chain_views(definition),
         "layers": layers,
         "expressions": _expression_views(role),
         "expression_text": expression_text(version.text),

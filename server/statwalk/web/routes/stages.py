@@ -48,8 +48,13 @@ def view_actor(actor: ActorFacts) -> ActorView:
         variables=dict(actor.variables),
         channels=dict(actor.channels),
         clamped=[
-            ClampedView(joint=one.joint, angle_deg=math.degrees(one.angle), distance=one.distance)
-            for one in actor.clamped
+            ClampedView(
+                joint=clamped.joint,
+                angle_deg=math.degrees(clamped.angle),
+                distance=clamped.distance,
+                by=clamped.by,
+            )
+            for clamped in actor.clamped
         ],
         reached=[ReachedView(**found._asdict()) for found in actor.reached],
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -52,11 +52,14 @@ class NewParameter(RequestModel):
 
 
 class ClampedView(ResponseModel):
-    """A joint that its limits changed in this tick: by how many degrees and metres."""
+    """A joint that its limits changed in this tick: by how many degrees and metres, after blending (`motion`)
+    or in inverse kinematics (`solver`: the last turn of the joint).
+    """
 
     joint: str
     angle_deg: float
     distance: float
+    by: Literal["motion", "solver"]
 
 
 class ReachedView(ResponseModel):

@@ -82,7 +82,8 @@ class FreedomView(ResponseModel):
 
 class LimitView(ResponseModel):
     """The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
-    into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+    into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose; `pitch`: metres a
+    turn of a helical joint, else 0.
     """
 
     joint: str
@@ -92,6 +93,7 @@ class LimitView(ResponseModel):
     shape: Literal["free", "hinge", "cone", "range", "axes"]
     frame: list[float]
     rest: list[float]
+    pitch: float
     freedoms: list[FreedomView]
 
 
@@ -102,6 +104,31 @@ class ExpressionView(ResponseModel):
     name: str
     formula: str
     source: Literal["machine", "character"]
+
+
+class SolverView(ResponseModel):
+    """A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
+    parameters of its target and (empty: none) of its weight; `grab`: while the page drags its handle, the
+    weight is 1.
+    """
+
+    name: str
+    solver: str
+    start: str
+    end: str
+    anchor: str
+    target: str
+    weight: str
+    grab: bool
+
+
+class ChainView(ResponseModel):
+    """A chain that hangs under gravity, from `start` to `end`, and its anchors."""
+
+    name: str
+    start: str
+    end: str
+    anchors: list[str]
 
 
 class MachineView(ResponseModel):
@@ -130,6 +157,8 @@ class MachineView(ResponseModel):
     colliders: dict[str, ColliderView]
     ground: list[GroundView]
     limits: list[LimitView]
+    solvers: list[SolverView]
+    chains: list[ChainView]
     layers: list[LayerView]
     expressions: list[ExpressionView]
     """assignments to channels and variables, in the order in which they run"""

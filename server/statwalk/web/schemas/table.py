@@ -105,7 +105,8 @@ class KeyView(ResponseModel):
 
 class ParameterView(ResponseModel):
     """A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
-    direction or rotation that it is a component of (empty: none).
+    direction or rotation that it is a component of (empty: none); `joint`, `freedom`: the degree of freedom
+    at which the page has a handle for it, and the event that the page sends when you take it (empty: none).
     """
 
     name: str
@@ -115,6 +116,9 @@ class ParameterView(ResponseModel):
     smooth: float
     kind: Kind
     vector: str
+    joint: str
+    freedom: str
+    event: str
     driven: bool
 
 

@@ -1036,6 +1036,13 @@ export interface components {
             ];
             alternatives: components["schemas"]["AlternativeView"][];
         };
+        /** @description A chain that hangs under gravity, from `start` to `end`, and its anchors. */
+        ChainView: {
+            name: string;
+            start: string;
+            end: string;
+            anchors: string[];
+        };
         /**
          * @description A character: its joints (parents first), clips and skins, notes on what the server repaired in the
          *     file, and the address of its model.
@@ -1051,11 +1058,16 @@ export interface components {
             expressions: string[];
             model: string;
         };
-        /** @description A joint that its limits changed in this tick: by how many degrees and metres. */
+        /**
+         * @description A joint that its limits changed in this tick: by how many degrees and metres, after blending (`motion`)
+         *     or in inverse kinematics (`solver`: the last turn of the joint).
+         */
         ClampedView: {
             joint: string;
             angle_deg: number;
             distance: number;
+            /** @enum {string} */
+            by: "motion" | "solver";
         };
         /** @description The contacts of all feet in a clip. */
         ClipContactsView: {
@@ -1189,6 +1201,8 @@ export interface components {
             };
             ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
+            solvers: components["schemas"]["SolverView"][];
+            chains: components["schemas"]["ChainView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
             expressions: components["schemas"]["ExpressionView"][];
@@ -1466,7 +1480,8 @@ export interface components {
         };
         /**
          * @description The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
-         *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+         *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose; `pitch`: metres a
+         *     turn of a helical joint, else 0.
          */
         LimitView: {
             joint: string;
@@ -1477,6 +1492,7 @@ export interface components {
             shape: "free" | "hinge" | "cone" | "range" | "axes";
             frame: number[];
             rest: number[];
+            pitch: number;
             freedoms: components["schemas"]["FreedomView"][];
         };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
@@ -1527,6 +1543,8 @@ export interface components {
             };
             ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
+            solvers: components["schemas"]["SolverView"][];
+            chains: components["schemas"]["ChainView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
             expressions: components["schemas"]["ExpressionView"][];
@@ -1824,6 +1842,8 @@ export interface components {
                 number,
                 number
             ];
+            /** @default  */
+            anchor?: string;
         };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
         NewStage: {
@@ -1850,7 +1870,8 @@ export interface components {
         };
         /**
          * @description A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
-         *     direction or rotation that it is a component of (empty: none).
+         *     direction or rotation that it is a component of (empty: none); `joint`, `freedom`: the degree of freedom
+         *     at which the page has a handle for it, and the event that the page sends when you take it (empty: none).
          */
         ParameterView: {
             name: string;
@@ -1861,6 +1882,9 @@ export interface components {
             /** @enum {string} */
             kind: "number" | "flag" | "point" | "direction" | "rotation";
             vector: string;
+            joint: string;
+            freedom: string;
+            event: string;
             driven: boolean;
         };
         /** @description A mesh primitive of the model; `vertices` is their number. */
@@ -1998,12 +2022,24 @@ export interface components {
              */
             uploaded: false;
         };
-        /** @description The solved chain, from start to end; `distance`: metres from the end to the target. */
+        /**
+         * @description The solved chain, from start to end; `distance`: metres from the end to the target; `clamped`: the
+         *     degrees by which limits cut the last turns of its joints; `root`: the translation of the skeleton's root,
+         *     which moves if the chain's end is the anchor.
+         */
         SolveView: {
             joints: components["schemas"]["SolvedJointView"][];
             reached: boolean;
             distance: number;
             iterations: number;
+            clamped: {
+                [key: string]: number;
+            };
+            root: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description A joint of the chain afterwards: its local rotation x y z w, its place in model space, metres. */
         SolvedJointView: {
@@ -2019,6 +2055,21 @@ export interface components {
                 number,
                 number
             ];
+        };
+        /**
+         * @description A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
+         *     parameters of its target and (empty: none) of its weight; `grab`: while the page drags its handle, the
+         *     weight is 1.
+         */
+        SolverView: {
+            name: string;
+            solver: string;
+            start: string;
+            end: string;
+            anchor: string;
+            target: string;
+            weight: string;
+            grab: boolean;
         };
         /** @description The speed of the clock; 1 is real time. */
         Speed: {
@@ -2595,6 +2646,7 @@ export type BonesView = components['schemas']['BonesView'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
+export type ChainView = components['schemas']['ChainView'];
 export type CharacterView = components['schemas']['CharacterView'];
 export type ClampedView = components['schemas']['ClampedView'];
 export type ClipContactsView = components['schemas']['ClipContactsView'];
@@ -2668,6 +2720,7 @@ export type SetChange = components['schemas']['SetChange'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
 export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
+export type SolverView = components['schemas']['SolverView'];
 export type Speed = components['schemas']['Speed'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];

@@ -3,7 +3,7 @@
 import "./parameters.css";
 import { setParameter } from "../../net/actors";
 import type { MachineInfo, Parameter } from "../../net/protocol";
-import { canLook } from "../../state/points";
+import { canLook, gripsOf } from "../../state/points";
 import type { Session } from "../../state/session";
 import { el, say } from "../../ui/dom";
 
@@ -28,9 +28,11 @@ export class ParametersPanel {
   }
 
   private draw(machine: MachineInfo | null): void {
-    const button = canLook(machine) ? "look" : ""; // it has a button of its own, and points have handles
+    // These have a button or a handle of their own, as points have.
+    const others = new Set([...gripsOf(machine).values()].map(({ weight }) => weight));
+    if (canLook(machine)) others.add("look");
     const rows = (machine?.parameters ?? [])
-      .filter(({ name, driven, kind }) => !driven && name !== button && kind !== "point")
+      .filter(({ name, driven, kind }) => !driven && !others.has(name) && kind !== "point")
       .map((parameter) => this.row(parameter));
     this.host.hidden = !rows.length;
     this.host.replaceChildren(...rows);

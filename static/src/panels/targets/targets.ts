@@ -7,7 +7,7 @@ import "./targets.css";
 import * as THREE from "three";
 import { Latest } from "../../net/latest";
 import type { MachineInfo } from "../../net/protocol";
-import { canLook, GAZE, LOOK, type Point, pointsOf } from "../../state/points";
+import { canLook, GAZE, type Grip, gripsOf, LOOK, type Point, pointsOf } from "../../state/points";
 import type { Session } from "../../state/session";
 import { el } from "../../ui/dom";
 import { onFacingPlane, PointHandles } from "../../view/pointHandles";
@@ -23,7 +23,10 @@ export class TargetsPanel {
   private readonly handles: PointHandles;
   private readonly points = new Map<string, Point>();
   private readonly senders = new Map<string, Latest<Point>>();
+  private grips = new Map<string, Grip>();
   private shown = new Set<string>();
+  /** The handles of chains that are in the scene. */
+  private drawn = new Set<string>();
   private looks = false;
 
   constructor(
@@ -31,7 +34,11 @@ export class TargetsPanel {
     private readonly session: Session,
     private readonly stageView: StageView,
   ) {
-    this.handles = new PointHandles(stageView.scene, (name, point) => this.send(name, point));
+    this.handles = new PointHandles(
+      stageView.scene,
+      (name, point) => this.send(name, point),
+      (name, isHeld) => this.hold(name, isHeld),
+    );
     const begin = (): void => this.begin(session.machine.value);
     session.machine.on(begin);
     session.actor.on(begin);
@@ -43,9 +50,36 @@ export class TargetsPanel {
     return this.handles.places();
   }
 
+  /** Lets the handles of chains that nobody holds follow the chains' ends; called once per drawn frame. */
+  update(): void {
+    const actor = this.grips.size ? this.stageView.selected() : null;
+    if (!actor || !this.stageView.ready.value) return;
+    const places = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
+    for (const [name, { joint }] of this.grips) {
+      const row = actor.cast.names.indexOf(joint);
+      if (row < 0 || !this.shown.has(name) || this.handles.dragging === name) continue;
+      const point: Point = [places[3 * row]!, places[3 * row + 1]!, places[3 * row + 2]!];
+      const before = this.points.get(name);
+      this.points.set(name, point);
+      if (!before || !this.drawn.has(name) || before.some((value, k) => value !== point[k]))
+        this.handles.show(name, point, this.size());
+      this.drawn.add(name);
+    }
+  }
+
+  /** Takes hold of a chain, or lets it go. */
+  private hold(name: string, isHeld: boolean): void {
+    const grip = this.grips.get(name);
+    if (!grip) return;
+    if (isHeld) this.set(name, this.points.get(name)!);
+    this.set(grip.weight, isHeld ? 1 : 0);
+  }
+
   private begin(machine: MachineInfo | null): void {
     this.handles.clear();
-    this.shown = new Set();
+    this.grips = gripsOf(machine);
+    this.shown = new Set(this.grips.keys());
+    this.drawn = new Set();
     this.looks = false;
     this.points.clear();
     for (const [name, point] of pointsOf(machine)) this.points.set(name, point);
@@ -56,6 +90,8 @@ export class TargetsPanel {
     const buttons = [...this.points.keys()].map((name) =>
       this.button(`drag ${name}`, `shows a handle that moves the point ${name}`, () => this.toggle(name)),
     );
+    for (const [k, name] of [...this.points.keys()].entries())
+      buttons[k]!.setAttribute("aria-pressed", String(this.shown.has(name)));
     if (canLook(machine))
       buttons.push(this.button("look at the pointer", "he looks where you point", () => this.stare()));
     this.host.hidden = !buttons.length;
@@ -70,8 +106,10 @@ export class TargetsPanel {
 
   /** Shows or hides the handle of a point; returns whether it is shown. */
   private toggle(name: string): boolean {
-    if (this.shown.delete(name)) this.handles.hide(name);
-    else {
+    if (this.shown.delete(name)) {
+      this.handles.hide(name);
+      this.drawn.delete(name);
+    } else {
       this.shown.add(name);
       this.handles.show(name, this.points.get(name)!, this.size());
     }
