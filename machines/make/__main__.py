@@ -11,6 +11,7 @@ import gearbox
 import goose
 import hand
 import joints
+import tentacle
 import tree
 
 PLACES = {
@@ -19,6 +20,7 @@ PLACES = {
     "playground/cannon/cannon.glb": cannon,
     "gearbox/gearbox.glb": gearbox,
     "tree/tree.glb": tree,
+    "tentacle/tentacle.glb": tentacle,
     "hand/hand.glb": hand,
     "geese/goose/goose.glb": goose,
     "swarm/bee/bee.glb": bee,

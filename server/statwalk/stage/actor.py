@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from statwalk.character.role import Role
+from statwalk.machine.settings import values_of
 from statwalk.maths import quat, transform
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
@@ -101,6 +102,14 @@ class Actor:
         cast, row, _, tick, dt = self._find(self.id)
         (values,) = free_values(cast, np.array([row]), tick, dt).tolist()
         return dict(zip(cast.role.expressions.slots, values, strict=True))
+
+    @property
+    def parameters(self) -> dict[str, float | tuple[float, ...]]:
+        """The parameters of the machine as they are set, by name; points, directions and rotations as
+        tuples.
+        """
+        cast, row = self._find(self.id)[:2]
+        return values_of(cast.role.machine, cast.machine.parameters[row].tolist())
 
     @property
     def pose(self) -> Pose:

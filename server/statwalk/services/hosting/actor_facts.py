@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.character.role import Role
+from statwalk.machine.settings import values_of
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.random import Words
 from statwalk.rig.limits import ClampedJoint
@@ -38,6 +39,8 @@ class ActorColumns(NamedTuple):
     hashes: Words
     variables: Floats
     """(n, F) the free variables of expressions"""
+    parameters: Floats
+    """(n, P) as they are set"""
     clamped: list[tuple[ClampedJoint, ...]]
     solver_memory: Floats
     """(n, K)"""
@@ -52,6 +55,7 @@ class ActorColumns(NamedTuple):
         copies: Any = (
             *(column[rows].copy() for column in columns),
             free_values(cast, rows, tick, dt),
+            machine.parameters[rows],
             clamped,
             cast.solver_memory[rows],
         )
@@ -60,7 +64,7 @@ class ActorColumns(NamedTuple):
     def facts(self) -> Iterator[ActorFacts]:
         """Yields the facts of each actor."""
         machine = self.role.machine
-        for actor, states, time, position, heading, hashed, values, clamped, reached in zip(
+        for actor, states, time, position, heading, hashed, values, numbers, clamped, reached in zip(
             *(column.tolist() for column in self[2:-2]),
             self.clamped,
             reached_targets(self.role, self.solver_memory),
@@ -78,6 +82,7 @@ class ActorColumns(NamedTuple):
                 heading=heading,
                 hash=text(hashed),
                 variables=dict(zip(self.role.expressions.slots, values, strict=True)),
+                parameters=values_of(machine, numbers),
                 clamped=clamped,
                 reached=reached,
             )

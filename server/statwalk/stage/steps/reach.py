@@ -69,8 +69,9 @@ def _root(position: Any, heading: Any, row: int) -> Any:
 @inlined
 def _weight(r: Any, s: Any, keep: Any, row: int, k: int, dt: float) -> Any:
     """The weight of a solver in this tick; by state: eased."""
-    at, parameter = r.memory[k], r.weight_parameter[k]
-    goal = s.smoothed[row, parameter] if parameter >= 0 else r.weight[k, s.state[row, 0]]
+    at, state = r.memory[k], s.state[row, 0]
+    parameter = r.weight_parameter[k, state]
+    goal = s.smoothed[row, parameter] if parameter >= 0 else r.weight[k, state]
     goal = min(max(goal, 0.0), 1.0)
     weight, rate = goal, 0.0
     if keep[row, at + SINCE] > 0.0 and r.eagerness[k] > 0.0:

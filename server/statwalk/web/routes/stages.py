@@ -46,6 +46,10 @@ def view_actor(actor: ActorFacts) -> ActorView:
         heading_deg=math.degrees(actor.heading),
         hash=actor.hash,
         variables=dict(actor.variables),
+        parameters={
+            name: list(value) if isinstance(value, tuple) else value
+            for name, value in actor.parameters.items()
+        },
         clamped=[
             ClampedView(joint=one.joint, angle_deg=math.degrees(one.angle), distance=one.distance)
             for one in actor.clamped

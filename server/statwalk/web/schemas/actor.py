@@ -84,6 +84,8 @@ class ActorView(ResponseModel):
     hash: str
     variables: dict[str, float]
     """the free variables of the machine's expressions"""
+    parameters: dict[str, float | list[float]]
+    """as they are set; points, directions and rotations as lists"""
     clamped: list[ClampedView]
     reached: list[ReachedView]
 
