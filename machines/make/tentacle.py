@@ -1,6 +1,6 @@
-"""A tentacle with suckers on a stone (RTCA 4): a chain of fifteen bones in one soft skin of two influences.
+"""A tentacle with suckers on a stone (RTCA 4): fifteen bones in a soft skin of two influences.
 
-The bones b1 … b15 stand on each other, each a little shorter than the one below; `tip` is the end of the last.
+The bones b1 … b15 stand on each other, each shorter than the one below; `tip` is the end of the last.
 """
 
 from collections.abc import Callable
@@ -58,7 +58,7 @@ def make() -> Model:
 
 
 def weights(height: Array) -> dict[str, Array]:
-    """Shares (V,) of the bones at heights (V,): between the middles of two bones both hold the skin, and their
+    """Shares (V,) of the bones at heights (V,): between the middles of two bones both hold it, and their
     shares change smoothly from one to the other.
     """
     row = np.clip(MIDDLES.searchsorted(height) - 1, 0, len(NAMES) - 2)
@@ -142,7 +142,7 @@ def _stone() -> list[tuple[float, float]]:
 
 
 def _sway() -> Motion:
-    """Waves that run from the foot to the tip: slow ones all along, quicker ones near the tip, which curls."""
+    """Waves that run from the foot to the tip: slow ones all along, quick ones near the tip, which curls."""
     motion: dict[tuple[str, str], Callable[[Array], Array]] = {}
     for number in range(BONES):
         motion[NAMES[number + 1], "rotation"] = lambda t, part=(number + 1) / BONES: _bend(t, part)

@@ -29,9 +29,12 @@ NONE = (-1, -1, -1)
 WHOLE_TURN = 180.0
 
 
-def reach_names(definition: MachineDefinition) -> dict[str, tuple[float, ...]]:
+def reach_names(definition: MachineDefinition, chains: Sequence[Chain]) -> dict[str, tuple[float, ...]]:
     """Returns the numbers of a new actor in the solvers' memory, by the names of the solvers there."""
-    return dict.fromkeys(map(_memory_name, definition.solvers), (0.0,) * OF_SOLVER)
+    return {
+        _memory_name(name): (0.0,) * OF_SOLVER + (0.0, 0.0, 0.0, 1.0) * _carried(chain)
+        for name, chain in zip(definition.solvers, chains, strict=True)
+    }
 
 
 def reach_chains(character: Character, machine: Machine, definition: MachineDefinition) -> list[Chain]:
@@ -62,7 +65,12 @@ def _chain(character: Character, machine: Machine, written: SolverDefinition) ->
         iterations=written.iterations or DEFAULT_ITERATIONS[written.solver],
         pole_kind=_pole_kind(machine, written),
         forward=(x, y, z),
+        is_carried=written.solver == "force",
     )
+
+
+def _carried(chain: Chain) -> int:
+    return len(chain.joints) - 1 if chain.is_carried else 0
 
 
 def _pole_kind(machine: Machine, written: SolverDefinition) -> int:
@@ -124,6 +132,7 @@ def reach_tables(
                 len(chains), len(masks)
             ),
             memory=np.array([memory.first(_memory_name(name)) for name in definition.solvers], np.int32),
+            turned=np.array([_carried(chain) for chain in chains], np.int32),
         )
     )
 

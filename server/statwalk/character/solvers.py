@@ -33,7 +33,7 @@ from statwalk.solve.foot_tables import (
     X,
     Z,
 )
-from statwalk.solve.reach_tables import CARRIED, LAYER, SHOWN, ReachTables
+from statwalk.solve.reach_tables import CARRIED, LAYER, OF_SOLVER, SHOWN, ReachTables
 from statwalk.solve.springs import KEPT, Springs, springs_of
 
 FOOT_LOCK = "foot lock"
@@ -69,8 +69,9 @@ def solvers_of(
     swinging = springs_on(character, definition)
     names = {joint: f"spring {character.skeleton.names[joint]}" for joint in swinging}
     feet_memory = {FOOT_LOCK: foot_memory(len(feet))} if feet else {}
+    reaching = reach_chains(character, machine, definition)
     memory = SolverMemory(
-        feet_memory | dict.fromkeys(names.values(), (0.0,) * KEPT) | reach_names(definition)
+        feet_memory | dict.fromkeys(names.values(), (0.0,) * KEPT) | reach_names(definition, reaching)
     )
     columns = {joint: memory.first(name) for joint, name in names.items()}
     springs = springs_of(swinging, columns, character.skeleton.parent)
@@ -78,7 +79,6 @@ def solvers_of(
     ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
     weight = _weight(machine, definition.foot_lock)
     legs = leg_tables(character, feet, contacts, motions, weight, ground)
-    reaching = reach_chains(character, machine, definition)
     reach = reach_tables(character, machine, definition, reaching, memory, len(chains))
     tables = chain_tables(character.skeleton.parent, [*chains, *reaching], clamps)
     return Solvers(springs, legs, tables, clamps, reach, memory)
@@ -96,8 +96,10 @@ def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
         kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
         kept[rows, at + X : at + Y_RATE + 1] = 0.0
         kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0
-    for at in map(int, solvers.reach.memory):
+    for k, at in enumerate(map(int, solvers.reach.memory)):
         kept[rows, at + CARRIED], kept[rows, at + LAYER] = kept[rows, at + SHOWN], 0.0
+        first, turned = at + OF_SOLVER, int(solvers.reach.turned[k])
+        kept[rows, first : first + 4 * turned] = (0.0, 0.0, 0.0, 1.0) * turned
     return kept
 
 

@@ -46,6 +46,8 @@ class ReachTables(NamedTuple):
     """whether a layer moves joints of the chain"""
     memory: Annotated[NDArray[np.int32], "solver"]
     """a solver's first column in the solvers' memory"""
+    turned: Annotated[NDArray[np.int32], "solver"]
+    """joints whose turns a force solver carries from tick to tick, x y z w each after its other numbers"""
 
 
 REACH = columns(ReachTables, readonly=True)

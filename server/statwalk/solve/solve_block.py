@@ -24,6 +24,7 @@ from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, rotated
 from statwalk.maths.simd.lane_vector import length
 from statwalk.maths.simd.lanes import LANES, broadcast, load, spread, store
 from statwalk.maths.simd.pose_lanes import joint_at, load3, load4, store4
+from statwalk.solve.carried_turns import add_turns, take_turns
 from statwalk.solve.ccd import solve_ccd
 from statwalk.solve.chain_lanes import (
     JOINT,
@@ -77,7 +78,11 @@ def solve_chain_block(
         pole = rotated(to_base, load3(rows, at + POLE * LANES))
         if chains.pole_kind[number] == POLE_POINT:
             pole = minus(pole, plus(rotated(to_base, position), load3(scratch, OFFSET)))
+        if chains.is_carried[number]:
+            add_turns(chains, clamps, number, scratch)
         iterations = _solve(chains, clamps, number, target, pole, weight, scratch)
+        if chains.is_carried[number]:
+            take_turns(chains, number, values, block, scratch)
         end_rotation = mul(to_base, load4(rows, at + ROTATION * LANES))
         distance = _write(chains, clamps, number, values, block, target, end_rotation, weight, scratch)
     store(rows, at + DISTANCE * LANES, either(weight, distance, zero))

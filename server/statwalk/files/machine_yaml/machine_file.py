@@ -148,7 +148,10 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         if "fallback" in entries
         else "",
         keys=inputs.keys(
-            entries.get("keys"), events, parameters, _states_of(base, *(part.flat for part in layer_parts.values()))
+            entries.get("keys"),
+            events,
+            parameters,
+            _states_of(base, *(part.flat for part in layer_parts.values())),
         ),
         parameters=parameters,
         senses=sense_events,

@@ -15,6 +15,7 @@ from statwalk.maths.simd.lanes import LANES
 from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.maths.springs import settled
 from statwalk.rig.hierarchy import model_block
+from statwalk.solve.carried_turns import forget_turns, keep_turns, no_turns, recall_turns
 from statwalk.solve.chains import DISTANCE as SOLVED_DISTANCE
 from statwalk.solve.chains import ROWS
 from statwalk.solve.chains import WEIGHT as INPUT_WEIGHT
@@ -40,23 +41,44 @@ def reach(
         rows = mem.reach_rows[k]
         for lane in range(LANES):
             rows[INPUT_WEIGHT, lane] = 0.0
+            if lane >= end - first:
+                no_turns(r, mem.chain, lane, k)
         for row in range(first, end):
-            weight = _weight(r, s, keep, row, k, dt)
-            root = _root(position, heading, row)
-            write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
-            rows[INPUT_WEIGHT, row - first] = _missing(r, o, mem, keep, row, k, weight)
+            _aim(r, chains, s, o, mem, position, heading, keep, rows, row, k, dt)
         number = r.first_chain[0] + k
         solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, k * ROWS * LANES, mem.chain)
         for row in range(first, end):
             keep[row, r.memory[k] + DISTANCE] = rows[SOLVED_DISTANCE, row - first]
+            keep_turns(r, keep, mem.chain, row, row - first, k, rows[INPUT_WEIGHT, row - first])
     if r.joints.shape[0] > 0:
         model_block(r.joints, r.parents, values, mem.reach_joints, block)
-        for k in range(r.memory.shape[0]):
-            for row in range(first, end):
-                if is_measured(r, k) and keep[row, r.memory[k] + SHOWN] > 0.0:
-                    root = _root(position, heading, row)
-                    distance = distance_left(r, chains, s.smoothed, mem.reach_joints, row, k, root)
-                    keep[row, r.memory[k] + DISTANCE] = distance
+        for row in range(first, end):
+            _measure(r, chains, s, mem, position, heading, keep, row)
+
+
+@inlined
+def _aim(
+    r: Any, chains: Any, s: Any, o: Any, mem: Any, position: Any, heading: Any, keep: Any, rows: Any,
+    row: int, k: int, dt: float,
+) -> None:  # fmt: skip
+    """Writes the inputs of a solver's chain for one actor."""
+    weight, lane = _weight(r, s, keep, row, k, dt), row % LANES
+    root = _root(position, heading, row)
+    write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
+    rows[INPUT_WEIGHT, lane] = _missing(r, o, mem, keep, row, k, weight)
+    if weight <= 0.0:
+        forget_turns(r, keep, row, k)
+    recall_turns(r, keep, mem.chain, row, lane, k, dt)
+
+
+@inlined
+def _measure(r: Any, chains: Any, s: Any, mem: Any, position: Any, heading: Any, keep: Any, row: int) -> None:
+    """Writes the distances of solvers that aim elsewhere than at their targets."""
+    for k in range(r.memory.shape[0]):
+        if is_measured(r, k) and keep[row, r.memory[k] + SHOWN] > 0.0:
+            root = _root(position, heading, row)
+            distance = distance_left(r, chains, s.smoothed, mem.reach_joints, row, k, root)
+            keep[row, r.memory[k] + DISTANCE] = distance
 
 
 @inlined
@@ -91,6 +113,7 @@ def _missing(r: Any, o: Any, mem: Any, keep: Any, row: int, k: int, weight: floa
     for layer in range(r.covers.shape[1]):
         if mem.seconds[row, layer] > 0.0 and r.covers[k, layer]:
             keep[row, at + CARRIED], keep[row, at + LAYER] = keep[row, at + SHOWN], layer
+            forget_turns(r, keep, row, k)
     carried = keep[row, at + CARRIED]
     if carried > 0.0:
         layer = min(int(keep[row, at + LAYER]), r.covers.shape[1] - 1)  # an edit may have removed its layer
