@@ -18,6 +18,19 @@ export function pointsOf(machine: MachineInfo | null): Map<string, Point> {
   return points;
 }
 
+/** The points that solvers with a weight by state reach for in a state of the base. */
+export function reachedIn(machine: MachineInfo | null, state: string): Set<string> {
+  const solvers = Object.values(machine?.solvers ?? {});
+  const outer = new Map((machine?.states ?? []).map(({ name, outer }) => [name, outer]));
+  const isReached = (weight: (typeof solvers)[number]["weight"]): boolean => {
+    if (typeof weight !== "object") return false;
+    let name: string | undefined = state;
+    while (name && !(name in weight)) name = outer.get(name);
+    return !!name && weight[name] !== 0;
+  };
+  return new Set(solvers.filter(({ weight }) => isReached(weight)).map(({ target }) => target));
+}
+
 /** Whether a machine's character can look at the pointer: it has a point `gaze` and a weight `look`. */
 export function canLook(machine: MachineInfo | null): boolean {
   return pointsOf(machine).has(GAZE) && machine!.parameters.some(({ name }) => name === LOOK);

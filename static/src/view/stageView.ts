@@ -33,6 +33,8 @@ export class StageView {
   readonly loading = new Signal<string>("");
   /** How much the camera shows. */
   readonly framing = new Signal<Framing>("whole");
+  /** Whether the view turns around the character. */
+  readonly turning = new Signal(false);
   /** The joint whose path is drawn; empty: none. */
   readonly traced = new Signal<string>("");
   readonly path = new MotionPath();
@@ -64,6 +66,7 @@ export class StageView {
     });
     session.actor.on(() => this.limit());
     this.framing.on(() => this.frame());
+    this.turning.on((turning) => scene.view.turn(turning));
     this.traced.on(() => {
       this.path.clear();
       scene.invalidate();

@@ -43,6 +43,7 @@ from statwalk.web.schemas.table import (
     MarkerView,
     ParameterView,
     SenseView,
+    SolverView,
     StateView,
     ThresholdView,
     TouchView,
@@ -154,6 +155,9 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
             for piece in definition.ground
         ],
         "limits": limit_views(role),
+        "solvers": {
+            name: SolverView.model_validate(solver) for name, solver in definition.solvers.items()
+        },
         "layers": layers,
         "expressions": [line.text for line in definition.expressions],
         "text": version.text,

@@ -20,6 +20,7 @@ from statwalk.web.schemas.table import (
     LayerView,
     ParameterView,
     SenseView,
+    SolverView,
     StateView,
 )
 
@@ -115,6 +116,7 @@ class MachineView(ResponseModel):
     colliders: dict[str, ColliderView]
     ground: list[GroundView]
     limits: list[LimitView]
+    solvers: dict[str, SolverView]
     layers: list[LayerView]
     expressions: list[str]
     """assignments to channels and variables, in the order in which they run"""

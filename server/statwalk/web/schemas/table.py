@@ -120,6 +120,16 @@ class ParameterView(ResponseModel):
     driven: bool
 
 
+class SolverView(ResponseModel):
+    """A solver of the machine file: the point parameter that its chain reaches for, and its weight: a number
+    0…1 or a parameter, or one of both by state of the base.
+    """
+
+    solver: Literal["two-bone", "ccd", "fabrik", "force", "look-at"]
+    target: str
+    weight: float | str | dict[str, float | str]
+
+
 class TouchView(ResponseModel):
     """An event that a touch raises; `touch` names the machine's own collider, and the other collider."""
 

@@ -925,6 +925,10 @@ export interface components {
             variables: {
                 [key: string]: number;
             };
+            /** @description as they are set; points, directions and rotations as lists */
+            parameters: {
+                [key: string]: number | number[];
+            };
             clamped: components["schemas"]["ClampedView"][];
             reached: components["schemas"]["ReachedView"][];
         };
@@ -1161,6 +1165,9 @@ export interface components {
             };
             ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
+            solvers: {
+                [key: string]: components["schemas"]["SolverView"];
+            };
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
             expressions: string[];
@@ -1328,12 +1335,18 @@ export interface components {
         };
         /**
          * @description The events of a key: `press` when it goes down (`hold`: held until it comes up), `release` when it
-         *     comes up.
+         *     comes up. `change`: by state, the parameters that move while it is down, units a second; the first state
+         *     that a layer of the actor is in counts, or `*`.
          */
         KeyView: {
             press: string | null;
             release: string | null;
             hold: boolean;
+            change: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            };
         };
         /** @description What is known of a bone; null takes a value of the bones away. */
         KnownBody: {
@@ -1489,6 +1502,9 @@ export interface components {
             };
             ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
+            solvers: {
+                [key: string]: components["schemas"]["SolverView"];
+            };
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
             expressions: string[];
@@ -1975,6 +1991,18 @@ export interface components {
                 number,
                 number
             ];
+        };
+        /**
+         * @description A solver of the machine file: the point parameter that its chain reaches for, and its weight: a number
+         *     0…1 or a parameter, or one of both by state of the base.
+         */
+        SolverView: {
+            /** @enum {string} */
+            solver: "two-bone" | "ccd" | "fabrik" | "force" | "look-at";
+            target: string;
+            weight: number | string | {
+                [key: string]: number | string;
+            };
         };
         /** @description The speed of the clock; 1 is real time. */
         Speed: {
@@ -2622,6 +2650,7 @@ export type SetChange = components['schemas']['SetChange'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
 export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
+export type SolverView = components['schemas']['SolverView'];
 export type Speed = components['schemas']['Speed'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];
