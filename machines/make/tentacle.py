@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from shapes import Array, Mesh, grid_faces, joined, lathe, smooth
 
 SKIN, CUPS = material("skin", "#ffffff", 0.36), material("suckers", "#ffffff", 0.5)
-BACK, BELLY, CUP, BOWL = (np.array(linear(colour)) for colour in ("#b8433a", "#eeb592", "#f6dcc4", "#d98f78"))
+BACK, BELLY, CUP, BOWL = (np.array(linear(colour)) for colour in ("#7b3f86", "#efb9a0", "#f8dfcc", "#d88f8f"))
 STONE = material("stone", "#5d6670", 0.9)
 BONES, LENGTH, SHORTER = 15, 1.7, 0.94
 """bones; metres; the length of a bone as a part of the one below"""
@@ -137,8 +137,8 @@ def _cup(size: float) -> Mesh:
 
 def _stone() -> list[tuple[float, float]]:
     turn = np.linspace(0, np.pi / 2, 9)
-    rim = [(0.37 + 0.05 * float(np.cos(a)), 0.01 + 0.05 * float(np.sin(a))) for a in turn]
-    return [(0.0, 0.0), (0.42, 0.0), (0.42, 0.0), *rim, (0.26, 0.066), (0.0, 0.07)]
+    rim = [(0.25 + 0.05 * float(np.cos(a)), 0.01 + 0.05 * float(np.sin(a))) for a in turn]
+    return [(0.0, 0.0), (0.3, 0.0), (0.3, 0.0), *rim, (0.2, 0.066), (0.0, 0.07)]
 
 
 def _sway() -> Motion:
@@ -152,7 +152,7 @@ def _sway() -> Motion:
 def _bend(t: Array, part: float) -> Array:
     """Quaternions (K, 4) of the bone at a part 0…1 of the length, at times (K,)."""
     once = 2 * np.pi * t / SWAY_S
-    slow, quick = 2.4 + 5.0 * part, 5.0 * part**2
+    slow, quick = 3.4 + 6.0 * part, 5.0 * part**2
     forward = slow * np.sin(once - 3.4 * part) + quick * np.sin(3 * once - 5.5 * part + 0.7)
     aside = 0.9 * slow * np.sin(once - 3.0 * part + 1.8) + quick * np.sin(2 * once - 5.0 * part + 2.6)
     curl = 15.0 * part**4

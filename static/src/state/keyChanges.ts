@@ -16,6 +16,16 @@ export function changedBy({ change }: KeyBinding): string[] {
   return [...new Set(Object.values(change).flatMap((rates) => Object.keys(rates)))];
 }
 
+/** Returns whether a key changes the parameter in these states, or no key changes it in any. */
+export function changedIn(
+  keys: Record<string, KeyBinding>,
+  parameter: string,
+  states: readonly string[],
+): boolean {
+  const own = Object.values(keys).filter((binding) => changedBy(binding).includes(parameter));
+  return !own.length || own.some((binding) => parameter in ratesOf(binding, states));
+}
+
 export class KeyChanges {
   private readonly down = new Map<string, KeyBinding>();
 

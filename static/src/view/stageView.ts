@@ -23,6 +23,8 @@ export interface Modes {
   limits: boolean;
 }
 
+/** Limits of more joints hide the body: they are drawn on request. */
+const FEW_LIMITS = 6;
 /** Actors within this distance, in sizes of the watched actor, are framed with it. */
 const COMPANY_REACH = 3;
 
@@ -60,6 +62,7 @@ export class StageView {
     this.modes.on(() => this.restyle());
     scene.world.add(this.terrain.mesh);
     session.machine.on((machine) => {
+      this.modes.set({ ...this.modes.value, limits: (machine?.limits.length ?? 0) <= FEW_LIMITS });
       this.limit();
       this.terrain.show(machine?.ground ?? []);
       scene.invalidate();

@@ -1,4 +1,7 @@
-/** Lists the expressions of the watched actor's machine, with the present values of its free variables. */
+/**
+ * Lists the expressions of the watched actor's machine, with the present values of its free variables, and those of
+ * the states that it is in.
+ */
 
 import "./expressions.css";
 import { actorFacts } from "../../net/actors";
@@ -27,6 +30,7 @@ export class ExpressionsPanel {
     private readonly session: Session,
   ) {
     session.machine.on((machine) => this.draw(machine));
+    session.layerStates.on(() => this.draw(session.machine.value));
     session.actor.on(() => void this.read());
     setInterval(() => void this.read(), READ_MS);
   }
@@ -34,7 +38,9 @@ export class ExpressionsPanel {
   private draw(machine: MachineInfo | null): void {
     const lines = machine?.expressions ?? [];
     const ofStates = (machine?.layers ?? []).flatMap(({ states }) =>
-      states.flatMap(({ name, expressions }) => expressions.map((line) => this.row(line, name))),
+      states
+        .filter(({ name }) => this.session.layerStates.value.includes(name))
+        .flatMap(({ name, expressions }) => expressions.map((line) => this.row(line, name))),
     );
     this.values.clear();
     const rows = [...lines.map((line) => this.row(line, "")), ...ofStates];

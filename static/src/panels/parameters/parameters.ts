@@ -1,15 +1,19 @@
-/** Shows a slider for each parameter of the watched actor's machine, at its value. */
+/**
+ * Shows a slider for each parameter of the watched actor's machine, at its value. The slider of a parameter that keys
+ * change shows in the states in which they change it.
+ */
 
 import "./parameters.css";
 import type { MachineInfo, Parameter } from "../../net/protocol";
 import type { ParameterValues } from "../../state/parameterValues";
+import { changedIn } from "../../state/keyChanges";
 import { canLook } from "../../state/points";
 import type { Session } from "../../state/session";
 import { el, say } from "../../ui/dom";
 
 const STEPS = 200;
 /** With more sliders than this they stand in two columns. */
-const MANY = 4;
+const MANY = 2;
 
 /** Writes a number with three significant figures. */
 export function short(value: number): string {
@@ -21,10 +25,11 @@ export class ParametersPanel {
 
   constructor(
     private readonly host: HTMLElement,
-    session: Session,
+    private readonly session: Session,
     private readonly values: ParameterValues,
   ) {
     session.machine.on((machine) => this.draw(machine));
+    session.layerStates.on(() => this.draw(session.machine.value));
     values.changed.on((name) => this.follow(name));
   }
 
@@ -33,6 +38,7 @@ export class ParametersPanel {
     const button = canLook(machine) ? "look" : ""; // it has a button of its own, and points have handles
     const rows = (machine?.parameters ?? [])
       .filter(({ name, driven, kind }) => !driven && name !== button && kind !== "point")
+      .filter(({ name }) => changedIn(machine?.keys ?? {}, name, this.session.layerStates.value))
       .map((parameter) => this.row(parameter));
     this.host.hidden = !rows.length;
     this.host.classList.toggle("many", rows.length > MANY);
