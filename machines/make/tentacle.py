@@ -11,14 +11,14 @@ from scipy.spatial.transform import Rotation
 from shapes import Array, Mesh, grid_faces, joined, lathe, smooth
 
 SKIN, CUPS = material("skin", "#ffffff", 0.36), material("suckers", "#ffffff", 0.5)
-BACK, BELLY, CUP, BOWL = (np.array(linear(colour)) for colour in ("#7b3f86", "#efb9a0", "#f8dfcc", "#d88f8f"))
+BACK, BELLY, CUP, BOWL = (np.array(linear(colour)) for colour in ("#9150a3", "#f7c9b2", "#fbe8da", "#dd9797"))
 STONE = material("stone", "#5d6670", 0.9)
 BONES, LENGTH, SHORTER = 15, 1.7, 0.94
 """bones; metres; the length of a bone as a part of the one below"""
 FOOT = 0.07
 """metres: the height of the stone, where b1 begins"""
-AROUND, RINGS = 28, 5
-"""points around, rings for each bone"""
+AROUND, RINGS = 28, 6
+"""points around; rings for each bone: of an even number none is at a middle, where one bone alone holds it"""
 ROUND, CUP_AROUND = 7, 12
 """rings of the round tip; points around a sucker"""
 BELLY_DEG = (34.0, 82.0)
@@ -105,7 +105,7 @@ def _painted(tube: Mesh) -> Array:
     """Colours (V, 3): a light belly, a back that is darker at the foot."""
     around = np.abs(np.degrees(np.arctan2(tube.points[:, 0], tube.points[:, 2])))
     back = _step((around - BELLY_DEG[0]) / (BELLY_DEG[1] - BELLY_DEG[0]))[:, None]
-    deep = 0.62 + 0.38 * _step((tube.points[:, 1] - FOOT) / (0.6 * LENGTH))[:, None]
+    deep = 0.72 + 0.28 * _step((tube.points[:, 1] - FOOT) / (0.6 * LENGTH))[:, None]
     return np.asarray((back * BACK + (1 - back) * BELLY) * deep)
 
 

@@ -10,6 +10,8 @@ import type { Session } from "../../state/session";
 import { el, say } from "../../ui/dom";
 
 const READ_MS = 500;
+/** More lines than this are folded. */
+const MANY = 12;
 
 /** Splits a line at its first equals sign. */
 export function sides(line: string): [string, string] {
@@ -45,7 +47,12 @@ export class ExpressionsPanel {
     this.values.clear();
     const rows = [...lines.map((line) => this.row(line, "")), ...ofStates];
     this.host.hidden = !rows.length;
-    this.host.replaceChildren(el("h2", {}, "expressions"), el("dl", {}, ...rows));
+    const list = el("dl", {}, ...rows);
+    this.host.replaceChildren(
+      ...(rows.length > MANY
+        ? [el("details", {}, el("summary", {}, `${rows.length} expressions`), list)]
+        : [el("h2", {}, "expressions"), list]),
+    );
     void this.read();
   }
 
