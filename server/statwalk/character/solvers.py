@@ -35,7 +35,7 @@ from statwalk.solve.foot_tables import (
     Z,
 )
 from statwalk.solve.hanging import HangingTables, hanging_tables
-from statwalk.solve.reach_tables import CARRIED, LAYER, SHOWN, ReachTables
+from statwalk.solve.reach_tables import CARRIED, LAYER, OF_SOLVER, SHOWN, ReachTables
 from statwalk.solve.springs import KEPT, Springs, springs_of
 
 CUT = "limits"
@@ -80,10 +80,11 @@ def solvers_of(
     swinging = springs_on(character, definition)
     names = {joint: f"spring {character.skeleton.names[joint]}" for joint in swinging}
     feet_memory = {FOOT_LOCK: foot_memory(len(feet))} if feet else {}
+    reaching = reach_chains(character, machine, definition)
     memory = SolverMemory(
         feet_memory
         | dict.fromkeys(names.values(), (0.0,) * KEPT)
-        | reach_names(definition)
+        | reach_names(definition, reaching)
         | hanging_memory(falling, definition)
         | ({CUT: (0.0,) * len(limited)} if limited else {})
     )
@@ -93,7 +94,7 @@ def solvers_of(
     ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
     weight = _weight(machine, definition.foot_lock)
     legs = leg_tables(character, feet, contacts, motions, weight, ground)
-    reach = reach_tables(character, machine, definition, reaching, memory, len(feet))
+    reach = reach_tables(character, machine, definition, reaching, memory, len(chains))
     hanging = hanging_tables(
         hanging_of(character, definition, falling, reaching),
         len(feet) + len(reaching),
@@ -116,8 +117,10 @@ def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
         kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
         kept[rows, at + X : at + Y_RATE + 1] = 0.0
         kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0
-    for at in map(int, solvers.reach.memory):
+    for k, at in enumerate(map(int, solvers.reach.memory)):
         kept[rows, at + CARRIED], kept[rows, at + LAYER] = kept[rows, at + SHOWN], 0.0
+        first, turned = at + OF_SOLVER, int(solvers.reach.turned[k])
+        kept[rows, first : first + 4 * turned] = (0.0, 0.0, 0.0, 1.0) * turned
     return kept
 
 

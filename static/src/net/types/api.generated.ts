@@ -951,6 +951,10 @@ export interface components {
             channels: {
                 [key: string]: number;
             };
+            /** @description as they are set; points, directions and rotations as lists */
+            parameters: {
+                [key: string]: number | number[];
+            };
             clamped: components["schemas"]["ClampedView"][];
             reached: components["schemas"]["ReachedView"][];
         };
@@ -1380,12 +1384,18 @@ export interface components {
         };
         /**
          * @description The events of a key: `press` when it goes down (`hold`: held until it comes up), `release` when it
-         *     comes up.
+         *     comes up. `change`: by state, the parameters that move while it is down, units a second; the first state
+         *     that a layer of the actor is in counts, or `*`.
          */
         KeyView: {
             press: string | null;
             release: string | null;
             hold: boolean;
+            change: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            };
         };
         /** @description What is known of a bone; null takes a value of the bones away. */
         KnownBody: {
@@ -2058,8 +2068,8 @@ export interface components {
         };
         /**
          * @description A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
-         *     parameters of its target and (empty: none) of its weight; `grab`: while the page drags its handle, the
-         *     weight is 1.
+         *     parameter of its target, and its weight: a number 0…1 or a parameter, or one of both by state of the base;
+         *     `grab`: while the page drags its handle, the weight is 1.
          */
         SolverView: {
             name: string;
@@ -2068,7 +2078,9 @@ export interface components {
             end: string;
             anchor: string;
             target: string;
-            weight: string;
+            weight: number | string | {
+                [key: string]: number | string;
+            };
             grab: boolean;
         };
         /** @description The speed of the clock; 1 is real time. */
