@@ -1,4 +1,4 @@
-"""BT1 the tentacle: a closed soft skin of two influences, sway, forward and inverse kinematics, and their mixture."""
+"""BT1 the tentacle: a closed soft skin of two influences; sway, forward and inverse kinematics; all mixed."""
 
 import numpy as np
 import pytest
@@ -247,7 +247,9 @@ def test_out_of_reach_it_points_at_the_target():
 @pytest.mark.parametrize("target", [(0.1, 0.1, 0.0), (0.0, 0.2, -0.3), (-3.0, -2.0, 1.0)])
 def test_limits_hold(target):
     """±30 degrees about X and Z, ±26 about Y, in every tick."""
-    bent = {f"{part}_{turn}": 120.0 for part in ("root", "middle", "tip") for turn in ("bend", "side", "twist")}
+    bent = {
+        f"{part}_{turn}": 120.0 for part in ("root", "middle", "tip") for turn in ("bend", "side", "twist")
+    }
     stage, actor = placed("FORWARD INVERSE", target=target, **bent)
     most = np.zeros(3)
     for _ in range(90):
@@ -278,7 +280,7 @@ def test_half_a_pull_is_half_way():
 
 
 def test_all_three_mix():
-    """The turns of forward kinematics are under those of the target: the tip is there, the body bends elsewhere."""
+    """Forward kinematics works under the target: the tip is there, the body bends elsewhere."""
     _, one = placed("INVERSE", target=TARGETS[0])
     _, other = placed("INVERSE FORWARD", target=TARGETS[0], root_side=-90.0)
     for actor in (one, other):

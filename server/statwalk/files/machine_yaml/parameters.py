@@ -25,8 +25,8 @@ RANGES: Mapping[Kind, tuple[float, float]] = {
     "rotation": (-1.0, 1.0),
 }
 """of each component as it is stored; a point has `min` and `max` of its own"""
-STANDARD: Mapping[Kind, tuple[float, ...]] = {
-    "flag": (0.0,),
+STANDARD: Mapping[Kind, float | tuple[float, ...]] = {
+    "flag": 0.0,
     "point": (0.0, 0.0, 0.0),
     "direction": (0.0, 0.0, 1.0),
     "rotation": (0.0, 0.0, 0.0, 1.0),
