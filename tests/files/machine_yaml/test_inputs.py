@@ -6,7 +6,7 @@ from statwalk.files.machine_yaml.machine_file import read_machine
 
 TEXT = """\
 initial: STAY
-states: {{STAY: {{motion: none}}, LIFT: {{motion: none}}}}
+states: {{STAY: {{motion: stay}}, LIFT: {{motion: lift}}}}
 parameters:
   pace: {{default: 1, min: 0, max: 4}}
   aim: {{kind: point, default: [0, 1, 0], min: -5, max: 5}}
@@ -57,7 +57,7 @@ def test_a_key_with_an_event_changes_nothing():
         ("{change: {STAY: {side.x: 1}}}", "'side.x'"),
         ("{change: {STAY: {calm: 1}}}", "'calm'"),
         ("{change: {STAY: {pace: fast}}}", "fast"),
-        ("{change: {STAY: {pace: 1e9}}}", "1000000"),
+        ("{change: {STAY: {pace: 1e9}}}", "finite number"),
         ("{release: GO}", "`change: …`"),
     ],
 )
