@@ -3,6 +3,7 @@
 import sys
 from pathlib import Path
 
+import anchor_chain
 import bee
 import cannon
 import coin
@@ -11,6 +12,7 @@ import gearbox
 import goose
 import hand
 import joints
+import principles
 import tentacle
 import tree
 
@@ -22,6 +24,8 @@ PLACES = {
     "tree/tree.glb": tree,
     "tentacle/tentacle.glb": tentacle,
     "hand/hand.glb": hand,
+    "principles/principles.glb": principles,
+    "anchor-chain/anchor-chain.glb": anchor_chain,
     "geese/goose/goose.glb": goose,
     "swarm/bee/bee.glb": bee,
 }

@@ -12,6 +12,7 @@ import { ImportDialog } from "./panels/importDialog/importDialog";
 import { Picker } from "./panels/picker/picker";
 import { byId, el, onTheme, reducedMotion } from "./ui/dom";
 import { dropZone } from "./panels/importDialog/dropZone";
+import { JointPanel } from "./panels/joint/joint";
 import { clampedPanel } from "./panels/clamped/clamped";
 import { EventsPanel } from "./panels/events/events";
 import { FeetStrip } from "./panels/feet/feet";
@@ -159,7 +160,8 @@ function start(name: string): void {
   const drawn = new Meter();
   const transport = new Transport(byId("transport"), session, player);
   const travel = new Travel(session);
-  const table = new TableController(session, new Editing(session), travel);
+  const editing = new Editing(session);
+  const table = new TableController(session, editing, travel);
   const why = explainer(session, table, travel);
   const timeline = new Timeline(
     byId("lanes"),
@@ -175,8 +177,9 @@ function start(name: string): void {
   const values = new ParameterValues(session);
   const changes = new KeyChanges(values, () => session.layerStates.value);
   new ParametersPanel(byId("parameters"), session, values);
-  new ExpressionsPanel(byId("expressions"), session);
+  new ExpressionsPanel(byId("expressions"), session, editing);
   clampedPanel(byId("clamped"), session);
+  const joint = new JointPanel(byId("joint"), session, stageView);
   const targets = new TargetsPanel(byId("targets"), session, stageView, values);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
@@ -199,7 +202,10 @@ function start(name: string): void {
   setInterval(() => status.update(performance.now()), READ_MS);
   keepAddress(session, stages);
   freeFocus();
-  exposeForTests(session, stageView, drawn, () => targets.places());
+  exposeForTests(session, stageView, drawn, () => ({
+    ...targets.places(),
+    ...joint.places(),
+  }));
   let last = performance.now();
   const loop = (now: number): void => {
     const passed = Math.max(0, (now - last) / 1000);
@@ -209,6 +215,8 @@ function start(name: string): void {
     player.advance(dt);
     const phase = session.phase();
     stageView.update();
+    joint.update();
+    targets.update();
     if (scene.draw(dt)) drawn.add(now);
     badge.update(phase);
     feet.update(phase);

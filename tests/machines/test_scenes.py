@@ -18,6 +18,7 @@ MADE = (
     "tentacle/tentacle.glb",
     "hand/hand.glb",
     "gearbox/gearbox.glb",
+    "principles/principles.glb",
     "playground/door/door.glb",
     "playground/coin/coin.glb",
     "playground/cannon/cannon.glb",

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.character.chain_of_names import chain_joints, sensitivities
+from statwalk.character.chain_of_names import chain_joints, ends_at, sensitivities
 from statwalk.character.character import Character
 from statwalk.character.motions import masks_of
 from statwalk.character.solver_memory import SolverMemory
@@ -27,6 +27,7 @@ from statwalk.solve.reach_tables import OF_SOLVER, ReachTables
 
 NONE = (-1, -1, -1)
 WHOLE_TURN = 180.0
+FORCE_TRAVEL = 0.3
 
 
 def reach_names(definition: MachineDefinition, chains: Sequence[Chain]) -> dict[str, tuple[float, ...]]:
@@ -55,6 +56,7 @@ def _chain(character: Character, machine: Machine, written: SolverDefinition) ->
     skeleton = character.skeleton
     joints, middle = chain_joints(skeleton, written.chain, written.solver)
     x, y, z = (np.array(written.forward) / np.linalg.norm(written.forward)).tolist()
+    is_moored = bool(written.anchor) and ends_at(skeleton, joints, written.anchor)
     return Chain(
         solver=written.solver,
         joints=joints,
@@ -65,6 +67,7 @@ def _chain(character: Character, machine: Machine, written: SolverDefinition) ->
         iterations=written.iterations or DEFAULT_ITERATIONS[written.solver],
         pole_kind=_pole_kind(machine, written),
         forward=(x, y, z),
+        is_moored=is_moored,
         is_carried=written.solver == "force",
     )
 
@@ -93,11 +96,8 @@ def reach_tables(
     """Returns the tables of the solvers with these chains; `first_chain`: the number of the first."""
     solvers = list(definition.solvers.values())
     rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
-    measured = [
-        chain
-        for chain, solver in zip(chains, solvers, strict=True)
-        if solver.solver == "force" or solver.cone_deg < WHOLE_TURN
-    ]
+    is_measured = [_is_measured(definition, solver) for solver in solvers]
+    measured = [chain for chain, wanted in zip(chains, is_measured, strict=True) if wanted]
     ends = {joint for chain in measured for joint in (chain.joints[0], chain.joints[-1])}
     joints = JointList.of(character.skeleton, sorted(ends))
     poles = [solver.pole for solver in solvers]
@@ -120,14 +120,15 @@ def reach_tables(
             ).reshape(len(solvers), len(machine.states)),
             eagerness=np.array([_eagerness(solver) for solver in solvers], np.float64),
             travel=np.array(
-                [_rate(solver.travel) if solver.solver == "force" else -1.0 for solver in solvers], np.float64
+                [-1.0 if (way := _travel(each)) is None else _rate(way) for each in solvers], np.float64
             ),
             cone=np.array([_cone(each) for each in solvers], np.float64).reshape(-1, 2),
+            is_measured=np.array(is_measured, bool),
             length=np.array([_length(rest, chain) for chain in chains], np.float64),
             joints=joints.joints,
             parents=joints.parents,
-            start=_places(joints, [chain.joints[0] for chain in chains]),
-            end=_places(joints, [chain.joints[-1] for chain in chains]),
+            start=_places(joints, [chain.joints[-1 if chain.is_moored else 0] for chain in chains]),
+            end=_places(joints, [chain.joints[0 if chain.is_moored else -1] for chain in chains]),
             covers=np.array([[_moves(mask, chain) for mask in masks] for chain in chains], bool).reshape(
                 len(chains), len(masks)
             ),
@@ -143,6 +144,19 @@ def _memory_name(solver: str) -> str:
 
 def _triples(rows: Sequence[Sequence[float]]) -> NDArray[np.float64]:
     return np.array(rows, np.float64).reshape(-1, 3)
+
+
+def _is_measured(definition: MachineDefinition, solver: SolverDefinition) -> bool:
+    if solver.solver == "look-at":
+        return solver.cone_deg < WHOLE_TURN
+    return _travel(solver) is not None or bool(definition.chains)
+
+
+def _travel(solver: SolverDefinition) -> float | None:
+    """The seconds in which the end travels; None: it is there immediately."""
+    if solver.travel is None and solver.solver == "force":
+        return FORCE_TRAVEL
+    return solver.travel
 
 
 def _rate(seconds: float) -> float:

@@ -9,6 +9,7 @@ import type { PosedModel } from "./posedModel";
 import { ActorView } from "./actorView";
 import { framed, type Framing } from "./framing";
 import { GlbStage } from "./glbStage";
+import type { LimitMark } from "./limitOverlay";
 import { MotionPath } from "./motionPath";
 import { type Model, Models } from "./model";
 import type { Scene } from "./scene";
@@ -40,6 +41,8 @@ export class StageView {
   /** The joint whose path is drawn; empty: none. */
   readonly traced = new Signal<string>("");
   readonly path = new MotionPath();
+  /** The joint that was clicked; empty: none. */
+  readonly joint = new Signal<string>("");
   private readonly models = new Models();
   private readonly glb: GlbStage;
   private readonly terrain = new Terrain();
@@ -67,7 +70,11 @@ export class StageView {
       this.terrain.show(machine?.ground ?? []);
       scene.invalidate();
     });
-    session.actor.on(() => this.limit());
+    session.actor.on(() => {
+      this.joint.set("");
+      this.limit();
+    });
+    this.joint.on(() => this.limit());
     this.framing.on(() => this.frame());
     this.turning.on((turning) => scene.view.turn(turning));
     this.traced.on(() => {
@@ -231,6 +238,7 @@ export class StageView {
     const actor = this.actor;
     if (!actor || this.session.cast?.machine !== this.session.machine.value?.name) return;
     actor.limits.take(limits);
+    actor.limits.select(this.joint.value);
     actor.limits.show(this.modes.value.limits);
     this.scene.invalidate();
   }
@@ -252,6 +260,17 @@ export class StageView {
     this.path.colour(colours.accent);
     this.scene.ground.colour(token("--grid"), Number(token("--grid-strength")) || 1);
     this.scene.invalidate();
+  }
+
+  /** The limits of the watched actor's joints that can be seen. */
+  marks(): LimitMark[] {
+    return this.actor?.limits.marks() ?? [];
+  }
+
+  /** The joints of the watched actor that show a circle. */
+  circles(): ReadonlySet<string> {
+    const { bones, limits } = this.actor ?? {};
+    return new Set([...(bones?.jointNames() ?? []), ...(limits?.jointNames() ?? [])]);
   }
 
   /** The watched actor's model, for tests. */

@@ -41,6 +41,8 @@ class ActorFacts:
     hash: str
     variables: Mapping[str, float]
     """the free variables of expressions"""
+    channels: Mapping[str, float]
+    """the channels that expressions set"""
     parameters: Mapping[str, float | tuple[float, ...]]
     """as they are set"""
     clamped: tuple[ClampedJoint, ...]

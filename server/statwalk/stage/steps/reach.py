@@ -20,7 +20,7 @@ from statwalk.solve.chains import DISTANCE as SOLVED_DISTANCE
 from statwalk.solve.chains import ROWS
 from statwalk.solve.chains import WEIGHT as INPUT_WEIGHT
 from statwalk.solve.reach_tables import CARRIED, DISTANCE, LAYER, SHOWN, SINCE, WEIGHT, WEIGHT_RATE
-from statwalk.solve.reach_targets import distance_left, is_measured, write_inputs
+from statwalk.solve.reach_targets import distance_left, write_inputs
 from statwalk.solve.solve_block import solve_chain_block
 from statwalk.stage.steps.offset_clocks import remaining
 
@@ -38,22 +38,20 @@ def reach(
     if r.joints.shape[0] > 0:
         model_block(r.joints, r.parents, values, mem.reach_joints, block)
     for k in range(r.memory.shape[0]):
-        rows = mem.reach_rows[k]
+        rows, number = mem.reach_rows[k], r.first_chain[0] + k
+        if k > 0 and chains.is_moored[number] and r.travel[k] >= 0.0:
+            model_block(r.joints, r.parents, values, mem.reach_joints, block)  # where its anchor is now
         for lane in range(LANES):
             rows[INPUT_WEIGHT, lane] = 0.0
             if lane >= end - first:
                 no_turns(r, mem.chain, lane, k)
         for row in range(first, end):
             _aim(r, chains, s, o, mem, position, heading, keep, rows, row, k, dt)
-        number = r.first_chain[0] + k
-        solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, k * ROWS * LANES, mem.chain)
+        at = k * ROWS * LANES
+        solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, at, mem.chain, keep)
         for row in range(first, end):
             keep[row, r.memory[k] + DISTANCE] = rows[SOLVED_DISTANCE, row - first]
             keep_turns(r, keep, mem.chain, row, row - first, k, rows[INPUT_WEIGHT, row - first])
-    if r.joints.shape[0] > 0:
-        model_block(r.joints, r.parents, values, mem.reach_joints, block)
-        for row in range(first, end):
-            _measure(r, chains, s, mem, position, heading, keep, row)
 
 
 @inlined
@@ -71,14 +69,20 @@ def _aim(
     recall_turns(r, keep, mem.chain, row, lane, k, dt)
 
 
-@inlined
-def _measure(r: Any, chains: Any, s: Any, mem: Any, position: Any, heading: Any, keep: Any, row: int) -> None:
-    """Writes the distances of solvers that aim elsewhere than at their targets."""
-    for k in range(r.memory.shape[0]):
-        if is_measured(r, k) and keep[row, r.memory[k] + SHOWN] > 0.0:
-            root = _root(position, heading, row)
-            distance = distance_left(r, chains, s.smoothed, mem.reach_joints, row, k, root)
-            keep[row, r.memory[k] + DISTANCE] = distance
+@called
+def measure_reached(
+    r: Any, chains: Any, s: Any, mem: Any, values: Any, position: Any, heading: Any, keep: Any, block: int
+) -> None:
+    """Writes the distances that are left, where they are measured at last."""
+    first, end = first_row(block), end_row(block, s.state.shape[0])
+    if r.joints.shape[0] > 0:
+        model_block(r.joints, r.parents, values, mem.reach_joints, block)
+        for k in range(r.memory.shape[0]):
+            for row in range(first, end):
+                if r.is_measured[k] and keep[row, r.memory[k] + SHOWN] > 0.0:
+                    root = _root(position, heading, row)
+                    distance = distance_left(r, chains, s.smoothed, mem.reach_joints, row, k, root)
+                    keep[row, r.memory[k] + DISTANCE] = distance
 
 
 @inlined

@@ -107,7 +107,8 @@ class KeyView(ResponseModel):
 
 class ParameterView(ResponseModel):
     """A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
-    direction or rotation that it is a component of (empty: none).
+    direction or rotation that it is a component of (empty: none); `joint`, `freedom`: the degree of freedom
+    at which the page has a handle for it, and the event that the page sends when you take it (empty: none).
     """
 
     name: str
@@ -117,17 +118,10 @@ class ParameterView(ResponseModel):
     smooth: float
     kind: Kind
     vector: str
+    joint: str
+    freedom: str
+    event: str
     driven: bool
-
-
-class SolverView(ResponseModel):
-    """A solver of the machine file: the point parameter that its chain reaches for, and its weight: a number
-    0…1 or a parameter, or one of both by state of the base.
-    """
-
-    solver: Literal["two-bone", "ccd", "fabrik", "force", "look-at"]
-    target: str
-    weight: float | str | dict[str, float | str]
 
 
 class TouchView(ResponseModel):

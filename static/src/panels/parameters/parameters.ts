@@ -7,7 +7,7 @@ import "./parameters.css";
 import type { MachineInfo, Parameter } from "../../net/protocol";
 import type { ParameterValues } from "../../state/parameterValues";
 import { changedIn } from "../../state/keyChanges";
-import { canLook } from "../../state/points";
+import { canLook, gripsOf } from "../../state/points";
 import type { Session } from "../../state/session";
 import { el, say } from "../../ui/dom";
 
@@ -35,9 +35,11 @@ export class ParametersPanel {
 
   private draw(machine: MachineInfo | null): void {
     this.sliders.clear();
-    const button = canLook(machine) ? "look" : ""; // it has a button of its own, and points have handles
+    // These have a button or a handle of their own, as points have.
+    const others = new Set([...gripsOf(machine).values()].map(({ weight }) => weight));
+    if (canLook(machine)) others.add("look");
     const rows = (machine?.parameters ?? [])
-      .filter(({ name, driven, kind }) => !driven && name !== button && kind !== "point")
+      .filter(({ name, driven, kind }) => !driven && !others.has(name) && kind !== "point")
       .filter(({ name }) => changedIn(machine?.keys ?? {}, name, this.session.layerStates.value))
       .map((parameter) => this.row(parameter));
     this.host.hidden = !rows.length;

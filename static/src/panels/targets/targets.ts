@@ -1,14 +1,14 @@
 /**
  * Buttons for the point parameters of the watched machine: a handle to drag in the scene for each, and, for a
  * machine with `gaze` and `look`, a character that looks at the pointer. The handle of a target shows by itself in
- * states in which a solver reaches for it.
+ * states in which a solver reaches for it; the handle of a chain that you take hold of is at the chain's free end.
  */
 
 import "./targets.css";
 import * as THREE from "three";
 import type { MachineInfo } from "../../net/protocol";
 import type { ParameterValues } from "../../state/parameterValues";
-import { canLook, GAZE, LOOK, pointsOf, reachedIn } from "../../state/points";
+import { canLook, GAZE, type Grip, gripsOf, LOOK, type Point, pointsOf, reachedIn } from "../../state/points";
 import type { Session } from "../../state/session";
 import { el } from "../../ui/dom";
 import { onFacingPlane, PointHandles } from "../../view/pointHandles";
@@ -24,6 +24,9 @@ export class TargetsPanel {
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private shown = new Set<string>();
   private reached = new Set<string>();
+  private grips = new Map<string, Grip>();
+  /** The free ends of the grips' chains, as they are drawn. */
+  private readonly ends = new Map<string, Point>();
   private looks = false;
 
   constructor(
@@ -32,7 +35,11 @@ export class TargetsPanel {
     private readonly stageView: StageView,
     private readonly values: ParameterValues,
   ) {
-    this.handles = new PointHandles(stageView.scene, (name, point) => values.setPoint(name, point));
+    this.handles = new PointHandles(
+      stageView.scene,
+      (name, point) => values.setPoint(name, point),
+      (name, isHeld) => this.hold(name, isHeld),
+    );
     const begin = (): void => this.begin(session.machine.value);
     session.machine.on(begin);
     session.actor.on(begin);
@@ -46,9 +53,35 @@ export class TargetsPanel {
     return this.handles.places();
   }
 
+  /** Lets the handles of chains that nobody holds follow the chains' ends; called once per drawn frame. */
+  update(): void {
+    const actor = this.grips.size ? this.stageView.selected() : null;
+    if (!actor || !this.stageView.ready.value) return;
+    const places = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
+    for (const [name, { joint }] of this.grips) {
+      const row = actor.cast.names.indexOf(joint);
+      if (row < 0 || !this.shown.has(name) || this.handles.dragging === name) continue;
+      const end: Point = [places[3 * row]!, places[3 * row + 1]!, places[3 * row + 2]!];
+      const before = this.ends.get(name);
+      this.ends.set(name, end);
+      if (!before || before.some((value, k) => value !== end[k])) this.handles.show(name, end, this.size());
+    }
+  }
+
+  /** Takes hold of a chain, or lets it go. */
+  private hold(name: string, isHeld: boolean): void {
+    const grip = this.grips.get(name);
+    if (!grip) return;
+    const end = this.ends.get(name);
+    if (isHeld && end) this.values.setPoint(name, end);
+    this.values.set(grip.weight, isHeld ? 1 : 0);
+  }
+
   private begin(machine: MachineInfo | null): void {
     this.handles.clear();
-    this.shown = new Set();
+    this.grips = gripsOf(machine);
+    this.ends.clear();
+    this.shown = new Set(this.grips.keys());
     this.reached = new Set();
     this.looks = false;
     this.draw(machine);
@@ -63,6 +96,7 @@ export class TargetsPanel {
         name,
         this.button(`drag ${name}`, title, () => this.show(name, !this.shown.has(name))),
       );
+      this.buttons.get(name)!.setAttribute("aria-pressed", String(this.shown.has(name)));
     }
     const buttons = [...this.buttons.values()];
     if (canLook(machine))
@@ -93,15 +127,18 @@ export class TargetsPanel {
     if (isShown) this.shown.add(name);
     else {
       this.shown.delete(name);
+      this.ends.delete(name);
       this.handles.hide(name);
     }
     this.place();
     return isShown;
   }
 
-  /** Puts the handles where their points are. */
+  /** Puts the handles where their points are; those of chains that nobody holds are where the chains end. */
   private place(): void {
-    for (const name of this.shown) this.handles.show(name, this.values.point(name), this.size());
+    for (const name of this.shown)
+      if (!this.grips.has(name) || this.handles.dragging === name)
+        this.handles.show(name, this.values.point(name), this.size());
   }
 
   private size(): number {
