@@ -166,10 +166,12 @@ function start(name: string): void {
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
   const badge = new StateBadge(byId("badge"), session, stageView);
   const feet = new FeetStrip(byId("badge"), session);
-  new ParametersPanel(byId("parameters"), session);
+  const parameters = new ParametersPanel(byId("parameters"), session);
   new ExpressionsPanel(byId("expressions"), session);
   clampedPanel(byId("clamped"), session);
-  const joint = new JointPanel(byId("joint"), session, stageView);
+  const joint = new JointPanel(byId("joint"), session, stageView, (name, value) =>
+    parameters.show(name, value),
+  );
   const targets = new TargetsPanel(byId("targets"), session, stageView);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));

@@ -9,11 +9,14 @@
 
 Every bone becomes a joint and a rigid tetrahedron (FAQ Q28). A bone at the end of a limb, and a bone with a
 keyed length, gets a second joint, `NAME.end`, at its end point.
+
+    model: knight.glb             # instead of a skeleton: a .glb, .gltf, .zip, .bvh or .trc file beside it,
+    limits: {Head: {rotation_deg: [[-40, -70, -30], [40, 70, 30]]}}      # which gets joints and limits
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -42,18 +45,22 @@ from statwalk.rig.bones import Bones
 from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.primitive import Primitive, Skin
 
-_KEYS = ("name", "skeleton", "scale", "joints", "limits", "clips")
+_OF_MODEL = ("name", "model", "joints", "limits")
+_KEYS = (*_OF_MODEL, "skeleton", "scale", "clips")
+_MODELS = (".glb", ".gltf", ".zip", ".bvh", ".trc")
 _CLIP_KEYS = ("keys", "interpolation", "loop", *clip_changes.CHANGES)
 _SCALES = (1e-6, 1e6)
 
 
-def load_character(path: Path) -> Character:
-    """Reads the character of a YAML file.
+def load_character(path: Path, model_at: Callable[[Path], Character] | None = None) -> Character:
+    """Reads the character of a YAML file; `model_at` loads the model that it names.
 
     :raises TextError: when the file, or a text that it names, is wrong; `file` and `place` say where.
     """
     root = parse(read_text(path), str(path), TextError)
     entries = root.entries(*_KEYS)
+    if "model" in entries and model_at is not None:
+        return _of_model(root, path, model_at)
     if "skeleton" not in entries:
         raise root.refuse("a character needs a skeleton: skeleton: mammal.txt")
     bones = _skeleton(entries["skeleton"], path.parent)
@@ -75,6 +82,17 @@ def load_character(path: Path) -> Character:
     animated = replace(animated, made=frozenset())  # the model carries them as its own
     animated = replace(animated, limits=_limits(root, character.skeleton, scale, path.parent))
     return replace(animated, model_glb=write.model_glb(animated))
+
+
+def _of_model(root: Node, path: Path, model_at: Callable[[Path], Character]) -> Character:
+    """A model, with the joints and limits of the file."""
+    entries = root.entries(*_OF_MODEL)
+    model = _beside(entries["model"], path.parent)
+    if model.suffix.lower() not in _MODELS:
+        raise entries["model"].refuse(f"{model.name[:80]!r} is no model: {', '.join(_MODELS)}")
+    character = model_at(model)
+    name = entries["name"].text() if "name" in entries else path.stem
+    return replace(character, name=name, limits=_limits(root, character.skeleton, 1.0, path.parent))
 
 
 def _refuser(root: Node) -> Refuse:

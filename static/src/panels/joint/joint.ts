@@ -36,6 +36,7 @@ export class JointPanel {
     private readonly host: HTMLElement,
     private readonly session: Session,
     private readonly stageView: StageView,
+    private readonly changed: (parameter: string, value: number) => void,
   ) {
     const { canvas } = stageView.scene;
     this.handles = new JointHandles(
@@ -175,6 +176,8 @@ export class JointPanel {
 
   private set(parameter: string, value: number): void {
     const actor = this.session.actor.value;
-    if (actor !== null) this.session.connection.send({ type: "set", parameter, value, actor });
+    if (actor === null) return;
+    this.session.connection.send({ type: "set", parameter, value, actor });
+    this.changed(parameter, value);
   }
 }

@@ -38,6 +38,15 @@ export class ParametersPanel {
     this.host.replaceChildren(...rows);
   }
 
+  /** Shows a value that was set elsewhere on the page. */
+  show(name: string, value: number): void {
+    this.sent.set(this.key(name), value);
+    const slider = this.host.querySelector<HTMLInputElement>(`input[aria-label="${CSS.escape(name)}"]`);
+    if (!slider) return;
+    slider.value = String(value);
+    say(slider.nextElementSibling!, short(value));
+  }
+
   private key(name: string): string {
     return JSON.stringify([this.session.stage, this.session.actor.value, name]);
   }
