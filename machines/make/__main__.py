@@ -12,6 +12,7 @@ import gearbox
 import goose
 import hand
 import joints
+import principles
 import tree
 
 PLACES = {
@@ -21,6 +22,7 @@ PLACES = {
     "gearbox/gearbox.glb": gearbox,
     "tree/tree.glb": tree,
     "hand/hand.glb": hand,
+    "principles/principles.glb": principles,
     "anchor-chain/anchor-chain.glb": anchor_chain,
     "geese/goose/goose.glb": goose,
     "swarm/bee/bee.glb": bee,

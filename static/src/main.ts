@@ -153,7 +153,8 @@ function start(name: string): void {
   const drawn = new Meter();
   const transport = new Transport(byId("transport"), session, player);
   const travel = new Travel(session);
-  const table = new TableController(session, new Editing(session), travel);
+  const editing = new Editing(session);
+  const table = new TableController(session, editing, travel);
   const why = explainer(session, table, travel);
   const timeline = new Timeline(
     byId("lanes"),
@@ -167,7 +168,7 @@ function start(name: string): void {
   const badge = new StateBadge(byId("badge"), session, stageView);
   const feet = new FeetStrip(byId("badge"), session);
   const parameters = new ParametersPanel(byId("parameters"), session);
-  new ExpressionsPanel(byId("expressions"), session);
+  new ExpressionsPanel(byId("expressions"), session, editing);
   clampedPanel(byId("clamped"), session);
   const joint = new JointPanel(byId("joint"), session, stageView, (name, value) =>
     parameters.show(name, value),

@@ -23,7 +23,7 @@ from statwalk.skin import _kernels as skin
 from statwalk.skin.deform import surface
 from statwalk.skin.primitive import Primitive, Skin
 from statwalk.stage.stage import Stage
-from statwalk.stage.steps.expression_values import free_values
+from statwalk.stage.steps.expression_values import expression_values
 
 CHANCE = np.random.default_rng(17)
 CASES = []
@@ -165,7 +165,25 @@ def expressed():
     stage.add_many(load("gearbox"), [((place, 0, 0), 0) for place in range(20)])
     stage.step(40)
     (cast,) = stage.casts
-    return cast.shown.rows(), cast.hash, free_values(cast, np.arange(20), 40, 1 / 60)
+    return cast.shown.rows(), cast.hash, expression_values(cast, np.arange(20), 40, 1 / 60)
+
+
+@case
+def hung():
+    """The ship's chain, hanging, dragged, let go and moored, twenty actors."""
+    stage = Stage(seed=1)
+    actors = stage.add_many(load("anchor-chain"), [((place, 0, 0), place) for place in range(20)])
+    for number, actor in enumerate(actors):
+        stage.set(actor, "anchor", (number + 0.9, 1.0 + 0.1 * number, 0.3))
+        stage.set(actor, "held", number % 2)
+    stage.step(25)
+    for number, actor in enumerate(actors):
+        stage.set(actor, "held", 0)
+        if number % 3 == 0:
+            stage.send(actor, "MOOR")
+    stage.step(25)
+    (cast,) = stage.casts
+    return cast.shown.rows(), cast.solver_memory, cast.hash
 
 
 def digest(arrays):

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from statwalk.errors import MachineError
 from statwalk.files import clip_changes
+from statwalk.files.expressions import expressions as read_expressions
 from statwalk.files.joint_limits import joint_limits
 from statwalk.files.machine_yaml import (
     budgets,
@@ -30,7 +31,6 @@ from statwalk.files.machine_yaml import (
 )
 from statwalk.files.machine_yaml.all_events import all_events
 from statwalk.files.machine_yaml.capture_lines import CaptureLine, read_captures
-from statwalk.files.machine_yaml.expressions import expressions as read_expressions
 from statwalk.files.machine_yaml.ground import foot_lock as read_foot_lock
 from statwalk.files.machine_yaml.ground import ground as read_ground
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters

@@ -41,6 +41,8 @@ class ActorFacts:
     hash: str
     variables: Mapping[str, float]
     """the free variables of expressions"""
+    channels: Mapping[str, float]
+    """the channels that expressions set"""
     clamped: tuple[ClampedJoint, ...]
     """the joints that their limits changed, and by how much"""
     reached: tuple[ReachedTarget, ...]

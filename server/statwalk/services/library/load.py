@@ -111,7 +111,7 @@ def load_character_file(path: Path) -> Character:
     if not path.is_file():
         raise ContentError("there is no such file", file=str(path))
     if path.suffix.lower() in TEXT_SUFFIXES:
-        return load_character(path, load_character_file)
+        return load_character(path)
     if path.suffix.lower() in captures.SUFFIXES:
         return captures.load_capture(path)
     if path.suffix.lower() == ZIP_SUFFIX:

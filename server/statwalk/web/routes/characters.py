@@ -75,6 +75,7 @@ def get_character(name: str, catalogue: CatalogueDep) -> CharacterView:
             for part in character.parts
         ],
         notes=list(character.notes),
+        expressions=[line.text for line in character.expressions],
         model=f"/api/characters/{name}/model.glb",
     )
 

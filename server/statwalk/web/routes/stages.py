@@ -46,6 +46,7 @@ def view_actor(actor: ActorFacts) -> ActorView:
         heading_deg=math.degrees(actor.heading),
         hash=actor.hash,
         variables=dict(actor.variables),
+        channels=dict(actor.channels),
         clamped=[
             ClampedView(
                 joint=clamped.joint,

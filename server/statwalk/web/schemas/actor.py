@@ -86,7 +86,9 @@ class ActorView(ResponseModel):
     heading_deg: float
     hash: str
     variables: dict[str, float]
-    """the free variables of the machine's expressions"""
+    """the free variables of the expressions of the machine and its character"""
+    channels: dict[str, float]
+    """the channels of joints that expressions set: degrees, metres, scales"""
     clamped: list[ClampedView]
     reached: list[ReachedView]
 

@@ -53,6 +53,12 @@ class NewCell(RequestModel):
     layer: Name = BASE
 
 
+class NewExpressions(RequestModel):
+    """New expressions for a machine, a line each; blank: none."""
+
+    text: Annotated[str, StringConstraints(max_length=LONGEST_TEXT)]
+
+
 class MachineSummary(ResponseModel):
     """A machine in the list; `scene` is the scene whose folder holds it, or empty."""
 
@@ -89,6 +95,15 @@ class LimitView(ResponseModel):
     rest: list[float]
     pitch: float
     freedoms: list[FreedomView]
+
+
+class ExpressionView(ResponseModel):
+    """An expression: the line of its file, what it sets, the formula, and whose file it is."""
+
+    line: int
+    name: str
+    formula: str
+    source: Literal["machine", "character"]
 
 
 class SolverView(ResponseModel):
@@ -145,8 +160,10 @@ class MachineView(ResponseModel):
     solvers: list[SolverView]
     chains: list[ChainView]
     layers: list[LayerView]
-    expressions: list[str]
+    expressions: list[ExpressionView]
     """assignments to channels and variables, in the order in which they run"""
+    expression_text: str
+    """the machine's own expressions as the file has them, with comments"""
     text: str
     """the machine file"""
 

@@ -308,6 +308,28 @@ export interface paths {
         patch: operations["patch_cell_api_machines__name__cells_patch"];
         trace?: never;
     };
+    "/api/machines/{name}/expressions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        /**
+         * Patch Expressions
+         * @description Replaces the machine's expressions, and leaves the rest of the file as it is; like PUT otherwise.
+         *
+         *     `dry`: only verifies, and changes nothing.
+         */
+        patch: operations["patch_expressions_api_machines__name__expressions_patch"];
+        trace?: never;
+    };
     "/api/machines/{name}/undo": {
         parameters: {
             query?: never;
@@ -921,8 +943,12 @@ export interface components {
             position: number[];
             heading_deg: number;
             hash: string;
-            /** @description the free variables of the machine's expressions */
+            /** @description the free variables of the expressions of the machine and its character */
             variables: {
+                [key: string]: number;
+            };
+            /** @description the channels of joints that expressions set: degrees, metres, scales */
+            channels: {
                 [key: string]: number;
             };
             clamped: components["schemas"]["ClampedView"][];
@@ -1028,6 +1054,8 @@ export interface components {
             skins: number;
             parts: components["schemas"]["PartView"][];
             notes: string[];
+            /** @description what moves with what, whichever machine plays it */
+            expressions: string[];
             model: string;
         };
         /**
@@ -1177,7 +1205,9 @@ export interface components {
             chains: components["schemas"]["ChainView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
-            expressions: string[];
+            expressions: components["schemas"]["ExpressionView"][];
+            /** @description the machine's own expressions as the file has them, with comments */
+            expression_text: string;
             /** @description the machine file */
             text: string;
             /**
@@ -1212,6 +1242,14 @@ export interface components {
             blend_seconds: number | null;
             curve: string;
             joints: components["schemas"]["MovedView"][];
+        };
+        /** @description An expression: the line of its file, what it sets, the formula, and whose file it is. */
+        ExpressionView: {
+            line: number;
+            name: string;
+            formula: string;
+            /** @enum {string} */
+            source: "machine" | "character";
         };
         /** @description The feet of a character and their contacts in its clips. */
         FeetView: {
@@ -1509,7 +1547,9 @@ export interface components {
             chains: components["schemas"]["ChainView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
-            expressions: string[];
+            expressions: components["schemas"]["ExpressionView"][];
+            /** @description the machine's own expressions as the file has them, with comments */
+            expression_text: string;
             /** @description the machine file */
             text: string;
         };
@@ -1705,6 +1745,10 @@ export interface components {
              * @enum {string}
              */
             kind?: "press" | "hold" | "release";
+        };
+        /** @description New expressions for a machine, a line each; blank: none. */
+        NewExpressions: {
+            text: string;
         };
         /** @description A key: `time` in seconds, angles about X, then Y, then Z in degrees, and its weight in a NURBS. */
         NewKey: {
@@ -2615,6 +2659,7 @@ export type DeductionView = components['schemas']['DeductionView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
+export type ExpressionView = components['schemas']['ExpressionView'];
 export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FigureView = components['schemas']['FigureView'];
@@ -2650,6 +2695,7 @@ export type NewClipView = components['schemas']['NewClipView'];
 export type NewCurves = components['schemas']['NewCurves'];
 export type NewDeduction = components['schemas']['NewDeduction'];
 export type NewEvent = components['schemas']['NewEvent'];
+export type NewExpressions = components['schemas']['NewExpressions'];
 export type NewKey = components['schemas']['NewKey'];
 export type NewMachine = components['schemas']['NewMachine'];
 export type NewParameter = components['schemas']['NewParameter'];
@@ -3214,6 +3260,40 @@ export interface operations {
         requestBody: {
             content: {
                 "application/json": components["schemas"]["NewCell"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"] | components["schemas"]["RefusedTrial"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    patch_expressions_api_machines__name__expressions_patch: {
+        parameters: {
+            query?: {
+                dry?: boolean;
+            };
+            header?: {
+                "If-Match"?: string | null;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewExpressions"];
             };
         };
         responses: {
