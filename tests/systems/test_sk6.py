@@ -188,7 +188,7 @@ def test_a_character_file_gives_limits_to_a_model(tmp_path, model):
     (tmp_path / model).symlink_to(source)
     file = tmp_path / "limited.yaml"
     file.write_text(
-        f"model: {model}\njoints:\n  {head}: {{type: revolute, axis: [0, 1, 0], angle_deg: [0, 9]}}\n"
+        f"name: limited\nmodel: {model}\njoints:\n  {head}: {{type: revolute, axis: [0, 1, 0], angle_deg: [0, 9]}}\n"
     )
     character = load(file)
     assert (character.name, character.limits[head].type) == ("limited", "revolute")
@@ -202,10 +202,10 @@ def test_a_character_file_gives_limits_to_a_model(tmp_path, model):
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("model: other.yaml\n", "no model"),
+        ("model: other.yaml\n", "must name a .glb, .gltf, .bvh or .trc file"),
         ("model: ../knight.glb\n", "in the folder of this file"),
         ("model: knight.glb\nskeleton: mammal\n", "skeleton"),
-        ("model: knight.glb\n", "no such file"),
+        ("model: knight.glb\n", "must name a .glb"),
     ],
 )
 def test_a_wrong_model_of_a_character_file_is_refused(tmp_path, text, words):
