@@ -187,9 +187,8 @@ def test_a_character_file_gives_limits_to_a_model(tmp_path, model):
     head = next(name for name in bare.skeleton.names if name.lower() == "head")
     (tmp_path / model).symlink_to(source)
     file = tmp_path / "limited.yaml"
-    file.write_text(
-        f"name: limited\nmodel: {model}\njoints:\n  {head}: {{type: revolute, axis: [0, 1, 0], angle_deg: [0, 9]}}\n"
-    )
+    hinge = "{type: revolute, axis: [0, 1, 0], angle_deg: [0, 9]}"
+    file.write_text(f"name: limited\nmodel: {model}\njoints:\n  {head}: {hinge}\n")
     character = load(file)
     assert (character.name, character.limits[head].type) == ("limited", "revolute")
     assert character.skeleton.names == bare.skeleton.names
