@@ -13,12 +13,11 @@ from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_elementary import of
 from statwalk.maths.simd.lane_functions import any_above, most, root, where_below
 from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, rotated, vector_square
-from statwalk.maths.simd.lane_turns import between
 from statwalk.maths.simd.lane_vector import added, length
 from statwalk.maths.simd.lanes import broadcast, load, spread
 from statwalk.maths.simd.pose_lanes import either3, load3, load4, store3, store4
 from statwalk.solve.chain_lanes import AIM, JOINT, LENGTH, LOCAL, OFFSET, POINT, place_joints
-from statwalk.solve.iterate import FAR, goes_on, keep_better, take_best, turned_by
+from statwalk.solve.iterate import FAR, aimed, goes_on, keep_better, take_best
 
 ZERO, ONE = np.float32(0), np.float32(1)
 
@@ -104,7 +103,7 @@ def _turn_to_points(chains: Any, clamps: Any, number: int, points: int, scratch:
         q, offset = load4(scratch, at + LOCAL), load3(scratch, at + JOINT + OFFSET)
         if chains.sensitivity[first + place] > ZERO:
             way = rotated(conjugate(above), minus(load3(scratch, at + JOINT + points), place_now))
-            q = turned_by(chains, clamps, first + place, between(rotated(q, offset), way), q)
+            q = aimed(chains, clamps, first + place, rotated(q, offset), way, q)
             store4(scratch, at + LOCAL, q)
         above = mul(above, q)
         place_now = plus(place_now, rotated(above, offset))

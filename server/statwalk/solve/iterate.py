@@ -12,8 +12,8 @@ from statwalk.maths.simd.clamp_lanes import clamp_rotation
 from statwalk.maths.simd.lane_elementary import of
 from statwalk.maths.simd.lane_functions import any_above, either, size, where_below
 from statwalk.maths.simd.lane_quat import conjugate, minus, mul, renormalized, rotated, slerp, vector_square
-from statwalk.maths.simd.lane_turns import between
-from statwalk.maths.simd.lane_vector import cross, length, perpendicular, unit, where3_below
+from statwalk.maths.simd.lane_turns import between, half_way
+from statwalk.maths.simd.lane_vector import cross, length, per_root, perpendicular, unit, where3_below
 from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import either4, load3, load4, store4
 from statwalk.solve.chain_lanes import BEST, JOINT, LOCAL, OFFSET, POINT, TURN, place_joints
@@ -40,6 +40,12 @@ def limited(chains: Any, clamps: Any, row: int, q: Any) -> Any:
 
 
 @inlined
+def is_free_joint(chains: Any, clamps: Any, row: int) -> Any:
+    """Returns whether the joint of a row makes every turn that a solver wants."""
+    return clamps.row[chains.joint[row]] < 0 and chains.sensitivity[row] >= ONE
+
+
+@inlined
 def turned_by(chains: Any, clamps: Any, row: int, turn: Any, q: Any) -> Any:
     """Returns a joint's rotation q after a turn in its parent's frame: as much of it as its sensitivity says,
     within its limits.
@@ -48,6 +54,18 @@ def turned_by(chains: Any, clamps: Any, row: int, turn: Any, q: Any) -> Any:
         zero, one = broadcast(ZERO), broadcast(ONE)
         turn = slerp((zero, zero, zero, one), turn, spread(chains.sensitivity, row))
     return limited(chains, clamps, row, renormalized(mul(turn, q)))
+
+
+@inlined
+def aimed(chains: Any, clamps: Any, row: int, bone: Any, aim: Any, q: Any) -> Any:
+    """Returns a joint's rotation q after the turn in its parent's frame that brings the vector `bone` to the
+    direction of `aim`: as much of it as its sensitivity says, within its limits.
+    """
+    if chains.sensitivity[row] < ONE:
+        return turned_by(chains, clamps, row, between(bone, aim), q)
+    turn, square = half_way(bone, aim)
+    q, factor = mul(turn, renormalized(q)), per_root(square)  # q is known before the turn: nothing waits
+    return limited(chains, clamps, row, (q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor))
 
 
 @called
@@ -117,7 +135,7 @@ def _stretch(chains: Any, clamps: Any, number: int, goal: Any, mask: Any, scratc
         aim = minus(goal, load3(scratch, at + OFFSET))
         if chains.sensitivity[first + place] > ZERO:
             bone = rotated(q, load3(scratch, at + JOINT + OFFSET))
-            q = either4(mask, turned_by(chains, clamps, first + place, between(bone, aim), q), q)
+            q = either4(mask, aimed(chains, clamps, first + place, bone, aim, q), q)
             store4(scratch, at + LOCAL, q)
         goal = rotated(conjugate(q), aim)
 

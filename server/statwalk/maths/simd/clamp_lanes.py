@@ -53,14 +53,23 @@ def clamp_rotation(table: Any, row: int, q: Any) -> Any:
     if table.kind[row] == FREE:
         return q
     into, frame = spread4(table.into, 4 * row), spread4(table.frame, 4 * row)
-    relative = mul(mul(into, q), frame)
+    is_turned, is_framed = table.into[row, 3] != ONE, table.frame[row, 3] != ONE
+    relative = q
+    if is_turned:
+        relative = mul(into, relative)
+    if is_framed:
+        relative = mul(relative, frame)
     if table.kind[row] == EULER:
         excess, clamped = clamp_angles(table, row, relative)
     else:
         excess, clamped = clamp_swing_twist(table, row, relative)
     if not any_above(excess, of(TOLERANCE)):
         return q
-    back = same_sign(renormalized(mul(mul(conjugate(into), clamped), conjugate(frame))), q)
+    if is_turned:
+        clamped = mul(conjugate(into), clamped)
+    if is_framed:
+        clamped = mul(clamped, conjugate(frame))
+    back = same_sign(renormalized(clamped), q)
     return either4(excess - of(TOLERANCE), back, q)
 
 

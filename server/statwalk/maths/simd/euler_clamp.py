@@ -46,8 +46,11 @@ def clamp_angles(table: Any, row: int, q: Any) -> Any:
     x, z = _from_middle(table, at, _sum(s, d)), _from_middle(table, at + 8, _difference(s, d))
     y = _from_middle(table, at + 4, (sine, cosine))
     first = most(_excess(table, at, x), most(_excess(table, at + 4, y), _excess(table, at + 8, z)))
+    other = first
     x2, z2, y2 = _opposite(x), _opposite(z), _from_middle(table, at + 4, (sine, -cosine))
-    other = most(_excess(table, at, x2), most(_excess(table, at + 4, y2), _excess(table, at + 8, z2)))
+    # the other triple is farther where X and Z are within a quarter turn of their middles
+    if any_above(broadcast(ZERO), least(least(x[1], z[1]), spread(table.sines, at + 5))):
+        other = most(_excess(table, at, x2), most(_excess(table, at + 4, y2), _excess(table, at + 8, z2)))
     known, clamped = least(p_square, m_square), q
     excess = least(first, other) - of(ROUNDING) * most(per_p, per_m)
     if any_above(lost, known):
@@ -55,8 +58,10 @@ def clamp_angles(table: Any, row: int, q: Any) -> Any:
         excess, clamped = where_below(known, lost, excess_of_lost, excess), from_euler(angles)
     if any_above(excess, of(TOLERANCE)):
         half_y = (m - p) * broadcast(HALF), (m + p) * broadcast(HALF)
-        x, y, z = _pick(other, first, x2, x), _pick(other, first, y2, y), _pick(other, first, z2, z)
-        s, half_y = _pick(other, first, _opposite(s), s), _pick(other, first, (half_y[1], half_y[0]), half_y)
+        if any_above(first, other):
+            x, y, z = _pick(other, first, x2, x), _pick(other, first, y2, y), _pick(other, first, z2, z)
+            s = _pick(other, first, _opposite(s), s)
+            half_y = _pick(other, first, (half_y[1], half_y[0]), half_y)
         half_y = _within(table, at + 4, y, half_y)
         of_known = _turned(s, d, _turn_back(table, at, x), half_y, _turn_back(table, at + 8, z))
         clamped = where4_below(known, lost, clamped, of_known)

@@ -30,8 +30,9 @@ def where4_below(a: Any, b: Any, x: Any, y: Any) -> Any:
 
 
 @inlined
-def between(u: Any, v: Any) -> Any:
-    """Returns the shortest rotation from the direction of u to that of v; vectors of any length.
+def half_way(u: Any, v: Any) -> Any:
+    """Returns the shortest rotation from the direction of u to that of v, and the square of its length, which
+    is not 1; vectors of any length.
 
     Opposite directions rotate about any axis at right angles; a zero vector gives the identity.
     """
@@ -49,9 +50,16 @@ def between(u: Any, v: Any) -> Any:
         w = where_below(w, is_opposite, broadcast(ZERO), w)
     square = fused(w, w, vector_square(half))
     one, smallest = broadcast(ONE), broadcast(SMALLEST)
-    factor = one / root(where_below(square, smallest, one, square))
-    w = where_below(square, smallest, one, w * factor)
-    return half[0] * factor, half[1] * factor, half[2] * factor, w
+    w = where_below(square, smallest, one, w)
+    return (half[0], half[1], half[2], w), where_below(square, smallest, one, square)
+
+
+@inlined
+def between(u: Any, v: Any) -> Any:
+    """Returns `half_way` at unit length."""
+    turn, square = half_way(u, v)
+    factor = broadcast(ONE) / root(square)
+    return turn[0] * factor, turn[1] * factor, turn[2] * factor, turn[3] * factor
 
 
 @inlined
@@ -98,7 +106,7 @@ def _from_matrix(m: Any) -> Any:
 
 @inlined
 def half_turn(cosine: Any, sine: Any) -> Any:
-    """Returns sine and cosine of half an angle; only the direction of (cosine, sine) counts, near unit length."""
+    """Returns sine and cosine of half an angle, of its cosine and sine."""
     zero, one = broadcast(ZERO), broadcast(ONE)
     half_sine = where_below(cosine, zero, one - cosine, sine)
     half_cosine = where_below(cosine, zero, sine, one + cosine)
