@@ -72,7 +72,7 @@ def aimed(chains: Any, clamps: Any, row: int, bone: Any, aim: Any, q: Any) -> An
 def begin(chains: Any, clamps: Any, number: int, goal: Any, pole: Any, whole: Any, scratch: Any) -> Any:
     """Prepares the rotations at LOCAL for iterations: stretches chains towards targets out of reach (the
     force solver lets them travel there), and bends chains in line with a target within reach; returns the
-    distance of the best pose, which is at BEST.
+    distance of the best pose, which is at BEST. The places at POINT are those of the rotations at LOCAL.
     """
     first, count = chains.first[number], chains.first[number + 1] - chains.first[number]
     one, zero = broadcast(ONE), broadcast(ZERO)
@@ -89,6 +89,7 @@ def begin(chains: Any, clamps: Any, number: int, goal: Any, pole: Any, whole: An
     in_line = _in_line(goal, whole, count, scratch)
     if any_above(in_line, zero):
         _bend(chains, clamps, first, count, goal, pole, in_line, scratch)
+        place_joints(scratch, count, LOCAL)
     return distance
 
 
