@@ -40,9 +40,9 @@ def solve_ccd(
         distance = _sweep(chains, clamps, number, goal, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
-        best = keep_better(scratch, count, better, distance, best)
+        best = keep_better(scratch, count - 1, better, distance, best)
         active, last = goes_on(active, distance, last, tolerance, whole), distance
-    take_best(scratch, count)
+    take_best(scratch, count - 1)
     return iterations
 
 

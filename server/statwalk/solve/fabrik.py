@@ -48,12 +48,12 @@ def solve_fabrik(
         else:
             distance = length(minus(goal, _turn_to_points(chains, clamps, number, AIM, scratch)))
             better = where_below(distance, best, active, zero)
-            best = keep_better(scratch, count, better, distance, best)
+            best = keep_better(scratch, count - 1, better, distance, best)
         active, last = goes_on(active, distance, last, tolerance, whole), distance
     if is_free:
         distance = length(minus(goal, _turn_to_points(chains, clamps, number, POINT, scratch)))
-        keep_better(scratch, count, where_below(distance, best, before, zero), distance, best)
-    take_best(scratch, count)
+        keep_better(scratch, count - 1, where_below(distance, best, before, zero), distance, best)
+    take_best(scratch, count - 1)
     return iterations
 
 

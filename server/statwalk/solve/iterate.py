@@ -85,7 +85,7 @@ def begin(chains: Any, clamps: Any, number: int, goal: Any, pole: Any, whole: An
         _stretch(chains, clamps, number, goal, where_below(reach, far, one, zero), scratch)
         stretched = length(minus(goal, place_joints(scratch, count, LOCAL)))
         better = where_below(stretched, distance, one, zero)
-        distance = keep_better(scratch, count, better, stretched, distance)
+        distance = keep_better(scratch, count - 1, better, stretched, distance)
     in_line = _in_line(goal, whole, count, scratch)
     if any_above(in_line, zero):
         _bend(chains, clamps, first, count, goal, pole, in_line, scratch)

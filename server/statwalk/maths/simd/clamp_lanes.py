@@ -69,7 +69,7 @@ def clamp_rotation(table: Any, row: int, q: Any) -> Any:
         clamped = mul(conjugate(into), clamped)
     if is_framed:
         clamped = mul(clamped, conjugate(frame))
-    back = same_sign(renormalized(clamped), q)
+    back = renormalized(same_sign(clamped, q))
     return either4(excess - of(TOLERANCE), back, q)
 
 

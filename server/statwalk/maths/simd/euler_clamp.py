@@ -39,47 +39,52 @@ def clamp_angles(table: Any, row: int, q: Any) -> Any:
     at, lost = OF_ROW * row, of(LOCKED * LOCKED)
     s, d = (q[0] + q[2], q[3] - q[1]), (q[0] - q[2], q[3] + q[1])
     p_square, m_square = _square(s), _square(d)
-    per_p, per_m = per_root(most(p_square, lost)), per_root(most(m_square, lost))
-    p, m = p_square * per_p, m_square * per_m
-    s, d = (s[0] * per_p, s[1] * per_p), (d[0] * per_m, d[1] * per_m)
-    sine, cosine = (m_square - p_square) * broadcast(HALF), p * m
-    x, z = _from_middle(table, at, _sum(s, d)), _from_middle(table, at + 8, _difference(s, d))
-    y = _from_middle(table, at + 4, (sine, cosine))
+    known, clamped = least(p_square, m_square), q
+    sine, cosine_square = (m_square - p_square) * broadcast(HALF), most(p_square, lost) * most(m_square, lost)
+    per_cosine = per_root(cosine_square)
+    cosine = cosine_square * per_cosine
+    x, z = _scaled(_sum(s, d), per_cosine), _scaled(_difference(s, d), per_cosine)
+    x, z = _from_middle(table, at, x), _from_middle(table, at + 8, z)
+    y, y2 = _from_middle(table, at + 4, (sine, cosine)), _from_middle(table, at + 4, (sine, -cosine))
     first = most(_excess(table, at, x), most(_excess(table, at + 4, y), _excess(table, at + 8, z)))
-    other = first
-    x2, z2, y2 = _opposite(x), _opposite(z), _from_middle(table, at + 4, (sine, -cosine))
+    other, x2, z2 = first, _opposite(x), _opposite(z)
     # the other triple is farther where X and Z are within a quarter turn of their middles
     if any_above(broadcast(ZERO), least(least(x[1], z[1]), spread(table.sines, at + 5))):
         other = most(_excess(table, at, x2), most(_excess(table, at + 4, y2), _excess(table, at + 8, z2)))
-    known, clamped = least(p_square, m_square), q
-    excess = least(first, other) - of(ROUNDING) * most(per_p, per_m)
+    excess = least(first, other) - of(ROUNDING) * per_cosine
     if any_above(lost, known):
         excess_of_lost, angles = euler_excess(q, _three(table, 6 * row), _three(table, 6 * row + 3))
         excess, clamped = where_below(known, lost, excess_of_lost, excess), from_euler(angles)
     if any_above(excess, of(TOLERANCE)):
-        half_y = (m - p) * broadcast(HALF), (m + p) * broadcast(HALF)
+        is_other = broadcast(ZERO)
         if any_above(first, other):
             x, y, z = _pick(other, first, x2, x), _pick(other, first, y2, y), _pick(other, first, z2, z)
-            s = _pick(other, first, _opposite(s), s)
-            half_y = _pick(other, first, (half_y[1], half_y[0]), half_y)
-        half_y = _within(table, at + 4, y, half_y)
-        of_known = _turned(s, d, _turn_back(table, at, x), half_y, _turn_back(table, at + 8, z))
+            is_other = where_below(other, first, broadcast(ONE), is_other)
+        s, d = _within(table, at + 4, y, is_other, (s, d), (p_square, m_square))
+        of_known = _turned(s, d, _turn_back(table, at, x), _turn_back(table, at + 8, z))
         clamped = where4_below(known, lost, clamped, of_known)
     return excess, clamped
 
 
 @inlined
-def _turned(s: Any, d: Any, x_back: Any, half_y: Any, z_back: Any) -> Any:
-    """The rotations of S, D and Y/2 after turns by half of what X and Z are turned back."""
-    s, d = _sum(s, _sum(x_back, z_back)), _sum(d, _difference(x_back, z_back))
-    half = broadcast(HALF)
-    p, m = (half_y[1] - half_y[0]) * half, (half_y[1] + half_y[0]) * half
-    return (
-        fused(p, s[0], m * d[0]),
-        fused(m, d[1], -(p * s[1])),
-        fused(p, s[0], -(m * d[0])),
-        fused(m, d[1], p * s[1]),
-    )
+def _turned(s: Any, d: Any, x_back: Any, z_back: Any) -> Any:
+    """The rotations of p S and m D after turns by half of what X and Z are turned back."""
+    s, d, half = _sum(s, _sum(x_back, z_back)), _sum(d, _difference(x_back, z_back)), broadcast(HALF)
+    return (s[0] + d[0]) * half, (d[1] - s[1]) * half, (s[0] - d[0]) * half, (d[1] + s[1]) * half
+
+
+@inlined
+def _within(table: Any, at: int, y: Any, is_other: Any, turns: Any, squares: Any) -> Any:
+    """p S and m D with Y clamped; of Y from the middle, p S and m D, p² and m². In lanes of the other triple
+    p S are p and S with their signs changed.
+    """
+    one, middle = broadcast(ONE), (spread(table.sines, at + 8), spread(table.sines, at + 9))
+    end = _sum(middle, (with_sign(spread(table.sines, at + 10), y[0]), spread(table.sines, at + 11)))
+    p, m = end[1] - end[0], end[1] + end[0]
+    p = where_below(broadcast(ZERO), is_other, -p, p) * per_root(squares[0])
+    m, excess, zero = m * per_root(squares[1]), _excess(table, at, y), broadcast(ZERO)
+    p, m = where_below(zero, excess, p, one), where_below(zero, excess, m, one)
+    return _scaled(turns[0], p), _scaled(turns[1], m)
 
 
 @inlined
@@ -107,15 +112,6 @@ def _turn_back(table: Any, at: int, turn: Any) -> Any:
     return where_below(zero, excess, with_sign(sine, -turn[0]), zero), where_below(
         zero, excess, cosine, broadcast(ONE)
     )
-
-
-@inlined
-def _within(table: Any, at: int, turn: Any, half: Any) -> Any:
-    """Half the angle about Y, clamped; of the turn from the middle, and half the angle."""
-    sine, cosine = spread(table.sines, at + 10), spread(table.sines, at + 11)
-    end = _sum((spread(table.sines, at + 8), spread(table.sines, at + 9)), (with_sign(sine, turn[0]), cosine))
-    zero, excess = broadcast(ZERO), _excess(table, at, turn)
-    return where_below(zero, excess, end[0], half[0]), where_below(zero, excess, end[1], half[1])
 
 
 @inlined
@@ -154,3 +150,8 @@ def _opposite(turn: Any) -> Any:
 def _pick(a: Any, b: Any, x: Any, y: Any) -> Any:
     """The turn x in lanes with a < b, else y."""
     return where_below(a, b, x[0], y[0]), where_below(a, b, x[1], y[1])
+
+
+@inlined
+def _scaled(turn: Any, factor: Any) -> Any:
+    return turn[0] * factor, turn[1] * factor
