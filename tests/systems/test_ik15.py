@@ -83,21 +83,19 @@ FOLDED.rotation[0, 2] = 1, 0, 0, 0
 @pytest.mark.parametrize("limits", [{}, {1: LIMIT, 2: LIMIT}], ids=["free", "limited"])
 @pytest.mark.parametrize("start", [BENT, STRAIGHT, FOLDED], ids=["bent", "straight", "folded"])
 def test_degenerate_targets_are_finite_in_every_lane(solver, limits, start):
-    targets = degenerate(start)
+    targets, first = degenerate(start), None
     for shift in (0, 5, 11):  # beside other targets, in other lanes
         order = np.roll(np.arange(len(targets)), shift)
         crowd = Pose(*(np.repeat(part, len(targets), 0) for part in start))
         poses, outcome = solved(crowd, targets[order], solver, limits=limits, pole=(0, 0, 1), pole_kind=1)
         np.testing.assert_allclose(np.linalg.norm(poses.rotation, axis=-1), 1, atol=2e-6)
         assert np.isfinite(outcome.distance).all()
-        if shift:
-            assert poses.rotation.tobytes() == first.rotation[order].tobytes()
-            continue
-        first = poses
+        first = first or poses
+        assert poses.rotation.tobytes() == first.rotation[order].tobytes()
         if solver != "look-at":
-            far = np.linalg.norm(points(poses)[:, -1] - targets, axis=1)
+            far = np.linalg.norm(points(poses)[:, -1] - targets[order], axis=1)
             np.testing.assert_allclose(outcome.distance, far, atol=1e-5, rtol=1e-4)
-            before = np.linalg.norm(points(crowd)[:, -1] - targets, axis=1)
+            before = np.linalg.norm(points(crowd)[:, -1] - targets[order], axis=1)
             if not limits:  # a pose beyond its limits is brought inside, and may then be farther
                 assert (outcome.distance <= before * (1 + 1e-5) + 5e-5).all()
 
