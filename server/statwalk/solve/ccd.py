@@ -17,7 +17,8 @@ from statwalk.maths.simd.lane_vector import length, where3_below
 from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import load3, load4, store3, store4
 from statwalk.solve.chain_lanes import AIM, JOINT, LOCAL, OFFSET
-from statwalk.solve.iterate import FAR, aimed, goes_on, is_free_joint, keep_better, take_best
+from statwalk.solve.chains import TWO_BONE
+from statwalk.solve.iterate import FAR, aimed, goes_on, is_free_joint, keep_better, note_cuts, take_best
 
 ZERO, ONE = np.float32(0), np.float32(1)
 
@@ -38,6 +39,8 @@ def solve_ccd(
         if not any_above(active, zero):
             break
         distance = _sweep(chains, clamps, number, goal, scratch)
+        if chains.solver[number] != TWO_BONE:  # a limb's cuts are those of the exact solution
+            note_cuts(chains, clamps, number, active, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
         best = keep_better(scratch, count - 1, better, distance, best)
@@ -66,7 +69,7 @@ def _sweep(chains: Any, clamps: Any, number: int, goal: Any, scratch: Any) -> An
         bone = rotated(q, end)
         if chains.sensitivity[first + place] > ZERO:
             aim = load3(scratch, at + AIM)
-            q = aimed(chains, clamps, first + place, bone, aim, q)
+            q = aimed(chains, clamps, first + place, bone, aim, q, scratch, at)
             store4(scratch, at + LOCAL, q)
             bone = _along(bone, aim) if is_free_joint(chains, clamps, first + place) else rotated(q, end)
         end = plus(load3(scratch, at + OFFSET), bone)

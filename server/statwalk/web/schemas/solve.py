@@ -68,6 +68,9 @@ class NewSolve(RequestModel):
         Point,
         Field(description="look-at: the line of sight in the frame of the last joint, above 0 long"),
     ] = (0.0, 0.0, 1.0)
+    anchor: Annotated[
+        str, Field(max_length=200, description="a joint that stays where it is in model space; empty: none")
+    ] = ""
 
 
 class SolvedJointView(ResponseModel):
@@ -79,9 +82,14 @@ class SolvedJointView(ResponseModel):
 
 
 class SolveView(ResponseModel):
-    """The solved chain, from start to end; `distance`: metres from the end to the target."""
+    """The solved chain, from start to end; `distance`: metres from the end to the target; `clamped`: the
+    degrees by which limits cut the last turns of its joints; `root`: the translation of the skeleton's root,
+    which moves if the chain's end is the anchor.
+    """
 
     joints: list[SolvedJointView]
     reached: bool
     distance: float
     iterations: int
+    clamped: dict[str, float]
+    root: Vector
