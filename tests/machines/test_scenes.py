@@ -15,6 +15,7 @@ from statwalk.stage.replay import replay
 
 MADE = (
     "tree/tree.glb",
+    "tentacle/tentacle.glb",
     "hand/hand.glb",
     "gearbox/gearbox.glb",
     "principles/principles.glb",

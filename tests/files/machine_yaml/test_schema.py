@@ -69,6 +69,7 @@ layers:
 keys:
   ArrowUp: {hold: GO, release: STOP}
   a: {press: GO}
+  PageUp: {change: {MOVE: {pace: 0.5}, "*": {side: -1}}}
 parameters:
   pace: {default: 1, min: 0, max: 4, smooth: 0.25}
   side: {default: 0, min: -1, max: 1}
@@ -126,6 +127,8 @@ WRONG = {
     "mask": ("mask: [Spine]", "mask: Spine"),
     "key without down": ("{press: GO}", "{release: GO}"),
     "key with both": ("{press: GO}", "{press: GO, hold: GO}"),
+    "key that changes and presses": ("{press: GO}", "{press: GO, change: {MOVE: {pace: 1}}}"),
+    "key that changes nothing": ("{press: GO}", "{change: {}}"),
     "parameter without bounds": ("amount: {default: 1, min: 0, max: 1}", "amount: {default: 1}"),
     "parameter called as a word": ("  side: {default", "  not: {default"),
     "sense without a condition": ("{when: speed > 2.0, release: speed < 1.6}", "{release: speed < 1.6}"),
