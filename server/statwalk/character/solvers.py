@@ -24,10 +24,13 @@ from statwalk.solve.chains import Chains, chain_tables
 from statwalk.solve.foot_tables import (
     DROP,
     DROP_RATE,
+    FIT,
     LOWEST_X,
     LOWEST_Z,
     OF_ACTOR,
+    OF_FIT,
     OF_FOOT,
+    TOOK,
     Y_RATE,
     FootTables,
     X,
@@ -38,6 +41,8 @@ from statwalk.solve.springs import KEPT, Springs, springs_of
 
 FOOT_LOCK = "foot lock"
 """name of the foot lock in the solvers' memory"""
+UNEVEN_GROUND = "uneven ground"
+"""name of what feet need on uneven ground there"""
 
 
 class Solvers(NamedTuple):
@@ -69,6 +74,8 @@ def solvers_of(
     swinging = springs_on(character, definition)
     names = {joint: f"spring {character.skeleton.names[joint]}" for joint in swinging}
     feet_memory = {FOOT_LOCK: foot_memory(len(feet))} if feet else {}
+    if feet and definition.ground:
+        feet_memory[UNEVEN_GROUND] = (0.0,) * (OF_FIT * len(feet))
     memory = SolverMemory(
         feet_memory | dict.fromkeys(names.values(), (0.0,) * KEPT) | reach_names(definition)
     )
@@ -77,7 +84,8 @@ def solvers_of(
     contacts = contacts_in(character, definition, every) if feet else {}
     ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
     weight = _weight(machine, definition.foot_lock)
-    legs = leg_tables(character, feet, contacts, motions, weight, ground)
+    places = 0, memory.first(UNEVEN_GROUND) if UNEVEN_GROUND in feet_memory else -1
+    legs = leg_tables(character, feet, contacts, motions, weight, ground, places)
     reaching = reach_chains(character, machine, definition)
     reach = reach_tables(character, machine, definition, reaching, memory, len(chains))
     tables = chain_tables(character.skeleton.parent, [*chains, *reaching], clamps)
@@ -96,6 +104,8 @@ def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
         kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
         kept[rows, at + X : at + Y_RATE + 1] = 0.0
         kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0
+        if (fit := int(solvers.legs.fit[0]) + foot * OF_FIT) >= foot * OF_FIT:
+            kept[rows, fit + TOOK : fit + TOOK + FIT] = kept[rows, fit : fit + FIT]
     for at in map(int, solvers.reach.memory):
         kept[rows, at + CARRIED], kept[rows, at + LAYER] = kept[rows, at + SHOWN], 0.0
     return kept

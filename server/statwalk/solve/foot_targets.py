@@ -39,6 +39,9 @@ released
 """
 GIVE, FOLLOW = 21.0, 14.0
 """1/s: how eagerly the pelvis gives way, and the root follows the ground"""
+MEAN_STEPS, MEAN_STEP = 4, 0.11
+"""places before and behind the root whose ground counts for its height, the nearest most; metres between them
+"""
 
 
 @called
@@ -144,10 +147,16 @@ def _quaternion(legs: Any, block: int, place: int, lane: int) -> Any:
 
 
 @inlined
-def follow_ground(f: Any, keep: Any, position: Any, row: int, dt: float) -> None:
-    """Moves the root to the height of the ground below it."""
+def follow_ground(f: Any, keep: Any, position: Any, row: int, sine: float, cosine: float, dt: float) -> None:
+    """Moves the root to the mean height of the ground below it, before and behind it."""
     if f.ground.shape[0] > 0:
-        ground = ground_at(f.ground, position[row, 0], position[row, 2], 0.0)
+        ground, weights = 0.0, 0.0
+        for step in range(-MEAN_STEPS, MEAN_STEPS + 1):
+            weight, away = MEAN_STEPS + 1.0 - abs(step), step * MEAN_STEP
+            x, z = position[row, 0] + away * sine, position[row, 2] + away * cosine
+            ground += weight * ground_at(f.ground, x, z, 0.0)
+            weights += weight
+        ground /= weights
         at = f.memory[0] + LIFT_RATE
         height, keep[row, at] = settled(position[row, 1] - ground, keep[row, at], FOLLOW, dt)
         position[row, 1] = ground + height

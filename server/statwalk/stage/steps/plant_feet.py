@@ -12,10 +12,13 @@ from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.sampling.blend import member_phase, weigh
 from statwalk.rig.hierarchy import model_block
 from statwalk.solve.chains import ROWS
+from statwalk.solve.foot_fit import begin_fit, fit_foot
 from statwalk.solve.foot_lock import begin_blend, step_foot
-from statwalk.solve.foot_tables import OF_ACTOR, OF_FOOT
+from statwalk.solve.foot_tables import OF_ACTOR, OF_FIT, OF_FOOT
 from statwalk.solve.foot_targets import aim_leg, begin_pelvis, follow_ground, lower_pelvis, move_pelvis
 from statwalk.solve.solve_block import solve_chain_block
+from statwalk.stage.steps.foot_landings import next_landing
+from statwalk.stage.steps.offset_clocks import remaining
 
 
 @called
@@ -26,11 +29,13 @@ def plant_feet(
     """Moves the pelvis and the legs of a block's actors in `values`; chain k is the leg of foot k."""
     model_block(f.joints, f.parents, values, mem.legs, block)
     for row in range(first_row(block), end_row(block, s.state.shape[0])):
-        follow_ground(f, keep, position, row, dt)
         sine, cosine = sincos(heading[row])
+        follow_ground(f, keep, position, row, sine, cosine, dt)
         root = position[row, 0], position[row, 1], position[row, 2], sine, cosine
         if mem.seconds[row, 0] > 0.0:
             _begin_blend(f, keep, row)
+        if f.fit[0] >= 0:
+            _fit_feet(f, m, s, o, mem, position, heading, keep, row, root, dt)
         _step_feet(f, m, s, o, mem, keep, row, root, dt)
         weight = f.weight[0] if f.weight_parameter[0] < 0 else s.smoothed[row, f.weight_parameter[0]]
         weight = min(max(weight, 0.0), 1.0)
@@ -46,6 +51,21 @@ def _begin_blend(f: Any, keep: Any, row: int) -> None:
     begin_pelvis(f, keep, row)
     for foot in range(f.hip.shape[0]):
         begin_blend(keep, row, f.memory[0] + OF_ACTOR + foot * OF_FOOT)
+        if f.fit[0] >= 0:
+            begin_fit(keep, row, f.fit[0] + foot * OF_FIT)
+
+
+@inlined
+def _fit_feet(
+    f: Any, m: Any, s: Any, o: Any, mem: Any, position: Any, heading: Any, keep: Any, row: int, root: Any,
+    dt: float,
+) -> None:  # fmt: skip
+    """Brings an actor's animated feet to uneven ground."""
+    member, left = _member(m, s, mem, row), remaining(o, row, 0, 0.0)[0]
+    for foot in range(f.hip.shape[0]):
+        landing = next_landing(f, m, s, mem, position, heading, row, member, foot)
+        lock, fit = f.memory[0] + OF_ACTOR + foot * OF_FOOT, f.fit[0] + foot * OF_FIT
+        fit_foot(f, mem.legs, keep, row, foot, lock, fit, root, landing, left, dt)
 
 
 @inlined

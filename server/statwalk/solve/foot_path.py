@@ -1,0 +1,84 @@
+"""The path of a foot through the air over uneven ground: where it lands, and how high it must be on its way.
+
+The path is a string, stretched from where the foot stood to where it will stand over all ground between; the
+motion's own height of the foot comes on top of it. `f`, `keep`, `row` as in `foot_lock`; `at` the column of
+the foot's first number for uneven ground (`foot_tables`).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from statwalk.maths.compiling import inlined
+from statwalk.maths.reference import called
+from statwalk.maths.scalar import sincos
+from statwalk.solve.foot_tables import (
+    FROM_X,
+    FROM_Z,
+    HEIGHT,
+    PATH,
+    PATH_PARTS,
+    TO_X,
+    TO_Z,
+)
+from statwalk.solve.footing import MARGIN, height_over, points_supported, slope_under
+
+FARTHEST, STRIDE = 0.16, 0.02
+"""metres by which a foot lands before or behind the place of its motion at most, to stand on one tread; in
+which steps a place is looked for
+"""
+COST = 18.0
+"""points of a sole that a metre from the place of the motion must win"""
+EVERY_POINT = 15
+
+
+@called
+def choose_landing(
+    f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, sine: float, cosine: float
+) -> None:
+    """Writes where a foot lands: as near as possible to the place of its motion (x, z), with as much ground
+    below the sole as possible.
+    """
+    best = points_supported(f, foot, x, z, sine, cosine) + 0.0
+    found = 0.0
+    if best < EVERY_POINT:
+        away = STRIDE
+        while away < FARTHEST:
+            for side in range(2):
+                shift = away if side == 0 else -away
+                worth = points_supported(f, foot, x + shift * sine, z + shift * cosine, sine, cosine)
+                if worth - COST * away > best:
+                    best, found = worth - COST * away, shift
+            away += STRIDE
+    keep[row, at + TO_X], keep[row, at + TO_Z] = x + found * sine, z + found * cosine
+
+
+@called
+def stretch_path(f: Any, keep: Any, row: int, foot: int, at: int, yaw: float) -> None:
+    """Writes the heights of the ground along the path from where the foot is."""
+    sine, cosine = sincos(yaw)
+    x, z = keep[row, at + FROM_X], keep[row, at + FROM_Z]
+    u, v = (keep[row, at + TO_X] - x) / PATH_PARTS, (keep[row, at + TO_Z] - z) / PATH_PARTS
+    longer, wider = 0.5 * abs(u * sine + v * cosine) + MARGIN, 0.5 * abs(u * cosine - v * sine) + MARGIN
+    keep[row, at + PATH] = keep[row, at + HEIGHT]
+    for part in range(1, PATH_PARTS + 1):
+        if part == PATH_PARTS:
+            longer, wider = 0.0, 0.0
+        px, pz = x + part * u, z + part * v
+        slope_x, slope_z = slope_under(f, foot, px, pz, sine, cosine)
+        height = height_over(f, foot, px, pz, sine, cosine, slope_x, slope_z, longer, wider)
+        keep[row, at + PATH + part] = height
+
+
+@inlined
+def path_height(keep: Any, row: int, at: int, progress: float) -> Any:
+    """Returns the height of the stretched string at a share 0…1 of the path."""
+    place = progress * PATH_PARTS
+    height = -1e9
+    for first in range(PATH_PARTS):
+        for last in range(first + 1, PATH_PARTS + 1):
+            if first <= place <= last:
+                part = (place - first) / (last - first)
+                start, end = keep[row, at + PATH + first], keep[row, at + PATH + last]
+                height = max(height, start + (end - start) * part)
+    return height
