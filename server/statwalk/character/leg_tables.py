@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from statwalk.character.body_bones import carrier
 from statwalk.character.character import Character
 from statwalk.character.feet import Foot
-from statwalk.character.foot_contacts import ClipContacts
+from statwalk.character.foot_contacts import ClipContacts, joined
 from statwalk.character.foot_prints import Contacts, foot_print, joints_below, landings
 from statwalk.character.skin_points import SkinPoints, bound_points
 from statwalk.maths import transform
@@ -74,6 +74,8 @@ def leg_tables(
     carriers = np.concatenate([carrier for carrier, _ in soles] or [np.zeros(0, np.int64)])
     joints = JointList.of(character.skeleton, sorted(wanted | set(carriers.tolist())))
     stands = _contacts(feet, contacts, motions)
+    if columns[1] >= 0:
+        stands = [(motion, foot, joined(spans) if motion.loop else spans) for motion, foot, spans in stands]
     spans = [span for _, _, span in stands]
     forward = [_ahead(foot, rest) for foot in feet]
     ahead = _rows([_local(rest, foot.ankle, way) for foot, way in zip(feet, forward, strict=True)])

@@ -30,6 +30,7 @@ from statwalk.solve.foot_tables import (
     OF_ACTOR,
     OF_FIT,
     OF_FOOT,
+    OF_GROUND,
     TOOK,
     Y_RATE,
     FootTables,
@@ -75,7 +76,7 @@ def solvers_of(
     names = {joint: f"spring {character.skeleton.names[joint]}" for joint in swinging}
     feet_memory = {FOOT_LOCK: foot_memory(len(feet))} if feet else {}
     if feet and definition.ground:
-        feet_memory[UNEVEN_GROUND] = (0.0,) * (OF_FIT * len(feet))
+        feet_memory[UNEVEN_GROUND] = (0.0,) * (OF_GROUND + OF_FIT * len(feet))
     memory = SolverMemory(
         feet_memory | dict.fromkeys(names.values(), (0.0,) * KEPT) | reach_names(definition)
     )
@@ -104,7 +105,8 @@ def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
         kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
         kept[rows, at + X : at + Y_RATE + 1] = 0.0
         kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0
-        if (fit := int(solvers.legs.fit[0]) + foot * OF_FIT) >= foot * OF_FIT:
+        if solvers.legs.fit[0] >= 0:
+            fit = int(solvers.legs.fit[0]) + OF_GROUND + foot * OF_FIT
             kept[rows, fit + TOOK : fit + TOOK + FIT] = kept[rows, fit : fit + FIT]
     for at in map(int, solvers.reach.memory):
         kept[rows, at + CARRIED], kept[rows, at + LAYER] = kept[rows, at + SHOWN], 0.0

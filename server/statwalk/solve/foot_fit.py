@@ -6,9 +6,9 @@ much higher than the root's floor it is (metres). A pose offset that begins take
 lasts, the animated foot has its share of it already.
 
 `f`, `legs`, `root`, `keep`, `row` as in `foot_lock`; `at` the column of the foot's first number for uneven
-ground, `lock` of its first number for the foot lock; `landing` from `FootLanding`: whether the motion says
-where the foot lands, x, z, yaw, and the share of its way in the air that is over; `left` the share of the
-pose offset that is left.
+ground, `lock` of its first number for the foot lock; `landing` whether the motion says where the foot lands,
+x, z, yaw, and the seconds until then (below 0: it should stand already, where it is in its motion); `left`
+the share of the pose offset that is left.
 """
 
 from __future__ import annotations
@@ -28,7 +28,6 @@ from statwalk.solve.foot_tables import (
     ALONG,
     AT_X,
     AT_Z,
-    BEGUN,
     FIT,
     FLIES,
     FROM_X,
@@ -44,6 +43,7 @@ from statwalk.solve.foot_tables import (
     SEARCHES,
     SHIFT_X,
     SHIFT_Z,
+    SHIFTED,
     SINCE,
     SLIP,
     SLIP_RATE,
@@ -70,9 +70,11 @@ LEAN = 18.0
 """1/s: how eagerly a foot leans to a slope"""
 SETTLE = 14.0
 """1/s: how eagerly a foot comes to another height than it was going to"""
-LAND_EARLY = 0.85
-"""the share of its way in the air after which a foot is above the place where it lands"""
-CHANGED = 0.25
+LAND_EARLY_S, LATE_S = 0.05, 0.1
+"""seconds before it lands in which a foot is above the place where it lands; seconds in which a foot comes
+there that should stand already
+"""
+CHANGED = 0.2
 """metres by which a motion must land elsewhere than it did, for a foot to look for another place"""
 AHEAD_S = 0.15
 """seconds: a foot whose motion does not say where it lands looks so far ahead"""
@@ -101,7 +103,11 @@ def fit_foot(
     elif keep[row, lock + PLANTED] >= LEAVING:
         _stand(f, keep, row, foot, at, here_x, here_z, yaw)
     elif landing[0]:
-        _fly(f, keep, row, foot, at, here_x, here_z, landing)
+        to_x, to_z = (landing[1], landing[2]) if landing[4] >= 0.0 else (x, z)
+        if _is_new(keep, row, at, to_x, to_z):
+            front = _front(f, legs, row, foot, root, x, z, sine, cosine)
+            _set_off(f, keep, row, foot, at, here_x, here_z, to_x, to_z, landing[3], front)
+        _fly(keep, row, at, here_x, here_z, to_x, to_z, landing[4], dt)
     else:
         _search(f, keep, row, foot, at, here_x, here_z, yaw, dt)
     if keep[row, at + PLAN] != STANDS:
@@ -149,15 +155,48 @@ def _go_over(keep: Any, row: int, at: int, height: float) -> None:
 
 
 @inlined
-def _fly(f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, landing: Any) -> None:
-    """A foot on its way to where its motion lands."""
-    u, v = landing[1] - keep[row, at + TO_X], landing[2] - keep[row, at + TO_Z]
-    if keep[row, at + PLAN] != FLIES or u * u + v * v > CHANGED * CHANGED:
-        _set_off(f, keep, row, foot, at, x, z, landing)
-    part = (landing[4] - keep[row, at + BEGUN]) / max(LAND_EARLY - keep[row, at + BEGUN], 0.05)
-    part = min(max(part, 0.0), 1.0)
+def _is_new(keep: Any, row: int, at: int, to_x: float, to_z: float) -> Any:
+    """Whether a foot sets off, or its motion lands elsewhere than it did."""
+    u, v = to_x - keep[row, at + TO_X], to_z - keep[row, at + TO_Z]
+    return keep[row, at + PLAN] != FLIES or u * u + v * v > CHANGED * CHANGED
+
+
+@inlined
+def _front(
+    f: Any, legs: Any, row: int, foot: int, root: Any, x: float, z: float, sine: float, cosine: float
+) -> Any:
+    """How far the foremost point of an animated foot is from the place below the middle of its sole."""
+    front = -1e9
+    for point in range(f.first_point[foot], f.first_point[foot + 1]):
+        px, _, pz = stage_point(f, legs, row, point, root)
+        front = max(front, (px - x) * sine + (pz - z) * cosine)
+    return front
+
+
+@inlined
+def _set_off(
+    f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, to_x: float, to_z: float, yaw: float,
+    front: float,
+) -> None:  # fmt: skip
+    """Plans a foot's way through the air."""
+    keep[row, at + PLAN], keep[row, at + SHIFTED], keep[row, at + PROGRESS] = FLIES, 0.0, 0.0
+    keep[row, at + FROM_X], keep[row, at + FROM_Z] = x, z
+    keep[row, at + OLD_X], keep[row, at + OLD_Z] = keep[row, at + SHIFT_X], keep[row, at + SHIFT_Z]
+    sine, cosine = sincos(yaw)
+    choose_landing(f, keep, row, foot, at, to_x, to_z, sine, cosine)
+    stretch_path(f, keep, row, foot, at, yaw, front)
+
+
+@inlined
+def _fly(
+    keep: Any, row: int, at: int, x: float, z: float, to_x: float, to_z: float, seconds: float, dt: float
+) -> None:
+    """A foot on its way to where it lands; its motion lands in `seconds` at `to_x`, `to_z`."""
+    until = max(seconds - LAND_EARLY_S, dt) if seconds >= 0.0 else LATE_S
+    keep[row, at + SHIFTED] += (1.0 - keep[row, at + SHIFTED]) * min(dt / until, 1.0)
+    part = keep[row, at + SHIFTED]
     part = part * part * (3.0 - 2.0 * part)
-    u, v = keep[row, at + TO_X] - landing[1], keep[row, at + TO_Z] - landing[2]
+    u, v = keep[row, at + TO_X] - to_x, keep[row, at + TO_Z] - to_z
     keep[row, at + SHIFT_X] = keep[row, at + OLD_X] + (u - keep[row, at + OLD_X]) * part
     keep[row, at + SHIFT_Z] = keep[row, at + OLD_Z] + (v - keep[row, at + OLD_Z]) * part
     from_x, from_z = keep[row, at + FROM_X], keep[row, at + FROM_Z]
@@ -166,17 +205,6 @@ def _fly(f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, la
     gone = ((x - from_x) * u + (z - from_z) * v) / square if square > IN_PLACE else part
     keep[row, at + PROGRESS] = max(keep[row, at + PROGRESS], min(max(gone, 0.0), 1.0))
     keep[row, at + HEIGHT] = path_height(keep, row, at, keep[row, at + PROGRESS])
-
-
-@inlined
-def _set_off(f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, landing: Any) -> None:
-    """A foot sets off, or its motion lands elsewhere than it did."""
-    keep[row, at + PLAN], keep[row, at + BEGUN], keep[row, at + PROGRESS] = FLIES, landing[4], 0.0
-    keep[row, at + FROM_X], keep[row, at + FROM_Z] = x, z
-    keep[row, at + OLD_X], keep[row, at + OLD_Z] = keep[row, at + SHIFT_X], keep[row, at + SHIFT_Z]
-    sine, cosine = sincos(landing[3])
-    choose_landing(f, keep, row, foot, at, landing[1], landing[2], sine, cosine)
-    stretch_path(f, keep, row, foot, at, landing[3])
 
 
 @inlined

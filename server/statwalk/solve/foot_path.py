@@ -15,6 +15,7 @@ from statwalk.maths.scalar import sincos
 from statwalk.solve.foot_tables import (
     FROM_X,
     FROM_Z,
+    HALF_LENGTH,
     HEIGHT,
     PATH,
     PATH_PARTS,
@@ -23,12 +24,16 @@ from statwalk.solve.foot_tables import (
 )
 from statwalk.solve.footing import MARGIN, height_over, points_supported, slope_under
 
-FARTHEST, STRIDE = 0.16, 0.02
+FARTHEST, STRIDE = 0.13, 0.02
 """metres by which a foot lands before or behind the place of its motion at most, to stand on one tread; in
 which steps a place is looked for
 """
-COST = 18.0
-"""points of a sole that a metre from the place of the motion must win"""
+COST, COST_BACK = 18.0, 27.0
+"""points of a sole that a metre before, or behind the place of the motion must win"""
+SHORT_PART = 0.4
+"""the share of a path in which a foot that hangs down becomes as long as one that lies"""
+ROUNDED = 0.12
+"""the share of a path over which its corners are rounded"""
 EVERY_POINT = 15
 
 
@@ -47,32 +52,44 @@ def choose_landing(
             for side in range(2):
                 shift = away if side == 0 else -away
                 worth = points_supported(f, foot, x + shift * sine, z + shift * cosine, sine, cosine)
-                if worth - COST * away > best:
-                    best, found = worth - COST * away, shift
+                cost = (COST if side == 0 else COST_BACK) * away
+                if worth - cost > best:
+                    best, found = worth - cost, shift
             away += STRIDE
     keep[row, at + TO_X], keep[row, at + TO_Z] = x + found * sine, z + found * cosine
 
 
 @called
-def stretch_path(f: Any, keep: Any, row: int, foot: int, at: int, yaw: float) -> None:
-    """Writes the heights of the ground along the path from where the foot is."""
+def stretch_path(f: Any, keep: Any, row: int, foot: int, at: int, yaw: float, front: float) -> None:
+    """Writes the heights of the ground along the path from where the foot is; `front`: metres from the middle
+    of the sole to its foremost point now.
+    """
     sine, cosine = sincos(yaw)
     x, z = keep[row, at + FROM_X], keep[row, at + FROM_Z]
     u, v = (keep[row, at + TO_X] - x) / PATH_PARTS, (keep[row, at + TO_Z] - z) / PATH_PARTS
     longer, wider = 0.5 * abs(u * sine + v * cosine) + MARGIN, 0.5 * abs(u * cosine - v * sine) + MARGIN
+    shorter = min(front - f.print[foot, HALF_LENGTH], 0.0)
     keep[row, at + PATH] = keep[row, at + HEIGHT]
     for part in range(1, PATH_PARTS + 1):
+        grown = longer + shorter * max(1.0 - part / (SHORT_PART * PATH_PARTS), 0.0)
         if part == PATH_PARTS:
-            longer, wider = 0.0, 0.0
+            grown, wider = 0.0, 0.0
         px, pz = x + part * u, z + part * v
         slope_x, slope_z = slope_under(f, foot, px, pz, sine, cosine)
-        height = height_over(f, foot, px, pz, sine, cosine, slope_x, slope_z, longer, wider)
+        height = height_over(f, foot, px, pz, sine, cosine, slope_x, slope_z, grown, wider)
         keep[row, at + PATH + part] = height
 
 
-@inlined
+@called
 def path_height(keep: Any, row: int, at: int, progress: float) -> Any:
-    """Returns the height of the stretched string at a share 0…1 of the path."""
+    """Returns the height of the stretched string at a share 0…1 of the path, its corners rounded."""
+    near = min(ROUNDED, progress, 1.0 - progress)
+    sides = _string(keep, row, at, progress - near) + _string(keep, row, at, progress + near)
+    return 0.5 * _string(keep, row, at, progress) + 0.25 * sides
+
+
+@inlined
+def _string(keep: Any, row: int, at: int, progress: float) -> Any:
     place = progress * PATH_PARTS
     height = -1e9
     for first in range(PATH_PARTS):

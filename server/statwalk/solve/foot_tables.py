@@ -94,13 +94,15 @@ TOOK = FIT
 """the fit when the last motion began: the pose offset has taken it over"""
 (
     TILT_X_RATE, TILT_Z_RATE, SLOPE_X, SLOPE_Z, PLAN, HEIGHT, SLIP, SLIP_RATE, AT_X, AT_Z, FROM_X, FROM_Z,
-    TO_X, TO_Z, OLD_X, OLD_Z, BEGUN, PROGRESS, PATH,
+    TO_X, TO_Z, OLD_X, OLD_Z, SHIFTED, PROGRESS, PATH,
 ) = range(2 * FIT, 2 * FIT + 19)  # fmt: skip
 """how fast the slope changes; the slope that is wanted; STANDS, FLIES, SEARCHES or 0, a new foot; the height
 that is wanted, and how far above it the foot still is (metres), with the rate; the middle of the sole on the
-stage; where it set off and where it lands; SHIFT as it set off; the share of its way in the air that was over
-then; the share 0…1 of its path that is behind it; the first of PATH_PARTS + 1 heights along it
+stage; where it set off and where it lands; SHIFT as it set off, and the share 0…1 of the way to its new
+SHIFT; the share of its path that is behind it; the first of PATH_PARTS + 1 heights along it
 """
+SAG, OF_GROUND = 0, 1
+"""numbers of an actor on uneven ground, before those of its feet: metres by which the pelvis is lowered"""
 OF_FIT = PATH + PATH_PARTS + 1
 """numbers of a foot on uneven ground"""
 STANDS, FLIES, SEARCHES = 1.0, 2.0, 3.0

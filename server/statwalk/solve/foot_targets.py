@@ -22,6 +22,7 @@ from statwalk.solve.foot_tables import (
     OF_ACTOR,
     OF_FOOT,
     PLANTED,
+    SAG,
     STANDING,
     TOO_SHORT,
     TURN,
@@ -37,8 +38,12 @@ MOST_DROP, MOST_DROP_ON_GROUND = 0.05, 0.35
 """metres by which the pelvis is lowered, on a level floor and on uneven ground; a foot that needs more is
 released
 """
-GIVE, FOLLOW = 21.0, 14.0
-"""1/s: how eagerly the pelvis gives way, and the root follows the ground"""
+GIVE, GIVE_ON_GROUND, FOLLOW = 21.0, 14.0, 14.0
+"""1/s: how eagerly the pelvis gives way, on a level floor and on uneven ground, and the root follows the
+ground
+"""
+SAG_SHARE, MOST_SAG = 0.25, 0.15
+"""metres by which the pelvis is lower for each metre that the ground rises or falls in a metre; at most"""
 MEAN_STEPS, MEAN_STEP = 4, 0.11
 """places before and behind the root whose ground counts for its height, the nearest most; metres between them
 """
@@ -48,7 +53,9 @@ MEAN_STEPS, MEAN_STEP = 4, 0.11
 def lower_pelvis(f: Any, legs: Any, keep: Any, row: int, root: Any, dt: float) -> Any:
     """Returns by how much the pelvis is lowered (metres), so that planted feet stay in reach."""
     memory, most = f.memory[0], MOST_DROP if f.ground.shape[0] == 0 else MOST_DROP_ON_GROUND
-    wanted = 0.0
+    wanted, give = 0.0, GIVE
+    if f.fit[0] >= 0:
+        wanted, give = keep[row, f.fit[0] + SAG], GIVE_ON_GROUND
     for foot in range(f.hip.shape[0]):
         at = memory + OF_ACTOR + foot * OF_FOOT
         if keep[row, at + PLANTED] == STANDING:
@@ -56,7 +63,7 @@ def lower_pelvis(f: Any, legs: Any, keep: Any, row: int, root: Any, dt: float) -
             keep[row, at + TOO_SHORT] = 1.0 if need > most else 0.0
             wanted = max(wanted, min(need, most))
     old = keep[row, memory + DROP] - wanted
-    drop, rate = settled(old, keep[row, memory + DROP_RATE], GIVE, dt)
+    drop, rate = settled(old, keep[row, memory + DROP_RATE], give, dt)
     keep[row, memory + DROP], keep[row, memory + DROP_RATE] = drop + wanted, rate
     return drop + wanted
 
@@ -149,14 +156,16 @@ def _quaternion(legs: Any, block: int, place: int, lane: int) -> Any:
 @inlined
 def follow_ground(f: Any, keep: Any, position: Any, row: int, sine: float, cosine: float, dt: float) -> None:
     """Moves the root to the mean height of the ground below it, before and behind it."""
-    if f.ground.shape[0] > 0:
-        ground, weights = 0.0, 0.0
+    if f.fit[0] >= 0:
+        ground, weights, rise, square = 0.0, 0.0, 0.0, 0.0
         for step in range(-MEAN_STEPS, MEAN_STEPS + 1):
             weight, away = MEAN_STEPS + 1.0 - abs(step), step * MEAN_STEP
             x, z = position[row, 0] + away * sine, position[row, 2] + away * cosine
-            ground += weight * ground_at(f.ground, x, z, 0.0)
-            weights += weight
+            height = ground_at(f.ground, x, z, 0.0)
+            ground, weights = ground + weight * height, weights + weight
+            rise, square = rise + weight * height * away, square + weight * away * away
         ground /= weights
+        keep[row, f.fit[0] + SAG] = min(SAG_SHARE * abs(rise) / square, MOST_SAG)
         at = f.memory[0] + LIFT_RATE
         height, keep[row, at] = settled(position[row, 1] - ground, keep[row, at], FOLLOW, dt)
         position[row, 1] = ground + height

@@ -16,23 +16,24 @@ def next_landing(
     f: Any, m: Any, s: Any, mem: Any, position: Any, heading: Any, row: int, member: int, foot: int
 ) -> Any:
     """Returns whether the motion puts the foot down again before it ends, where the middle of the sole is
-    then (x, z on the stage) and the foot's yaw, and the share 0…1 of its way in the air that is over.
+    then (x, z on the stage), the foot's yaw, and the seconds until then: -1 if it is down already.
     """
     state, time = s.state[row, 0], s.time[row, 0]
     loops = m.states[state, 2] != 0
-    best, since, found = 2.0, 1.0, -1
+    best, found, is_down = 2.0, -1, False
     if member >= 0:
         phase = member_phase(m, state, member, time)
         number = member * f.hip.shape[0] + foot
-        since = 1.0 if loops else phase
         for k in range(f.first_span[number], f.first_span[number + 1]):
-            ahead, gone = f.span[k, 0] - phase, phase - f.span[k, 1]
+            down, up = f.span[k, 0], f.span[k, 1]
+            is_down |= down <= phase <= up or down <= phase + 1.0 <= up
+            ahead = down - phase
             if loops:
-                ahead, gone = ahead - math.floor(ahead), gone - math.floor(gone)
+                ahead -= math.floor(ahead)
             if 0.0 <= ahead < best:
                 best, found = ahead, k
-            if 0.0 <= gone < since:
-                since = gone
+    if is_down:
+        return True, 0.0, 0.0, heading[row], -1.0
     if found < 0:
         return False, 0.0, 0.0, 0.0, 0.0
     duration = m.durations[state]
@@ -46,5 +47,10 @@ def next_landing(
     x, z, yaw = compose((position[row, 0], position[row, 2], heading[row]), gone_way)
     sine, cosine = sincos(yaw)
     u, v = f.landing[found, 0], f.landing[found, 1]
-    part = since / max(since + best, 1e-9)
-    return True, x + u * cosine + v * sine, z + v * cosine - u * sine, yaw + f.landing[found, 2], part
+    return (
+        True,
+        x + u * cosine + v * sine,
+        z + v * cosine - u * sine,
+        yaw + f.landing[found, 2],
+        best * duration,
+    )

@@ -14,7 +14,7 @@ from statwalk.rig.hierarchy import model_block
 from statwalk.solve.chains import ROWS
 from statwalk.solve.foot_fit import begin_fit, fit_foot
 from statwalk.solve.foot_lock import begin_blend, step_foot
-from statwalk.solve.foot_tables import OF_ACTOR, OF_FIT, OF_FOOT
+from statwalk.solve.foot_tables import OF_ACTOR, OF_FIT, OF_FOOT, OF_GROUND
 from statwalk.solve.foot_targets import aim_leg, begin_pelvis, follow_ground, lower_pelvis, move_pelvis
 from statwalk.solve.solve_block import solve_chain_block
 from statwalk.stage.steps.foot_landings import next_landing
@@ -52,7 +52,7 @@ def _begin_blend(f: Any, keep: Any, row: int) -> None:
     for foot in range(f.hip.shape[0]):
         begin_blend(keep, row, f.memory[0] + OF_ACTOR + foot * OF_FOOT)
         if f.fit[0] >= 0:
-            begin_fit(keep, row, f.fit[0] + foot * OF_FIT)
+            begin_fit(keep, row, f.fit[0] + OF_GROUND + foot * OF_FIT)
 
 
 @inlined
@@ -64,7 +64,7 @@ def _fit_feet(
     member, left = _member(m, s, mem, row), remaining(o, row, 0, 0.0)[0]
     for foot in range(f.hip.shape[0]):
         landing = next_landing(f, m, s, mem, position, heading, row, member, foot)
-        lock, fit = f.memory[0] + OF_ACTOR + foot * OF_FOOT, f.fit[0] + foot * OF_FIT
+        lock, fit = f.memory[0] + OF_ACTOR + foot * OF_FOOT, f.fit[0] + OF_GROUND + foot * OF_FIT
         fit_foot(f, mem.legs, keep, row, foot, lock, fit, root, landing, left, dt)
 
 
