@@ -58,7 +58,9 @@ from statwalk.solve.foot_tables import (
     TO_Z,
     TOOK,
     TURN,
+    Y_RATE,
     X,
+    Y,
     Z,
 )  # fmt: skip
 from statwalk.solve.footing import MARGIN, height_over, slope_under
@@ -80,6 +82,8 @@ AHEAD_S = 0.15
 """seconds: a foot whose motion does not say where it lands looks so far ahead"""
 FORGET = 4.0
 """1/s: such a foot comes back to the place of its motion"""
+FASTEST_RISE = 0.6
+"""m/s"""
 IN_PLACE = 0.0064
 """metres²: a way that is shorter is none"""
 
@@ -114,6 +118,10 @@ def fit_foot(
         near = _nearness(f, legs, row, foot, root, taken)
         sine, cosine = sincos(yaw)
         slope_x, slope_z = slope_under(f, foot, here_x, here_z, sine, cosine)
+        if keep[row, at + PLAN] == FLIES:
+            there_x, there_z = slope_under(f, foot, keep[row, at + TO_X], keep[row, at + TO_Z], sine, cosine)
+            part = keep[row, at + SHIFTED] * keep[row, at + SHIFTED]
+            slope_x, slope_z = slope_x + (there_x - slope_x) * part, slope_z + (there_z - slope_z) * part
         keep[row, at + SLOPE_X], keep[row, at + SLOPE_Z] = slope_x * near, slope_z * near
     keep[row, at + AT_X], keep[row, at + AT_Z] = here_x, here_z
     _settle(keep, row, at, root, dt)
@@ -125,6 +133,16 @@ def begin_fit(keep: Any, row: int, at: int) -> None:
     """A new motion begins in the pose that is shown: its offset takes the fit over."""
     for number in range(FIT):
         keep[row, at + TOOK + number] = keep[row, at + number]
+
+
+@inlined
+def slow_rise(keep: Any, row: int, lock: int, old: float, dt: float) -> None:
+    """Keeps the foot lock from throwing up a foot whose toes touch the front of a step; `old`: by how much it
+    had raised the foot.
+    """
+    most = max(old, 0.0) + FASTEST_RISE * dt
+    if keep[row, lock + Y] > most:
+        keep[row, lock + Y], keep[row, lock + Y_RATE] = most, FASTEST_RISE
 
 
 @inlined
@@ -141,7 +159,7 @@ def _stand(f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, 
     if keep[row, at + PLAN] != STANDS:
         sine, cosine = sincos(yaw)
         slope_x, slope_z = slope_under(f, foot, x, z, sine, cosine)
-        height = height_over(f, foot, x, z, sine, cosine, slope_x, slope_z, 0.0, 0.0)
+        height = height_over(f, foot, x, z, sine, cosine, slope_x, slope_z, 0.0, 0.0, 0.0)
         _go_over(keep, row, at, height)
         keep[row, at + SLOPE_X], keep[row, at + SLOPE_Z] = slope_x, slope_z
         keep[row, at + PLAN] = STANDS
@@ -218,7 +236,7 @@ def _search(
     for step in range(3):
         px, pz = x + 0.5 * step * u, z + 0.5 * step * v
         slope_x, slope_z = slope_under(f, foot, px, pz, sine, cosine)
-        over = height_over(f, foot, px, pz, sine, cosine, slope_x, slope_z, MARGIN, MARGIN)
+        over = height_over(f, foot, px, pz, sine, cosine, slope_x, slope_z, MARGIN, MARGIN, MARGIN)
         height = max(height, over)
     _go_over(keep, row, at, height)
     keep[row, at + PLAN] = SEARCHES

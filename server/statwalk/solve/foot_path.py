@@ -30,8 +30,12 @@ which steps a place is looked for
 """
 COST, COST_BACK = 18.0, 27.0
 """points of a sole that a metre before, or behind the place of the motion must win"""
-SHORT_PART = 0.4
+SHORT_PART = 0.5
 """the share of a path in which a foot that hangs down becomes as long as one that lies"""
+AIR, EVEN = 0.015, 0.03
+"""metres by which a foot is higher than the string in the middle of its path; if heights along it differ by
+more
+"""
 ROUNDED = 0.12
 """the share of a path over which its corners are rounded"""
 EVERY_POINT = 15
@@ -67,16 +71,18 @@ def stretch_path(f: Any, keep: Any, row: int, foot: int, at: int, yaw: float, fr
     sine, cosine = sincos(yaw)
     x, z = keep[row, at + FROM_X], keep[row, at + FROM_Z]
     u, v = (keep[row, at + TO_X] - x) / PATH_PARTS, (keep[row, at + TO_Z] - z) / PATH_PARTS
-    longer, wider = 0.5 * abs(u * sine + v * cosine) + MARGIN, 0.5 * abs(u * cosine - v * sine) + MARGIN
+    along, wider = 0.5 * abs(u * sine + v * cosine) + MARGIN, 0.5 * abs(u * cosine - v * sine) + MARGIN
     shorter = min(front - f.print[foot, HALF_LENGTH], 0.0)
     keep[row, at + PATH] = keep[row, at + HEIGHT]
     for part in range(1, PATH_PARTS + 1):
-        grown = longer + shorter * max(1.0 - part / (SHORT_PART * PATH_PARTS), 0.0)
+        hangs = max(1.0 - part / (SHORT_PART * PATH_PARTS), 0.0)
+        hangs = hangs * (2.0 - hangs)
+        before, behind = along + shorter * hangs, along
         if part == PATH_PARTS:
-            grown, wider = 0.0, 0.0
+            before, behind, wider = 0.0, 0.0, 0.0
         px, pz = x + part * u, z + part * v
         slope_x, slope_z = slope_under(f, foot, px, pz, sine, cosine)
-        height = height_over(f, foot, px, pz, sine, cosine, slope_x, slope_z, grown, wider)
+        height = height_over(f, foot, px, pz, sine, cosine, slope_x, slope_z, before, behind, wider)
         keep[row, at + PATH + part] = height
 
 
@@ -85,7 +91,11 @@ def path_height(keep: Any, row: int, at: int, progress: float) -> Any:
     """Returns the height of the stretched string at a share 0…1 of the path, its corners rounded."""
     near = min(ROUNDED, progress, 1.0 - progress)
     sides = _string(keep, row, at, progress - near) + _string(keep, row, at, progress + near)
-    return 0.5 * _string(keep, row, at, progress) + 0.25 * sides
+    least, most = keep[row, at + PATH], keep[row, at + PATH]
+    for part in range(1, PATH_PARTS + 1):
+        least, most = min(least, keep[row, at + PATH + part]), max(most, keep[row, at + PATH + part])
+    air = 4.0 * AIR * progress * (1.0 - progress) if most - least > EVEN else 0.0
+    return 0.5 * _string(keep, row, at, progress) + 0.25 * sides + air
 
 
 @inlined

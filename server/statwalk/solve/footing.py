@@ -19,8 +19,10 @@ BUMP = 0.015
 """metres by which the ground may differ from a slope under a foot; under one that differs more a foot is
 level
 """
-SUPPORTED, MARGIN = 0.02, 0.012
-"""metres: a point of a sole has ground below it if that is so near; room that is wanted round a foot"""
+SUPPORTED, MARGIN, TOE_ROOM = 0.02, 0.012, 0.045
+"""metres: a point of a sole has ground below it if that is so near; room that is wanted round a foot, and
+before its toes: they come forward when the heel rises
+"""
 
 
 @inlined
@@ -46,17 +48,17 @@ def _incline(f: Any, middle: float, x: float, z: float, u: float, v: float) -> A
 @called
 def height_over(
     f: Any, foot: int, x: float, z: float, sine: float, cosine: float, slope_x: float, slope_z: float,
-    longer: float, wider: float,
+    front: float, back: float, wider: float,
 ) -> Any:  # fmt: skip
     """Returns how high (metres) the middle of a foot with this slope lies, that is on or above the ground
-    everywhere; the foot is taken for `longer` and `wider` at each side.
+    everywhere; the foot is taken for longer by `front` and `back`, and for wider on both sides.
     """
-    half, wide = f.print[foot, HALF_LENGTH] + longer, f.print[foot, HALF_WIDTH] + wider
-    height = 0.0
+    middle, half = 0.5 * (front - back), f.print[foot, HALF_LENGTH] + 0.5 * (front + back)
+    wide, height = f.print[foot, HALF_WIDTH] + wider, 0.0
     for step in range(-2, 3):
         for side in range(-1, 2):
-            u = 0.5 * step * half * sine + side * wide * cosine
-            v = 0.5 * step * half * cosine - side * wide * sine
+            away = middle + 0.5 * step * half
+            u, v = away * sine + side * wide * cosine, away * cosine - side * wide * sine
             height = max(height, ground_at(f.ground, x + u, z + v, 0.0) - slope_x * u - slope_z * v)
     return height
 
@@ -65,13 +67,13 @@ def height_over(
 def points_supported(f: Any, foot: int, x: float, z: float, sine: float, cosine: float) -> Any:
     """Returns how many of fifteen points of a sole have ground below them there."""
     slope_x, slope_z = slope_under(f, foot, x, z, sine, cosine)
-    height = height_over(f, foot, x, z, sine, cosine, slope_x, slope_z, MARGIN, MARGIN)
-    half, wide = f.print[foot, HALF_LENGTH] + MARGIN, f.print[foot, HALF_WIDTH] + MARGIN
-    count = 0
+    height = height_over(f, foot, x, z, sine, cosine, slope_x, slope_z, TOE_ROOM, MARGIN, MARGIN)
+    middle, half = 0.5 * (TOE_ROOM - MARGIN), f.print[foot, HALF_LENGTH] + 0.5 * (TOE_ROOM + MARGIN)
+    wide, count = f.print[foot, HALF_WIDTH] + MARGIN, 0
     for step in range(-2, 3):
         for side in range(-1, 2):
-            u = 0.5 * step * half * sine + side * wide * cosine
-            v = 0.5 * step * half * cosine - side * wide * sine
+            away = middle + 0.5 * step * half
+            u, v = away * sine + side * wide * cosine, away * cosine - side * wide * sine
             gap = height + slope_x * u + slope_z * v - ground_at(f.ground, x + u, z + v, 0.0)
             count += 1 if gap < SUPPORTED else 0
     return count
