@@ -21,7 +21,7 @@ from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.pose_layout import place_of
 from statwalk.maths.springs import settled
-from statwalk.solve.foot_path import choose_landing, path_height, stretch_path
+from statwalk.solve.foot_path import choose_landing, first_rise, path_height, stretch_path
 from statwalk.solve.foot_points import ankle_of, stage_point
 from statwalk.solve.foot_tables import (
     ACROSS,
@@ -33,7 +33,6 @@ from statwalk.solve.foot_tables import (
     FROM_X,
     FROM_Z,
     HEIGHT,
-    LEAVING,
     LIFT,
     OLD_X,
     OLD_Z,
@@ -49,6 +48,7 @@ from statwalk.solve.foot_tables import (
     SLIP_RATE,
     SLOPE_X,
     SLOPE_Z,
+    STANDING,
     STANDS,
     TILT_X,
     TILT_X_RATE,
@@ -82,6 +82,10 @@ AHEAD_S = 0.15
 """seconds: a foot whose motion does not say where it lands looks so far ahead"""
 FORGET = 4.0
 """1/s: such a foot comes back to the place of its motion"""
+LAG_SHARE, MOST_LAG, LAG_CURVE = 0.6, 0.12, 6.75
+"""metres by which a foot that must rise at once lags behind its motion, for each metre, and at most; what
+makes the highest value of share · (1 - share)² one
+"""
 FASTEST_RISE = 0.6
 """m/s"""
 IN_PLACE = 0.0064
@@ -104,7 +108,7 @@ def fit_foot(
     taken = left * keep[row, at + TOOK + LIFT]
     if keep[row, lock + SINCE] < 0.0:
         _begin(f, keep, row, foot, at, here_x, here_z, yaw)
-    elif keep[row, lock + PLANTED] >= LEAVING:
+    elif keep[row, lock + PLANTED] == STANDING:
         _stand(f, keep, row, foot, at, here_x, here_z, yaw)
     elif landing[0]:
         to_x, to_z = (landing[1], landing[2]) if landing[4] >= 0.0 else (x, z)
@@ -212,14 +216,17 @@ def _fly(
     """A foot on its way to where it lands; its motion lands in `seconds` at `to_x`, `to_z`."""
     until = max(seconds - LAND_EARLY_S, dt) if seconds >= 0.0 else LATE_S
     keep[row, at + SHIFTED] += (1.0 - keep[row, at + SHIFTED]) * min(dt / until, 1.0)
-    part = keep[row, at + SHIFTED]
-    part = part * part * (3.0 - 2.0 * part)
+    gone = keep[row, at + SHIFTED]
+    part, lag = gone * gone * (3.0 - 2.0 * gone), LAG_CURVE * gone * (1.0 - gone) * (1.0 - gone)
     u, v = keep[row, at + TO_X] - to_x, keep[row, at + TO_Z] - to_z
     keep[row, at + SHIFT_X] = keep[row, at + OLD_X] + (u - keep[row, at + OLD_X]) * part
     keep[row, at + SHIFT_Z] = keep[row, at + OLD_Z] + (v - keep[row, at + OLD_Z]) * part
     from_x, from_z = keep[row, at + FROM_X], keep[row, at + FROM_Z]
     u, v = keep[row, at + TO_X] - from_x, keep[row, at + TO_Z] - from_z
     square = u * u + v * v
+    lag *= min(LAG_SHARE * first_rise(keep, row, at), MOST_LAG) / max(math.sqrt(square), 0.1)
+    keep[row, at + SHIFT_X] -= lag * u
+    keep[row, at + SHIFT_Z] -= lag * v
     gone = ((x - from_x) * u + (z - from_z) * v) / square if square > IN_PLACE else part
     keep[row, at + PROGRESS] = max(keep[row, at + PROGRESS], min(max(gone, 0.0), 1.0))
     keep[row, at + HEIGHT] = path_height(keep, row, at, keep[row, at + PROGRESS])

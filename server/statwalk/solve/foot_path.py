@@ -86,6 +86,15 @@ def stretch_path(f: Any, keep: Any, row: int, foot: int, at: int, yaw: float, fr
         keep[row, at + PATH + part] = height
 
 
+@inlined
+def first_rise(keep: Any, row: int, at: int) -> Any:
+    """Returns how much (metres) the first third of a path rises."""
+    rise = 0.0
+    for part in range(1, PATH_PARTS // 3 + 1):
+        rise = max(rise, keep[row, at + PATH + part] - keep[row, at + PATH])
+    return rise
+
+
 @called
 def path_height(keep: Any, row: int, at: int, progress: float) -> Any:
     """Returns the height of the stretched string at a share 0…1 of the path, its corners rounded."""
