@@ -31,3 +31,9 @@ def test_all_errors_are_tried() -> None:
     kinds = {kind for kind in vars(errors).values() if isinstance(kind, type)}
     tried = {type(error) for error in SAMPLES} | {errors.StatwalkError}
     assert {kind for kind in kinds if issubclass(kind, errors.StatwalkError)} == tried
+
+
+def test_an_unknown_name_lists_forty_names_and_counts_the_others() -> None:
+    error = errors.UnknownNameError("cell", "A/B", [f"cell-{number}" for number in range(1_110)])
+    assert str(error).endswith("cell-38, cell-39 … and 1,070 more")
+    assert len(error.known) == 1_110

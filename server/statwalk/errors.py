@@ -30,6 +30,8 @@ MOST_NAMES, MOST_LETTERS = 300, 40
 """how many existing names, and letters of each, are compared with an unknown name"""
 LONGEST_NAME = 80
 """letters of an unknown name that a message repeats"""
+MOST_LISTED = 40
+"""existing names in a message; `UnknownNameError.known` has them all"""
 
 
 class StatwalkError(Exception):
@@ -74,6 +76,12 @@ def nearest(name: str, names: Iterable[str]) -> str:
     return f"; did you mean {short[matches[0]]}?" if matches else ""
 
 
+def _listed(names: tuple[str, ...]) -> str:
+    more = len(names) - MOST_LISTED
+    listed = ", ".join(names[:MOST_LISTED]) or "none"
+    return f"{listed} … and {more:,} more" if more > 0 else listed
+
+
 class UnknownNameError(StatwalkError):
     """No `kind` (state, event, clip, machine …) has the name `name`; `known` lists the existing names."""
 
@@ -82,7 +90,7 @@ class UnknownNameError(StatwalkError):
         suggestion = nearest(name, self.known) or "."
         super().__init__(
             f"no {kind} is called {name[:LONGEST_NAME]!r}{suggestion} "
-            f"There are: {', '.join(self.known) or 'none'}"
+            f"There are: {_listed(self.known)}"
         )
 
     def __reduce__(self) -> tuple[Any, ...]:

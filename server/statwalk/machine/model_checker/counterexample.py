@@ -31,14 +31,14 @@ def seconds(ticks: float) -> str:
 def refuted(
     machine: Machine, goals: Collection[int], before: Sequence[SearchStep], after: Sequence[SearchStep]
 ) -> Refuted:
-    """The counterexample that goes by those steps: to the start, and on from there without a goal."""
+    """The counterexample with these steps: to the start, and on from there without a goal."""
     goal = " or ".join(machine.states[one] for one in sorted(goals))
     rest = f"{in_words(machine, after, len(before))} and after {seconds(len(after))} not in {goal}"
     return shown(machine, (*before, *after), f"{in_words(machine, before, 0)}{rest}")
 
 
 def shown(machine: Machine, steps: Sequence[SearchStep], words: str = "") -> Refuted:
-    """The counterexample that goes by those steps; `words` for them, where they are not just what happens."""
+    """The counterexample with these steps; `words` describe the steps, if an event's name does not."""
     replay = tuple(
         (tick, machine.events[step.press]) for tick, step in enumerate(steps, 1) if step.press != NOTHING
     )

@@ -58,7 +58,7 @@ def add_tick(
 
 @called
 def _add_taken(m: StateSpace, out: MachineEffects) -> int:
-    """Writes the events taken in the tick behind those of the ticks before; where they end."""
+    """Appends the events taken in the tick to the events of earlier ticks; returns the new end."""
     past = int(m.counts[OF_TAKEN])
     for row in range(out.counts[OF_VERDICTS]):
         if out.verdicts[row, VERDICT] == TAKEN:

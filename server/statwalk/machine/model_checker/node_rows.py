@@ -76,7 +76,7 @@ def write_node(s: MachineState, is_new: int, numbers: Ints) -> None:
 
 @called
 def place_of(m: StateSpace, numbers: Ints) -> int:
-    """The place in the table of a node with those numbers; where it is not there yet, the place for it."""
+    """The row of the node with these numbers in the table; a free row if the table has no such node."""
     code = 17
     for k in range(numbers.shape[0]):
         code = ((code * 1000003) ^ (numbers[k] + 1)) & 0x7FFFFFFF

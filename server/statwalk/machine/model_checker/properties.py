@@ -76,7 +76,7 @@ class PropertyChecker:
 
     @cached_property
     def timed(self) -> Timed | str:
-        """What answers those with a time."""
+        """Answers the properties that name a time."""
         return timed(self.compiled, self.motions, self.work)
 
     def answer(self, question: PropertyDefinition) -> Finding:

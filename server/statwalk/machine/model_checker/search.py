@@ -134,21 +134,21 @@ class Search:
         return np.searchsorted(self.start, np.arange(len(self.states) + 1))
 
     def _changes_to(self, states: Collection[int]) -> Bools:
-        """(K,) the events taken that lead to one of those states."""
+        """(K,) the events taken that lead to one of the states."""
         return np.isin(self.space.taken[:, 2], list(states))
 
     def ticks_of(self, taken: Bools) -> Bools:
-        """(T,) the ticks in which one of those events is taken."""
+        """(T,) the ticks in which one of the events is taken."""
         found = np.zeros(len(self.start), bool)
         found[self.tick_of[taken]] = True
         return found
 
     def entering(self, states: Collection[int]) -> Bools:
-        """(T,) the ticks in which one of those states is entered, perhaps to be left again in it."""
+        """(T,) the ticks in which one of the states is entered, perhaps to be left again in it."""
         return self.ticks_of(self._changes_to(states))
 
     def entering_after(self, states: Collection[int], since: Collection[int]) -> Bools:
-        """(T,) the ticks in which one of those states is entered no sooner than one of `since`, if that is
+        """(T,) the ticks in which one of the states is entered no sooner than one of `since`, if that is
         entered in the tick.
         """
         first = self._first(since)
@@ -156,11 +156,11 @@ class Search:
         return self.ticks_of(self._changes_to(states) & (np.arange(len(first)) >= begun))
 
     def entering_before(self, states: Collection[int], others: Collection[int]) -> Bools:
-        """(T,) the ticks in which one of those states is entered, and none of `others` sooner than it."""
+        """(T,) the ticks in which one of the states is entered, and none of `others` sooner than it."""
         return self.ticks_of(self._changes_to(states) & (np.arange(len(self.tick_of)) < self._first(others)))
 
     def _first(self, states: Collection[int]) -> NDArray[np.int64]:
-        """(K,) the first event that leads to one of those states in the tick of each event; K where none
+        """(K,) the first event that leads to one of the states in the tick of each event; K where none
         does.
         """
         first, leads = np.full(len(self.start), len(self.tick_of)), np.flatnonzero(self._changes_to(states))
