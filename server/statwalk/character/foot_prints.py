@@ -4,6 +4,7 @@ put feet down.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -20,6 +21,8 @@ from statwalk.solve.foot_tables import ACROSS, ALONG
 
 Contacts = tuple[Single, int, Sequence[tuple[float, float]]]
 """a motion of one clip, the number of a foot, and the spans of phase in which the foot stands"""
+USUAL_LEG = 0.85
+"""metres: a leg of this length has the unit 1"""
 
 
 def foot_print(foot: Foot, rest: Floats, ahead: Floats) -> Floats:
@@ -31,6 +34,27 @@ def foot_print(foot: Foot, rest: Floats, ahead: Floats) -> Floats:
     across = arms[:, 0] * ahead[2] - arms[:, 2] * ahead[0]
     ends = np.array([[along.min(), along.max()], [across.min(), across.max()]])
     return np.concatenate([ends.mean(1), np.diff(ends)[:, 0] / 2])
+
+
+def unit_of(lengths: Sequence[float]) -> float:
+    """Returns the power of two (metres) that is nearest to the mean length of legs, for the walker's 1."""
+    mean = sum(lengths) / max(len(lengths), 1)
+    return 2.0 ** round(math.log2(mean / USUAL_LEG)) if mean > 0 else 1.0
+
+
+def in_units(ground: NDArray[np.float64], unit: float) -> NDArray[np.float64]:
+    """Returns pieces of ground (G, 7), in metres, in units: slopes stay."""
+    scaled: NDArray[np.float64] = ground / np.array([unit] * 5 + [1.0, 1.0])
+    return scaled
+
+
+def beside(rest: Floats, feet: Sequence[Foot]) -> NDArray[np.int32]:
+    """Returns (F,) the foot whose hip is nearest to that of each, if they are so mutually; else -1."""
+    hips = rest[[foot.hip for foot in feet], :, 3]
+    away = np.linalg.norm(hips[:, None] - hips, axis=-1) + np.where(np.eye(len(feet)) > 0, np.inf, 0.0)
+    nearest = away.argmin(1) if len(feet) > 1 else np.zeros(len(feet), np.int64)
+    mutual = nearest[nearest] == np.arange(len(feet)) if len(feet) > 1 else np.zeros(len(feet), bool)
+    return np.where(mutual, nearest, -1).astype(np.int32)
 
 
 def joints_below(character: Character, feet: Sequence[Foot], joints: Ints) -> list[Ints]:

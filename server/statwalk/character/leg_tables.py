@@ -11,7 +11,15 @@ from statwalk.character.body_bones import carrier
 from statwalk.character.character import Character
 from statwalk.character.feet import Foot
 from statwalk.character.foot_contacts import ClipContacts, joined
-from statwalk.character.foot_prints import Contacts, foot_print, joints_below, landings
+from statwalk.character.foot_prints import (
+    Contacts,
+    beside,
+    foot_print,
+    in_units,
+    joints_below,
+    landings,
+    unit_of,
+)
 from statwalk.character.skin_points import SkinPoints, bound_points
 from statwalk.maths import transform
 from statwalk.maths.arrays import Floats, Ints
@@ -73,6 +81,7 @@ def leg_tables(
     wanted = {joint for foot in feet for joint in foot.leg} | {above} - {-1}
     carriers = np.concatenate([carrier for carrier, _ in soles] or [np.zeros(0, np.int64)])
     joints = JointList.of(character.skeleton, sorted(wanted | set(carriers.tolist())))
+    unit = unit_of([foot.length(rest) for foot in feet])
     stands = _contacts(feet, contacts, motions)
     if columns[1] >= 0:
         stands = [(motion, foot, joined(spans) if motion.loop else spans) for motion, foot, spans in stands]
@@ -92,7 +101,9 @@ def leg_tables(
             ankle=joints.places(np.array([foot.ankle for foot in feet], np.int64)).astype(np.int32),
             ahead=ahead,
             bend=_rows([bend_of(character, foot) for foot in feet]),
-            length=np.array([foot.length(rest) for foot in feet], np.float64),
+            length=np.array([foot.length(rest) for foot in feet], np.float64) / unit,
+            unit=np.array([unit]),
+            other=beside(rest, feet),
             first_point=_firsts([len(points) for _, points in soles]),
             carrier=joints.places(carriers).astype(np.int32),
             point=_rows([point for _, points in soles for point in points]),
@@ -100,10 +111,10 @@ def leg_tables(
             span=np.array([span for row in spans for span in row], np.float64).reshape(-1, 2),
             weight=np.array([weight[0]]),
             weight_parameter=np.array([weight[1]], np.int64),
-            ground=np.zeros((0, 7)) if ground is None else ground,
+            ground=np.zeros((0, 7)) if ground is None else in_units(ground, unit),
             memory=np.array(columns[:1], np.int64),
             fit=np.array(columns[1:], np.int64),
-            print=sizes,
+            print=sizes / unit,
             first_below=_firsts([len(rows) for rows in below]),
             below=np.concatenate([np.zeros(0, np.int64), *below]).astype(np.int32),
             landing=landings(character, feet, ahead, sizes, stands if columns[1] >= 0 else ()),

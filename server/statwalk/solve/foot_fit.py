@@ -294,7 +294,8 @@ def _move(
     a, b, c = a * size, size, c * size  # the normal of the slope
     px, pz = x - root[0], z - root[2]
     px, py, pz = px * root[4] - pz * root[3], y - root[1], pz * root[4] + px * root[3]
-    part = 1.0 / (1.0 + b)
+    part, unit = 1.0 / (1.0 + b), f.unit[0]
+    px, py, pz, to_x, to_z, lift = px * unit, py * unit, pz * unit, to_x * unit, to_z * unit, lift * unit
     for number in range(f.first_below[foot], f.first_below[foot + 1]):
         place = f.below[number]
         for column in range(4):

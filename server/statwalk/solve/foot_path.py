@@ -32,6 +32,8 @@ COST, COST_BACK = 18.0, 27.0
 """points of a sole that a metre before, or behind the place of the motion must win"""
 SHORT_PART = 0.5
 """the share of a path in which a foot that hangs down becomes as long as one that lies"""
+TOE_CAP = 0.02
+"""metres by which toes are longer than the points of the sole"""
 AIR, EVEN = 0.015, 0.03
 """metres by which a foot is higher than the string in the middle of its path; if heights along it differ by
 more
@@ -77,7 +79,7 @@ def stretch_path(f: Any, keep: Any, row: int, foot: int, at: int, yaw: float, fr
     for part in range(1, PATH_PARTS + 1):
         hangs = max(1.0 - part / (SHORT_PART * PATH_PARTS), 0.0)
         hangs = hangs * (2.0 - hangs)
-        before, behind = along + shorter * hangs, along
+        before, behind = along + shorter * hangs + TOE_CAP, along
         if part == PATH_PARTS:
             before, behind, wider = 0.0, 0.0, 0.0
         px, pz = x + part * u, z + part * v

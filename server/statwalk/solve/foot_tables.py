@@ -21,6 +21,8 @@ class FootTables(NamedTuple):
     """the joint that carries all legs, and gives way to them"""
     above_pelvis: Annotated[NDArray[np.int32], "1"]
     """the index in `joints` of the pelvis's parent, -1 none"""
+    unit: Annotated[NDArray[np.float64], "1"]
+    """metres: a power of two, 1 for a leg of 0.6 to 1.2 metres; the foot lock's lengths are in units"""
     hip: Annotated[NDArray[np.int32], "foot"]
     """index in `joints`"""
     ankle: Annotated[NDArray[np.int32], "foot"]
@@ -30,7 +32,9 @@ class FootTables(NamedTuple):
     bend: Annotated[NDArray[np.float64], "foot, xyz"]
     """the direction in which the knee bends, in the frame of the hip"""
     length: Annotated[NDArray[np.float64], "foot"]
-    """metres from hip to knee to ankle"""
+    """units from hip to knee to ankle"""
+    other: Annotated[NDArray[np.int32], "foot"]
+    """the foot beside it, -1 none: of two feet each waits for the other"""
     first_point: Annotated[NDArray[np.int32], "foot + 1"]
     carrier: Annotated[NDArray[np.int32], "point"]
     """the index in `joints` of the joint that carries a point"""
@@ -44,15 +48,15 @@ class FootTables(NamedTuple):
     """0…1, if `weight_parameter` is -1"""
     weight_parameter: Annotated[NDArray[np.int64], "1"]
     ground: Annotated[NDArray[np.float64], "piece, 7"]
-    """x and z of two corners of a level or sloping rectangle, and a, b, c of its height a + b·x + c·z on the
-    stage; where rectangles overlap the highest counts, beside them the height is 0
+    """in units: x and z of two corners of a level or sloping rectangle, and a, b, c of its height
+    a + b·x + c·z on the stage; where rectangles overlap the highest counts, beside them the height is 0
     """
     memory: Annotated[NDArray[np.int64], "1"]
     """the first column of the foot lock in the solvers' memory"""
     fit: Annotated[NDArray[np.int64], "1"]
     """the first column of what feet need on uneven ground in the solvers' memory, -1 on a level floor"""
     print: Annotated[NDArray[np.float64], "foot, 4"]
-    """of the sole at rest, metres: ALONG, ACROSS from the ankle to its middle, forward and to the left;
+    """of the sole at rest, units: ALONG, ACROSS from the ankle to its middle, forward and to the left;
     HALF_LENGTH, HALF_WIDTH
     """
     first_below: Annotated[NDArray[np.int32], "foot + 1"]

@@ -14,7 +14,7 @@ from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.pose_layout import joint_channel, place_of
 from statwalk.maths.springs import settled
 from statwalk.solve.chains import POLE, ROTATION, TARGET, WEIGHT
-from statwalk.solve.foot_points import ankle_of, on_stage
+from statwalk.solve.foot_points import ankle_of, in_units
 from statwalk.solve.foot_tables import (
     DROP,
     DROP_RATE,
@@ -79,8 +79,8 @@ def _missing(f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, root: A
     """How much lower a hip must be for its leg to reach the shown ankle."""
     block, lane = place_of(row)
     place, reach = f.hip[foot], STRETCH * f.length[foot]
-    x, y, z = on_stage(
-        legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
+    x, y, z = in_units(
+        f, legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
     )
     ankle = ankle_of(f, legs, row, foot, root)
     x, z = x - ankle[0] - keep[row, at + X], z - ankle[2] - keep[row, at + Z]
@@ -90,7 +90,8 @@ def _missing(f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, root: A
 
 @inlined
 def move_pelvis(f: Any, legs: Any, values: Any, row: int, drop: float) -> None:
-    """Lowers the pelvis of the pose in a block of `values` by `drop` metres."""
+    """Lowers the pelvis of the pose in a block of `values` by `drop` units."""
+    drop *= f.unit[0]
     block, lane = place_of(row)
     channel, place = joint_channel(f.pelvis[0]), f.above_pelvis[0]
     for axis in range(3):
@@ -109,9 +110,9 @@ def aim_leg(f: Any, legs: Any, keep: Any, rows: Any, row: int, foot: int, root: 
     at, inputs = f.memory[0] + OF_ACTOR + foot * OF_FOOT, rows[foot]
     ankle = ankle_of(f, legs, row, foot, root)
     x, z = ankle[0] + keep[row, at + X] - root[0], ankle[2] + keep[row, at + Z] - root[2]
-    inputs[TARGET, lane] = x * root[4] - z * root[3]
-    inputs[TARGET + 1, lane] = ankle[1] + keep[row, at + Y] - root[1]
-    inputs[TARGET + 2, lane] = z * root[4] + x * root[3]
+    inputs[TARGET, lane] = (x * root[4] - z * root[3]) * f.unit[0]
+    inputs[TARGET + 1, lane] = (ankle[1] + keep[row, at + Y] - root[1]) * f.unit[0]
+    inputs[TARGET + 2, lane] = (z * root[4] + x * root[3]) * f.unit[0]
     for axis in range(3):
         bend = 0.0
         for column in range(3):
@@ -160,12 +161,12 @@ def follow_ground(f: Any, keep: Any, position: Any, row: int, sine: float, cosin
         ground, weights, rise, square = 0.0, 0.0, 0.0, 0.0
         for step in range(-MEAN_STEPS, MEAN_STEPS + 1):
             weight, away = MEAN_STEPS + 1.0 - abs(step), step * MEAN_STEP
-            x, z = position[row, 0] + away * sine, position[row, 2] + away * cosine
+            x, z = position[row, 0] / f.unit[0] + away * sine, position[row, 2] / f.unit[0] + away * cosine
             height = ground_at(f.ground, x, z, 0.0)
             ground, weights = ground + weight * height, weights + weight
             rise, square = rise + weight * height * away, square + weight * away * away
         ground /= weights
         keep[row, f.fit[0] + SAG] = min(SAG_SHARE * abs(rise) / square, MOST_SAG)
         at = f.memory[0] + LIFT_RATE
-        height, keep[row, at] = settled(position[row, 1] - ground, keep[row, at], FOLLOW, dt)
-        position[row, 1] = ground + height
+        height, keep[row, at] = settled(position[row, 1] / f.unit[0] - ground, keep[row, at], FOLLOW, dt)
+        position[row, 1] = (ground + height) * f.unit[0]

@@ -47,10 +47,5 @@ def next_landing(
     x, z, yaw = compose((position[row, 0], position[row, 2], heading[row]), gone_way)
     sine, cosine = sincos(yaw)
     u, v = f.landing[found, 0], f.landing[found, 1]
-    return (
-        True,
-        x + u * cosine + v * sine,
-        z + v * cosine - u * sine,
-        yaw + f.landing[found, 2],
-        best * duration,
-    )
+    x, z = (x + u * cosine + v * sine) / f.unit[0], (z + v * cosine - u * sine) / f.unit[0]
+    return True, x, z, yaw + f.landing[found, 2], best * duration

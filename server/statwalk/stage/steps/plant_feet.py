@@ -31,7 +31,8 @@ def plant_feet(
     for row in range(first_row(block), end_row(block, s.state.shape[0])):
         sine, cosine = sincos(heading[row])
         follow_ground(f, keep, position, row, sine, cosine, dt)
-        root = position[row, 0], position[row, 1], position[row, 2], sine, cosine
+        unit = f.unit[0]
+        root = position[row, 0] / unit, position[row, 1] / unit, position[row, 2] / unit, sine, cosine
         if mem.seconds[row, 0] > 0.0:
             _begin_blend(f, keep, row)
         if f.fit[0] >= 0:
@@ -75,7 +76,7 @@ def _step_feet(f: Any, m: Any, s: Any, o: Any, mem: Any, keep: Any, row: int, ro
     member, blends = _member(m, s, mem, row), o.elapsed[row, 0] < o.duration[row, 0]
     for foot in range(feet):
         at = f.memory[0] + OF_ACTOR + foot * OF_FOOT
-        other = f.memory[0] + OF_ACTOR + ((foot + 1) % feet) * OF_FOOT if feet > 1 else -1
+        other = f.memory[0] + OF_ACTOR + f.other[foot] * OF_FOOT if f.other[foot] >= 0 else -1
         is_down = member >= 0 and _is_planted(f, m, s, row, member, foot)
         old = keep[row, at + Y]
         step_foot(f, mem.legs, keep, row, foot, at, other, root, is_down, blends, dt)
