@@ -20,7 +20,7 @@ SIDES = {"left": "Left", "right": "Right"}
 """the feet that names tell, and the sides of `body_bones`"""
 BONES = {"hip": "UpperLeg", "knee": "LowerLeg", "ankle": "Foot", "toe": "Toes"}
 GIRDLES = {"front": "front fore", "back": "back hind rear"}
-"""the words by which names tell the legs of four-legged characters: `Front_Leg_Ankle_L` is `front left`"""
+"""the words by which names tell the legs of four-legged characters: `Front_Leg_Ankle_L` is `front-left`"""
 PARTS = {
     "hip": "upper thigh upperleg legupper",
     "knee": "lower shin lowerleg leglower",
@@ -128,7 +128,7 @@ def _four_legs(character: Character) -> dict[str, dict[str, int]]:
         girdle = next((girdle for girdle, names in GIRDLES.items() if words[0] in names.split()), "")
         part = "".join(word for word in words[1:] if word != "leg")
         if side and girdle and part:
-            leg = legs.setdefault(f"{girdle} {side.lower()}", {})
+            leg = legs.setdefault(f"{girdle}-{side.lower()}", {})
             free = [key for key, names in PARTS.items() if part in names.split() and key not in leg]
             if free:
                 leg[free[0]] = joint

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from statwalk.character.character import Character
+from statwalk.character.feet import Foot
 from statwalk.character.joint_limits import limits_of
 from statwalk.character.leg_tables import foot_memory, has_leg, leg_chain, leg_tables
 from statwalk.character.reach import reach_chains, reach_names, reach_tables
@@ -62,14 +63,17 @@ def solvers_of(
 ) -> Solvers:
     """Returns the solvers that a machine file asks for.
 
-    :raises MachineError: when it asks for a foot lock, and the character has no feet with legs; when it
-        limits a joint that the character does not have; when a spring's joint does not exist or has no bone;
+    :raises MachineError: when it asks for a foot lock, and the character has no feet with legs; when it has
+        ground and no foot lock; when it limits a joint that the character does not have; when a spring's joint does not exist or has no bone;
         when the joints of a solver do not exist or are no chain.
     """
+    if definition.ground and not definition.foot_lock:
+        line = definition.ground[0].line
+        raise definition.refuse("ground: only feet find it; write `foot_lock: true` as well", line)
     every = feet_in(character, definition) if definition.foot_lock else ()
     feet = tuple(foot for foot in every if has_leg(character, foot))
     if definition.foot_lock and not feet:
-        raise definition.refuse("foot_lock: the character has no feet with legs; name them under `feet`", 0)
+        raise definition.refuse(f"foot_lock: {_why_no_legs(character, every)}", 0)
     clamps = clamp_table(limits_of(character, definition), character.bind_pose)
     chains = [leg_chain(character, foot) for foot in feet]
     swinging = springs_on(character, definition)
@@ -91,6 +95,22 @@ def solvers_of(
     reach = reach_tables(character, machine, definition, reaching, memory, len(chains))
     tables = chain_tables(character.skeleton.parent, [*chains, *reaching], clamps)
     return Solvers(springs, legs, tables, clamps, reach, memory)
+
+
+def _why_no_legs(character: Character, feet: Sequence[Foot]) -> str:
+    names = character.skeleton.names
+    for foot in feet:
+        if min(foot.hip, foot.knee) >= 0:
+            above = int(character.skeleton.parent[foot.ankle])
+            carrier = repr(names[above]) if above >= 0 else "no joint"
+            return (
+                f"the {foot.name} ankle {names[foot.ankle]!r} hangs on {carrier}, but a leg is three joints, "
+                "each the child of the one before it: hip, knee, ankle"
+            )
+    return (
+        "the names of the joints tell no feet with legs; name them in the file: "
+        "`feet: {left: {hip: JOINT, knee: JOINT, ankle: JOINT}}`"
+    )
 
 
 def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
