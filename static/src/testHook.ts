@@ -14,7 +14,8 @@
  * lanes()      [first tick, last tick, state] of every known run of the watched actor's base layer
  * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
  * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres
- * handles()    { name: [x, y] } where the handles of point parameters are drawn, pixels
+ * handles()    { name: [x, y] } where the handles of point parameters, and of joints, are drawn, pixels
+ * joint()      the joint that was clicked, or ""
  * pixels()     draws the characters alone: { covered: share of the picture 0…1,
  *              box: [left, top, right, bottom] 0…1, colour: mean [r, g, b] 0…255 of what is covered }
  * listen(s)    counts messages for s seconds: { perSecond, gapP99Ms, ticks: number of distinct ticks }
@@ -144,6 +145,7 @@ export function exposeForTests(
     stats,
     joints: () => jointsByName(stageView),
     handles,
+    joint: () => stageView.joint.value,
     pixels: () => measure(drawBodies(stageView)),
     listen: (seconds: number) => listen(session, seconds),
   };

@@ -17,6 +17,7 @@ MADE = (
     "tree/tree.glb",
     "hand/hand.glb",
     "gearbox/gearbox.glb",
+    "principles/principles.glb",
     "playground/door/door.glb",
     "playground/coin/coin.glb",
     "playground/cannon/cannon.glb",

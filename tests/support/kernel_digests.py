@@ -23,7 +23,7 @@ from statwalk.skin import _kernels as skin
 from statwalk.skin.deform import surface
 from statwalk.skin.primitive import Primitive, Skin
 from statwalk.stage.stage import Stage
-from statwalk.stage.steps.expression_values import free_values
+from statwalk.stage.steps.expression_values import expression_values
 
 CHANCE = np.random.default_rng(17)
 CASES = []
@@ -165,7 +165,7 @@ def expressed():
     stage.add_many(load("gearbox"), [((place, 0, 0), 0) for place in range(20)])
     stage.step(40)
     (cast,) = stage.casts
-    return cast.shown.rows(), cast.hash, free_values(cast, np.arange(20), 40, 1 / 60)
+    return cast.shown.rows(), cast.hash, expression_values(cast, np.arange(20), 40, 1 / 60)
 
 
 def digest(arrays):

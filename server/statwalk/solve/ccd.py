@@ -18,7 +18,8 @@ from statwalk.maths.simd.lane_vector import length
 from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import load3, load4, store3, store4
 from statwalk.solve.chain_lanes import AIM, JOINT, LOCAL, OFFSET
-from statwalk.solve.iterate import FAR, goes_on, keep_better, take_best, turned_by
+from statwalk.solve.chains import TWO_BONE
+from statwalk.solve.iterate import FAR, goes_on, keep_better, note_cuts, take_best, turned_by
 
 ZERO, ONE = np.float32(0), np.float32(1)
 
@@ -39,6 +40,8 @@ def solve_ccd(
         if not any_above(active, zero):
             break
         distance = _sweep(chains, clamps, number, goal, scratch)
+        if chains.solver[number] != TWO_BONE:  # a limb's cuts are those of the exact solution
+            note_cuts(chains, clamps, number, active, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
         best = keep_better(scratch, count, better, distance, best)
@@ -66,7 +69,7 @@ def _sweep(chains: Any, clamps: Any, number: int, goal: Any, scratch: Any) -> An
         at, q = place * JOINT, load4(scratch, place * JOINT + LOCAL)
         if chains.sensitivity[first + place] > ZERO:
             turn = between(rotated(q, end), load3(scratch, at + AIM))
-            q = turned_by(chains, clamps, first + place, turn, q)
+            q = turned_by(chains, clamps, first + place, turn, q, scratch, at)
             store4(scratch, at + LOCAL, q)
         end = plus(load3(scratch, at + OFFSET), rotated(q, end))
     return length(minus(goal, end))

@@ -18,7 +18,7 @@ from statwalk.maths.simd.lane_vector import added, length
 from statwalk.maths.simd.lanes import broadcast, load, spread
 from statwalk.maths.simd.pose_lanes import either3, load3, load4, store3, store4
 from statwalk.solve.chain_lanes import AIM, JOINT, LENGTH, LOCAL, OFFSET, POINT, place_joints
-from statwalk.solve.iterate import FAR, goes_on, keep_better, take_best, turned_by
+from statwalk.solve.iterate import FAR, goes_on, keep_better, note_cuts, take_best, turned_by
 
 ZERO, ONE = np.float32(0), np.float32(1)
 
@@ -41,24 +41,25 @@ def solve_fabrik(
     for _ in range(chains.iterations[number]):
         if not any_above(active, zero):
             break
-        _pull_back(scratch, count, goal)
+        pull_back(scratch, count, goal)
         iterations = iterations + active
         if is_free:
-            distance = length(minus(goal, _pull_forth(scratch, count, active)))
+            distance = length(minus(goal, pull_forth(scratch, count, active)))
         else:
-            distance = length(minus(goal, _turn_to_points(chains, clamps, number, AIM, scratch)))
+            distance = length(minus(goal, turn_to_points(chains, clamps, number, AIM, scratch)))
+            note_cuts(chains, clamps, number, active, scratch)
             better = where_below(distance, best, active, zero)
             best = keep_better(scratch, count, better, distance, best)
         active, last = goes_on(active, distance, last, tolerance, whole), distance
     if is_free:
-        distance = length(minus(goal, _turn_to_points(chains, clamps, number, POINT, scratch)))
+        distance = length(minus(goal, turn_to_points(chains, clamps, number, POINT, scratch)))
         keep_better(scratch, count, where_below(distance, best, before, zero), distance, best)
     take_best(scratch, count)
     return iterations
 
 
 @inlined
-def _pull_back(scratch: Any, count: int, goal: Any) -> None:
+def pull_back(scratch: Any, count: int, goal: Any) -> None:
     """Puts the end at the goal, and each joint, from the end to the start, at its bone's length; writes the
     points to AIM.
     """
@@ -71,7 +72,7 @@ def _pull_back(scratch: Any, count: int, goal: Any) -> None:
 
 
 @inlined
-def _pull_forth(scratch: Any, count: int, active: Any) -> Any:
+def pull_forth(scratch: Any, count: int, active: Any) -> Any:
     """Puts each joint, from the start to the end, at its bone's length; writes the points of active lanes to
     POINT; returns the end.
     """
@@ -92,7 +93,7 @@ def _at_length(origin: Any, point: Any, bone: Any) -> Any:
 
 
 @inlined
-def _turn_to_points(chains: Any, clamps: Any, number: int, points: int, scratch: Any) -> Any:
+def turn_to_points(chains: Any, clamps: Any, number: int, points: int, scratch: Any) -> Any:
     """Turns each joint, from the start on, so that its bone points at the next of the points (at AIM or
     POINT), as far as it may; writes rotations and places; returns the end.
     """
@@ -104,7 +105,7 @@ def _turn_to_points(chains: Any, clamps: Any, number: int, points: int, scratch:
         q, offset = load4(scratch, at + LOCAL), load3(scratch, at + JOINT + OFFSET)
         if chains.sensitivity[first + place] > ZERO:
             way = rotated(conjugate(above), minus(load3(scratch, at + JOINT + points), place_now))
-            q = turned_by(chains, clamps, first + place, between(rotated(q, offset), way), q)
+            q = turned_by(chains, clamps, first + place, between(rotated(q, offset), way), q, scratch, at)
             store4(scratch, at + LOCAL, q)
         above = mul(above, q)
         place_now = plus(place_now, rotated(above, offset))

@@ -15,7 +15,7 @@ from statwalk.maths.simd.lane_vector import added, cross, dot, length, perpendic
 from statwalk.maths.simd.lanes import broadcast
 from statwalk.maths.simd.pose_lanes import load3, load4, store4
 from statwalk.solve.chain_lanes import JOINT, LOCAL, POINT, TURN, place_joints, softened
-from statwalk.solve.iterate import limited
+from statwalk.solve.iterate import limited, note_cuts
 
 ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
 STRAIGHT = 1.2e-7
@@ -90,9 +90,11 @@ def solve_two_bone(
 def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any) -> None:
     """Brings the first and the middle joint within their limits."""
     first = chains.first[number]
-    store4(scratch, LOCAL, limited(chains, clamps, first, load4(scratch, LOCAL)))
+    store4(scratch, LOCAL, limited(chains, clamps, first, load4(scratch, LOCAL), scratch, 0))
     at = middle * JOINT
-    store4(scratch, at + LOCAL, limited(chains, clamps, first + middle, load4(scratch, at + LOCAL)))
+    bent = limited(chains, clamps, first + middle, load4(scratch, at + LOCAL), scratch, at)
+    store4(scratch, at + LOCAL, bent)
+    note_cuts(chains, clamps, number, broadcast(ONE), scratch)
 
 
 @inlined

@@ -96,6 +96,9 @@ export const versions = (name: string) => ask("get", "/api/machines/{name}/versi
 /** Changes a cell, if the machine is still at `version`; `dry`: only verifies the change. */
 export const patchCell = (name: string, version: number, body: NewCell, dry: boolean) =>
   ask("patch", "/api/machines/{name}/cells", { name }, { body, version, ...(dry && { query: { dry } }) });
+/** Replaces the machine's expressions, if the machine is still at `version`. */
+export const patchExpressions = (name: string, version: number, text: string) =>
+  ask("patch", "/api/machines/{name}/expressions", { name }, { body: { text }, version });
 export const undo = (name: string, version: number) =>
   ask("post", "/api/machines/{name}/undo", { name }, { version });
 /** Asks the twelve rules of inverse kinematics about the text of a file. */

@@ -44,7 +44,8 @@ def plant_feet(
         for foot in range(f.hip.shape[0]):
             aim_leg(f, mem.legs, keep, mem.leg_rows, row, foot, root, weight)
     for foot in range(f.hip.shape[0]):
-        solve_chain_block(chains, clamps, foot, values, block, mem.leg_rows, foot * ROWS * LANES, mem.chain)
+        at = foot * ROWS * LANES
+        solve_chain_block(chains, clamps, foot, values, block, mem.leg_rows, at, mem.chain, keep)
 
 
 @inlined

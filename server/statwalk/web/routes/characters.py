@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 import numpy as np
@@ -16,6 +17,7 @@ from statwalk.maths import quat
 from statwalk.maths.pose import Pose
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import UploadedCharacter
+from statwalk.solve.chains import top_of
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import catalogue_of
 from statwalk.web.schemas.character import (
@@ -73,6 +75,7 @@ def get_character(name: str, catalogue: CatalogueDep) -> CharacterView:
             for part in character.parts
         ],
         notes=list(character.notes),
+        expressions=[line.text for line in character.expressions],
         model=f"/api/characters/{name}/model.glb",
     )
 
@@ -119,6 +122,7 @@ def solve(name: str, body: NewSolve, catalogue: CatalogueDep) -> SolveView:
         iterations=body.iterations,
         sensitivity=body.sensitivity,
         forward=body.forward,
+        anchor=body.anchor,
     )
     joints, _middle = chain_joints(character.skeleton, body.chain, body.solver)
     places = character.world(answer.pose)
@@ -134,6 +138,8 @@ def solve(name: str, body: NewSolve, catalogue: CatalogueDep) -> SolveView:
         reached=bool(answer.reached),
         distance=float(answer.distance),
         iterations=int(answer.iterations),
+        clamped={joint: math.degrees(float(angle)) for joint, angle in answer.clamped.items()},
+        root=tuple(answer.pose.translation[top_of(character.skeleton.parent, joints[0])].tolist()),
     )
 
 

@@ -42,6 +42,7 @@ class NewSolve(RequestModel):
     iterations: Annotated[int, Field(ge=1, le=1_000)] | None = None
     sensitivity: Values = Field(default_factory=dict)
     forward: Point = (0.0, 0.0, 1.0)
+    anchor: Annotated[str, Field(max_length=200)] = ""
 
 
 class SolvedJointView(ResponseModel):
@@ -53,9 +54,14 @@ class SolvedJointView(ResponseModel):
 
 
 class SolveView(ResponseModel):
-    """The solved chain, from start to end; `distance`: metres from the end to the target."""
+    """The solved chain, from start to end; `distance`: metres from the end to the target; `clamped`: the
+    degrees by which limits cut the last turns of its joints; `root`: the translation of the skeleton's root,
+    which moves if the chain's end is the anchor.
+    """
 
     joints: list[SolvedJointView]
     reached: bool
     distance: float
     iterations: int
+    clamped: dict[str, float]
+    root: Vector

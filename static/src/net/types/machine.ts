@@ -12,6 +12,7 @@ export type {
   DeducedBoneView as DeducedBone,
   LimitView as JointLimit,
   MachineView as MachineInfo,
+  SolverView as Solver,
   ParameterView as Parameter,
   StateView as StateInfo,
   VersionView as MachineVersion,
