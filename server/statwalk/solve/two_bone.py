@@ -128,7 +128,7 @@ def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any)
     at = middle * JOINT
     bent = limited(chains, clamps, first + middle, load4(scratch, at + LOCAL), scratch, at)
     store4(scratch, at + LOCAL, bent)
-    note_cuts(chains, clamps, number, broadcast(ONE), scratch)
+    note_cuts(chains, number, broadcast(ONE), scratch)
 
 
 @inlined
