@@ -177,6 +177,24 @@ def expressed():
 
 
 @case
+def hung():
+    """The ship's chain, hanging, dragged, let go and moored, twenty actors."""
+    stage = Stage(seed=1)
+    actors = stage.add_many(load("anchor-chain"), [((place, 0, 0), place) for place in range(20)])
+    for number, actor in enumerate(actors):
+        stage.set(actor, "anchor", (number + 0.9, 1.0 + 0.1 * number, 0.3))
+        stage.set(actor, "held", number % 2)
+    stage.step(25)
+    for number, actor in enumerate(actors):
+        stage.set(actor, "held", 0)
+        if number % 3 == 0:
+            stage.send(actor, "MOOR")
+    stage.step(25)
+    (cast,) = stage.casts
+    return cast.shown.rows(), cast.solver_memory, cast.hash
+
+
+@case
 def walked():
     """Walkers with locked feet, springs and gazes, on the way from state to state."""
     with tempfile.TemporaryDirectory() as temporary:
