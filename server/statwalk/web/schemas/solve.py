@@ -12,21 +12,24 @@ Point = Annotated[tuple[Coordinate, Coordinate, Coordinate], Strict(False)]
 Quaternion = Annotated[tuple[Coordinate, Coordinate, Coordinate, Coordinate], Strict(False)]
 Rotations = Annotated[dict[str, Quaternion], BeforeValidator(dict)]
 """local rotations x y z w by joint"""
+Translations = Annotated[dict[str, Point], BeforeValidator(dict)]
+"""local translations by joint, metres"""
 
 
 class PoseSource(RequestModel):
-    """The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations on
-    top.
+    """The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations and
+    translations of joints on top.
     """
 
     clip: Name | None = None
     time: Annotated[float, Field(ge=0, le=1e6)] = 0.0
     rotations: Rotations = Field(default_factory=dict)
+    translations: Translations = Field(default_factory=dict)
 
 
 class NewSolve(RequestModel):
     """A chain of joints and its target, in model space, metres; the other members have the defaults of
-    `Character.solve`.
+    `Character.solve`. `machine`: its limits count in place of the character's.
     """
 
     chain: Annotated[list[Name], Field(min_length=1, max_length=256)]
@@ -43,6 +46,7 @@ class NewSolve(RequestModel):
     sensitivity: Values = Field(default_factory=dict)
     forward: Point = (0.0, 0.0, 1.0)
     anchor: Annotated[str, Field(max_length=200)] = ""
+    machine: Name | None = None
 
 
 class SolvedJointView(ResponseModel):

@@ -1783,7 +1783,7 @@ export interface components {
         };
         /**
          * @description A chain of joints and its target, in model space, metres; the other members have the defaults of
-         *     `Character.solve`.
+         *     `Character.solve`. `machine`: its limits count in place of the character's.
          */
         NewSolve: {
             chain: string[];
@@ -1800,7 +1800,8 @@ export interface components {
             /**
              * @default {
              *       "time": 0,
-             *       "rotations": {}
+             *       "rotations": {},
+             *       "translations": {}
              *     }
              */
             pose?: components["schemas"]["PoseSource"];
@@ -1844,6 +1845,7 @@ export interface components {
             ];
             /** @default  */
             anchor?: string;
+            machine?: string | null;
         };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
         NewStage: {
@@ -1925,8 +1927,8 @@ export interface components {
             root: components["schemas"]["RootView"];
         };
         /**
-         * @description The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations on
-         *     top.
+         * @description The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations and
+         *     translations of joints on top.
          */
         PoseSource: {
             clip?: string | null;
@@ -1935,6 +1937,13 @@ export interface components {
             rotations?: {
                 [key: string]: [
                     number,
+                    number,
+                    number,
+                    number
+                ];
+            };
+            translations?: {
+                [key: string]: [
                     number,
                     number,
                     number
