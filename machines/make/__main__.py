@@ -13,6 +13,7 @@ import goose
 import hand
 import joints
 import principles
+import tentacle
 import tree
 
 PLACES = {
@@ -21,6 +22,7 @@ PLACES = {
     "playground/cannon/cannon.glb": cannon,
     "gearbox/gearbox.glb": gearbox,
     "tree/tree.glb": tree,
+    "tentacle/tentacle.glb": tentacle,
     "hand/hand.glb": hand,
     "principles/principles.glb": principles,
     "anchor-chain/anchor-chain.glb": anchor_chain,

@@ -19,7 +19,7 @@ import { EventsPanel } from "./panels/events/events";
 import { FeetStrip } from "./panels/feet/feet";
 import { GraphPanel } from "./panels/graph/graph";
 import { HelpDialog } from "./panels/help/help";
-import { StateBadge, modeBar, notices, toggleMode } from "./panels/viewControls/viewControls";
+import { StateBadge, modeBar, notices, toggleMode, wireOrSkin } from "./panels/viewControls/viewControls";
 import { DeduceDialog } from "./panels/deduce/deduceDialog";
 import { ExpressionsPanel } from "./panels/expressions/expressions";
 import { ParametersPanel } from "./panels/parameters/parameters";
@@ -33,7 +33,9 @@ import { Timeline } from "./panels/timeline/timeline";
 import { Transport } from "./panels/timeline/transport";
 import { routeBar } from "./panels/routeBar/routeBar";
 import { WhyPanel } from "./panels/why/why";
+import { KeyChanges } from "./state/keyChanges";
 import { OwnStages } from "./state/ownStages";
+import { ParameterValues } from "./state/parameterValues";
 import { Player } from "./state/player";
 import { Session } from "./state/session";
 import { exposeForTests } from "./testHook";
@@ -52,8 +54,8 @@ function viewerKeys(
   transport: Transport,
   help: () => void,
 ): Shortcut[] {
-  const mode = (key: string, name: keyof Modes): Shortcut => ({
-    keys: [key],
+  const mode = (key: string, name: keyof Modes, ...more: string[]): Shortcut => ({
+    keys: [key, ...more],
     words: `show ${name}`,
     act: () => toggleMode(stageView, name),
   });
@@ -65,9 +67,11 @@ function viewerKeys(
     { keys: ["f"], words: "frame the character", act: () => stageView.frame() },
     mode("1", "skin"),
     mode("2", "wire"),
-    mode("3", "bones"),
+    mode("3", "bones", "b"),
     mode("4", "tetra"),
     mode("5", "limits"),
+    { keys: ["t"], words: "wire, smooth skin", act: () => wireOrSkin(stageView) },
+    { keys: ["r"], words: "turntable", act: () => stageView.turning.set(!stageView.turning.value) },
     {
       keys: ["g"],
       words: "pose stream, glb stream",
@@ -88,7 +92,7 @@ function keepAddress(session: Session, stages: OwnStages): void {
   });
 }
 
-/** Takes the focus off a clicked button or select: it would catch the character's keys. */
+/** Takes the focus off a clicked button or select, or a dragged slider: it would catch the character's keys. */
 function freeFocus(): void {
   document.addEventListener(
     "click",
@@ -99,6 +103,9 @@ function freeFocus(): void {
     "change",
     (change) => change.target instanceof HTMLSelectElement && change.target.blur(),
   );
+  document.addEventListener("pointerup", ({ target }) => {
+    if (target instanceof HTMLInputElement && target.type === "range") target.blur();
+  });
 }
 
 /** Imports your own character: dropped on the page, or chosen as a file. */
@@ -168,14 +175,14 @@ function start(name: string): void {
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
   const badge = new StateBadge(byId("badge"), session, stageView);
   const feet = new FeetStrip(byId("badge"), session);
-  const parameters = new ParametersPanel(byId("parameters"), session);
+  const values = new ParameterValues(session);
+  const changes = new KeyChanges(values, () => session.layerStates.value);
+  new ParametersPanel(byId("parameters"), session, values);
   new ExpressionsPanel(byId("expressions"), session, editing);
   clampedPanel(byId("clamped"), session);
-  const joint = new JointPanel(byId("joint"), session, stageView, (name, value) =>
-    parameters.show(name, value),
-  );
+  const joint = new JointPanel(byId("joint"), session, stageView, values);
   const trial = new PoseTrial(byId("trial"), session, stageView);
-  const targets = new TargetsPanel(byId("targets"), session, stageView);
+  const targets = new TargetsPanel(byId("targets"), session, stageView, values);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
   layerTabs(byId("layers"), session);
@@ -190,7 +197,7 @@ function start(name: string): void {
   byId("help").addEventListener("click", () => help.toggle());
   const rules = new DeduceDialog();
   byId("deduce").addEventListener("click", () => rules.open());
-  new Keyboard(session, keys, (event, down) => events.press(event, down));
+  new Keyboard(session, keys, changes, (event, down) => events.press(event, down));
   onTheme(() => stageView.recolour());
   window.addEventListener("online", () => session.retry());
   setInterval(() => session.ping(), PING_MS);
@@ -204,8 +211,10 @@ function start(name: string): void {
   }));
   let last = performance.now();
   const loop = (now: number): void => {
-    const dt = Math.min(0.1, Math.max(0, (now - last) / 1000));
+    const passed = Math.max(0, (now - last) / 1000);
+    const dt = Math.min(0.1, passed);
     last = now;
+    changes.advance(Math.min(0.5, passed));
     player.advance(dt);
     const phase = session.phase();
     stageView.update();

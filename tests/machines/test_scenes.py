@@ -16,6 +16,7 @@ from statwalk.stage.replay import replay
 MADE = (
     "anchor-chain/anchor-chain.glb",
     "tree/tree.glb",
+    "tentacle/tentacle.glb",
     "hand/hand.glb",
     "gearbox/gearbox.glb",
     "principles/principles.glb",

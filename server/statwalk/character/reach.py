@@ -30,9 +30,12 @@ WHOLE_TURN = 180.0
 FORCE_TRAVEL = 0.3
 
 
-def reach_names(definition: MachineDefinition) -> dict[str, tuple[float, ...]]:
+def reach_names(definition: MachineDefinition, chains: Sequence[Chain]) -> dict[str, tuple[float, ...]]:
     """Returns the numbers of a new actor in the solvers' memory, by the names of the solvers there."""
-    return dict.fromkeys(map(_memory_name, definition.solvers), (0.0,) * OF_SOLVER)
+    return {
+        _memory_name(name): (0.0,) * OF_SOLVER + (0.0, 0.0, 0.0, 1.0) * _carried(chain)
+        for name, chain in zip(definition.solvers, chains, strict=True)
+    }
 
 
 def reach_chains(character: Character, machine: Machine, definition: MachineDefinition) -> list[Chain]:
@@ -65,7 +68,12 @@ def _chain(character: Character, machine: Machine, written: SolverDefinition) ->
         pole_kind=_pole_kind(machine, written),
         forward=(x, y, z),
         is_moored=is_moored,
+        is_carried=written.solver == "force",
     )
+
+
+def _carried(chain: Chain) -> int:
+    return len(chain.joints) - 1 if chain.is_carried else 0
 
 
 def _pole_kind(machine: Machine, written: SolverDefinition) -> int:
@@ -94,6 +102,7 @@ def reach_tables(
     joints = JointList.of(character.skeleton, sorted(ends))
     poles = [solver.pole for solver in solvers]
     masks = masks_of(character, definition)
+    weights = [_weights(machine, definition, each) for each in solvers]
     return locked(
         ReachTables(
             first_chain=np.array([first_chain], np.int32),
@@ -103,10 +112,12 @@ def reach_tables(
             pole_parameter=_triples(
                 [parameter_indices(machine, pole) if isinstance(pole, str) else NONE for pole in poles]
             ).astype(np.int32),
-            weight_parameter=np.array([_weight_parameter(machine, solver) for solver in solvers], np.int32),
-            weight=np.array([_weights(machine, definition, each) for each in solvers], np.float64).reshape(
-                len(solvers), len(machine.states)
-            ),
+            weight_parameter=np.array(
+                [[_parameter(machine, each) for each in row] for row in weights], np.int32
+            ).reshape(len(solvers), len(machine.states)),
+            weight=np.array(
+                [[0.0 if isinstance(each, str) else each for each in row] for row in weights], np.float64
+            ).reshape(len(solvers), len(machine.states)),
             eagerness=np.array([_eagerness(solver) for solver in solvers], np.float64),
             travel=np.array(
                 [-1.0 if (way := _travel(each)) is None else _rate(way) for each in solvers], np.float64
@@ -122,6 +133,7 @@ def reach_tables(
                 len(chains), len(masks)
             ),
             memory=np.array([memory.first(_memory_name(name)) for name in definition.solvers], np.int32),
+            turned=np.array([_carried(chain) for chain in chains], np.int32),
         )
     )
 
@@ -160,15 +172,17 @@ def _eagerness(solver: SolverDefinition) -> float:
     return _rate(solver.ease) if isinstance(solver.weight, Mapping) else 0.0
 
 
-def _weight_parameter(machine: Machine, solver: SolverDefinition) -> int:
-    return parameter_indices(machine, solver.weight)[0] if isinstance(solver.weight, str) else -1
+def _parameter(machine: Machine, weight: float | str) -> int:
+    return parameter_indices(machine, weight)[0] if isinstance(weight, str) else -1
 
 
-def _weights(machine: Machine, definition: MachineDefinition, solver: SolverDefinition) -> list[float]:
-    """The weight in each state; an inner state takes that of the composite state around it."""
+def _weights(machine: Machine, definition: MachineDefinition, solver: SolverDefinition) -> list[float | str]:
+    """The weight in each state, a number or a parameter; an inner state takes that of the composite state
+    around it.
+    """
     if not isinstance(solver.weight, Mapping):
-        return [0.0 if isinstance(solver.weight, str) else solver.weight] * len(machine.states)
-    found = []
+        return [solver.weight] * len(machine.states)
+    found: list[float | str] = []
     for row in machine.rows(0):
         name, written = machine.states[row], definition.states[machine.states[row]]
         outer = written.composite

@@ -19,7 +19,7 @@ from statwalk.maths.simd.lanes import LANES, broadcast, store
 from statwalk.maths.simd.pose_lanes import ROTATION, SCALE, either4, joint_at, load3, load4, store3, store4
 
 ZERO, ONE = np.float32(0), np.float32(1)
-LOCAL, OFFSET, POINT, TURN, BEST, AIM, LENGTH, CUT, NOTED = (
+LOCAL, OFFSET, POINT, TURN, BEST, AIM, LENGTH, CUT, NOTED, TURNED = (
     0,
     4 * LANES,
     7 * LANES,
@@ -29,13 +29,14 @@ LOCAL, OFFSET, POINT, TURN, BEST, AIM, LENGTH, CUT, NOTED = (
     21 * LANES,
     22 * LANES,
     23 * LANES,
+    24 * LANES,
 )
 """floats of a joint in memory: its rotation from its parent; its place in its parent's frame; its place, and
 the rotation of its parent, in the chain's frame; the best rotation so far; a vector of the solver's; the
 length of the bone before it; by how much its limits cut its last turn (the square of the sine of half the
-angle), and the same in the last iteration that counted
+angle), and the same in the last iteration that counted; the turn carried from tick to tick
 """
-JOINT = 24 * LANES
+JOINT = 28 * LANES
 """floats of a joint in memory"""
 
 

@@ -69,6 +69,8 @@ class Chain:
     """look-at: the line of sight in the frame of the last joint, unit length"""
     gain: float = 1.0
     """force: radians of a step for a force as long as the chain, shared by the joints, above 0"""
+    is_carried: bool = False
+    """force: whether the solver begins with the turns at TURNED of its scratch, and leaves them there"""
     turns_end: bool = False
     """whether the end gets the input `rotation`; otherwise it keeps its rotation from its parent"""
     is_moored: bool = False
@@ -96,6 +98,7 @@ class Chains(NamedTuple):
     pole_kind: Annotated[NDArray[np.int32], "chain"]
     forward: Annotated[NDArray[np.float32], "chain, xyz"]
     gain: Annotated[NDArray[np.float32], "chain"]
+    is_carried: Annotated[NDArray[np.bool_], "chain"]
     turns_end: Annotated[NDArray[np.bool_], "chain"]
     is_moored: Annotated[NDArray[np.bool_], "chain"]
     top: Annotated[NDArray[np.int32], "chain"]
@@ -135,6 +138,7 @@ def chain_tables(
             pole_kind=np.array([chain.pole_kind for chain in chains], np.int32),
             forward=np.array([chain.forward for chain in chains], np.float32).reshape(-1, 3),
             gain=np.array([chain.gain for chain in chains], np.float32),
+            is_carried=np.array([chain.is_carried for chain in chains], bool),
             turns_end=np.array([chain.turns_end for chain in chains], bool),
             is_moored=np.array([chain.is_moored for chain in chains], bool),
             top=np.array([top_of(parent, chain.joints[0]) for chain in chains], np.int32),

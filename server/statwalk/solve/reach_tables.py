@@ -22,8 +22,8 @@ class ReachTables(NamedTuple):
     pole: Annotated[NDArray[np.float64], "solver, xyz"]
     """a direction in model space, if `pole_parameter` is -1"""
     pole_parameter: Annotated[NDArray[np.int32], "solver, xyz"]
-    weight_parameter: Annotated[NDArray[np.int32], "solver"]
-    """-1: the weight is `weight`"""
+    weight_parameter: Annotated[NDArray[np.int32], "solver, state"]
+    """-1: the weight in that state is `weight`"""
     weight: Annotated[NDArray[np.float64], "solver, state"]
     eagerness: Annotated[NDArray[np.float64], "solver"]
     """1/s with which a weight by state is reached; 0: immediately"""
@@ -51,6 +51,8 @@ class ReachTables(NamedTuple):
     """whether a layer moves joints of the chain"""
     memory: Annotated[NDArray[np.int32], "solver"]
     """a solver's first column in the solvers' memory"""
+    turned: Annotated[NDArray[np.int32], "solver"]
+    """joints whose turns a force solver carries from tick to tick, x y z w each after its other numbers"""
 
 
 REACH = columns(ReachTables, readonly=True)

@@ -27,6 +27,7 @@ from statwalk.maths.simd.lane_vector import length
 from statwalk.maths.simd.lanes import LANES, broadcast, load, spread, store
 from statwalk.maths.simd.pose_lanes import either3, joint_at, load3, load4, store3, store4
 from statwalk.maths.simd.pose_layout import end_row, first_row
+from statwalk.solve.carried_turns import add_turns, take_turns
 from statwalk.solve.ccd import solve_ccd
 from statwalk.solve.chain_lanes import (
     CUT,
@@ -87,7 +88,11 @@ def solve_chain_block(
             pole = minus(pole, plus(base, target if chains.is_moored[number] else start))
         if chains.is_moored[number]:  # the end stays: as seen from the start, it goes the other way
             target = minus(plus(start, end), target)
+        if chains.is_carried[number]:
+            add_turns(chains, clamps, number, scratch)
         iterations = _solve(chains, clamps, number, target, pole, weight, scratch)
+        if chains.is_carried[number]:
+            take_turns(chains, number, values, block, scratch)
         end_rotation = mul(to_base, load4(rows, at + ROTATION * LANES))
         distance = _write(chains, clamps, number, values, block, target, end_rotation, weight, scratch)
         if chains.is_moored[number]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from statwalk.character.expressions import ExpressionValues, values_by_name
 from statwalk.character.role import Role
+from statwalk.machine.settings import values_of
 from statwalk.maths import quat, transform
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
@@ -110,6 +111,14 @@ class Actor:
         cast, row, _, tick, dt = self._find(self.id)
         (values,) = expression_values(cast, np.array([row]), tick, dt).tolist()
         return values_by_name(cast.role.expressions, values)
+
+    @property
+    def parameters(self) -> dict[str, float | tuple[float, ...]]:
+        """The parameters of the machine as they are set, by name; points, directions and rotations as
+        tuples.
+        """
+        cast, row = self._find(self.id)[:2]
+        return values_of(cast.role.machine, cast.machine.parameters[row].tolist())
 
     @property
     def pose(self) -> Pose:

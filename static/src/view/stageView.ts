@@ -24,6 +24,8 @@ export interface Modes {
   limits: boolean;
 }
 
+/** Limits of more joints hide the body: they are drawn on request. */
+const FEW_LIMITS = 6;
 /** Actors within this distance, in sizes of the watched actor, are framed with it. */
 const COMPANY_REACH = 3;
 
@@ -34,6 +36,8 @@ export class StageView {
   readonly loading = new Signal<string>("");
   /** How much the camera shows. */
   readonly framing = new Signal<Framing>("whole");
+  /** Whether the view turns around the character. */
+  readonly turning = new Signal(false);
   /** The joint whose path is drawn; empty: none. */
   readonly traced = new Signal<string>("");
   readonly path = new MotionPath();
@@ -61,6 +65,7 @@ export class StageView {
     this.modes.on(() => this.restyle());
     scene.world.add(this.terrain.mesh);
     session.machine.on((machine) => {
+      this.modes.set({ ...this.modes.value, limits: (machine?.limits.length ?? 0) <= FEW_LIMITS });
       this.limit();
       this.terrain.show(machine?.ground ?? []);
       scene.invalidate();
@@ -71,6 +76,7 @@ export class StageView {
     });
     this.joint.on(() => this.limit());
     this.framing.on(() => this.frame());
+    this.turning.on((turning) => scene.view.turn(turning));
     this.traced.on(() => {
       this.path.clear();
       scene.invalidate();

@@ -69,6 +69,7 @@ layers:
 keys:
   ArrowUp: {hold: GO, release: STOP}
   a: {press: GO}
+  PageUp: {change: {MOVE: {pace: 0.5}, "*": {side: -1}}}
 parameters:
   pace: {default: 1, min: 0, max: 4, smooth: 0.25}
   side: {default: 0, min: -1, max: 1}
@@ -130,6 +131,8 @@ WRONG = {
     "mask": ("mask: [Spine]", "mask: Spine"),
     "key without down": ("{press: GO}", "{release: GO}"),
     "key with both": ("{press: GO}", "{press: GO, hold: GO}"),
+    "key that changes and presses": ("{press: GO}", "{press: GO, change: {MOVE: {pace: 1}}}"),
+    "key that changes nothing": ("{press: GO}", "{change: {}}"),
     "handle without a joint": ("handle: {joint: Knee, ", "handle: {"),
     "handle with more": ("event: GO}}", "event: GO, key: g}}"),
     "chain without joints": ("{joints: [A, B], anchor: [A, B], ", "{anchor: [A, B], "),

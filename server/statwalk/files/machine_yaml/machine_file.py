@@ -148,7 +148,12 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         fallback=base.start(fields.chosen(entries["fallback"], "state", (*base.states, *base.composites)))
         if "fallback" in entries
         else "",
-        keys=inputs.keys(entries.get("keys"), events),
+        keys=inputs.keys(
+            entries.get("keys"),
+            events,
+            parameters,
+            _states_of(base, *(part.flat for part in layer_parts.values())),
+        ),
         parameters=parameters,
         senses=sense_events,
         colliders=colliders,
@@ -171,6 +176,11 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         file=root.file,
     )
     return definition, base.top.text
+
+
+def _states_of(*tables: levels.FlatStates) -> tuple[str, ...]:
+    """The names of all states, and of composites."""
+    return tuple(name for table in tables for name in (*table.states, *table.composites))
 
 
 def _layer_of(

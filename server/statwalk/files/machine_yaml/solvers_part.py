@@ -6,7 +6,7 @@ solvers:
     chain: [Arm, Forearm, Hand]      # or {from: Arm, to: Hand}
     target: grip                     # a parameter of kind point
     pole: [0, 0, -1]                 # or a parameter of kind point or direction
-    weight: {STAT: 1, WALK: 0.5}     # or a number 0…1, or a parameter
+    weight: {STAT: 1, WALK: part}    # by state; or a number 0…1 or a parameter for all states
     ease: 0.3
 """
 
@@ -134,16 +134,20 @@ def _direction(node: Node) -> tuple[float, float, float]:
 
 def _weight(
     node: Node, parameters: Mapping[str, ParameterDefinition], states: Collection[str]
-) -> float | str | dict[str, float]:
-    """A number 0…1, a parameter, or numbers by state."""
+) -> float | str | dict[str, float | str]:
+    """A number 0…1 or a parameter, or one of both by state."""
     if isinstance(node.value, str):
-        if node.text() in parameters:
-            return _vector(node, parameters, ("number", "flag"))
-        if not node.text()[:1].isalpha():
-            return node.number(0, 1)
-        raise node.unknown("parameter", node.text(), parameters)
+        return _one_weight(node, parameters)
     entries = node.entries()
     for name, entry in entries.items():
         if name not in states:
             raise entry.unknown("state", name, states)
-    return {name: entry.number(0, 1) for name, entry in entries.items()}
+    return {name: _one_weight(entry, parameters) for name, entry in entries.items()}
+
+
+def _one_weight(node: Node, parameters: Mapping[str, ParameterDefinition]) -> float | str:
+    if node.text() in parameters:
+        return _vector(node, parameters, ("number", "flag"))
+    if not node.text()[:1].isalpha():
+        return node.number(0, 1)
+    raise node.unknown("parameter", node.text(), parameters)

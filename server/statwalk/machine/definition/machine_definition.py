@@ -98,13 +98,15 @@ class EventDefinition:
 @dataclass(frozen=True)
 class KeyDefinition:
     """The inputs of a key of the viewer: `press` when it goes down (held down if `hold`), `release` when it
-    comes up.
+    comes up; or `change`: while it is down, parameters move by so many units a second. The first state that
+    a layer of the actor is in counts, or `*`.
     """
 
     press: str | None
     release: str | None
     hold: bool
     line: int
+    change: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,8 @@ class SolverDefinition:
     """of target and pole parameters"""
     pole: str | tuple[float, float, float] | None = None
     """a parameter of kind point or direction, or a direction in model space"""
-    weight: float | str | Mapping[str, float] = 1.0
-    """0…1, a parameter, or a number for each state of the base; states left out: 0"""
+    weight: float | str | Mapping[str, float | str] = 1.0
+    """0…1, a parameter, or one of both for each state of the base; states left out: 0"""
     ease: float = 0.3
     """seconds in which a weight by state is reached"""
     travel: float | None = None
@@ -43,4 +43,5 @@ class SolverDefinition:
     @property
     def parameters(self) -> tuple[str, ...]:
         """Returns the parameters that the solver reads."""
-        return tuple(name for name in (self.target, self.pole, self.weight) if isinstance(name, str))
+        weights = self.weight.values() if isinstance(self.weight, Mapping) else (self.weight,)
+        return tuple(name for name in (self.target, self.pole, *weights) if isinstance(name, str))

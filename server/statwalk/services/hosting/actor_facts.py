@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from statwalk.character.expressions import values_by_name
 from statwalk.character.role import Role
+from statwalk.machine.settings import values_of
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.random import Words
 from statwalk.rig.limits import ClampedJoint
@@ -39,6 +40,8 @@ class ActorColumns(NamedTuple):
     hashes: Words
     expressed: Floats
     """(n, F) what expressions set"""
+    parameters: Floats
+    """(n, P) as they are set"""
     clamped: list[tuple[ClampedJoint, ...]]
     solver_memory: Floats
     """(n, K)"""
@@ -53,6 +56,7 @@ class ActorColumns(NamedTuple):
         copies: Any = (
             *(column[rows].copy() for column in columns),
             expression_values(cast, rows, tick, dt),
+            machine.parameters[rows],
             clamped,
             cast.solver_memory[rows],
         )
@@ -61,7 +65,7 @@ class ActorColumns(NamedTuple):
     def facts(self) -> Iterator[ActorFacts]:
         """Yields the facts of each actor."""
         machine = self.role.machine
-        for actor, states, time, position, heading, hashed, values, clamped, reached in zip(
+        for actor, states, time, position, heading, hashed, values, numbers, clamped, reached in zip(
             *(column.tolist() for column in self[2:-2]),
             self.clamped,
             reached_targets(self.role, self.solver_memory),
@@ -79,6 +83,7 @@ class ActorColumns(NamedTuple):
                 heading=heading,
                 hash=text(hashed),
                 **values_by_name(self.role.expressions, values)._asdict(),
+                parameters=values_of(machine, numbers),
                 clamped=clamped,
                 reached=reached,
             )

@@ -15,6 +15,7 @@ from statwalk.maths.simd.lanes import LANES
 from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.maths.springs import settled
 from statwalk.rig.hierarchy import model_block
+from statwalk.solve.carried_turns import forget_turns, keep_turns, no_turns, recall_turns
 from statwalk.solve.chains import DISTANCE as SOLVED_DISTANCE
 from statwalk.solve.chains import ROWS
 from statwalk.solve.chains import WEIGHT as INPUT_WEIGHT
@@ -42,15 +43,30 @@ def reach(
             model_block(r.joints, r.parents, values, mem.reach_joints, block)  # where its anchor is now
         for lane in range(LANES):
             rows[INPUT_WEIGHT, lane] = 0.0
+            if lane >= end - first:
+                no_turns(r, mem.chain, lane, k)
         for row in range(first, end):
-            weight = _weight(r, s, keep, row, k, dt)
-            root = _root(position, heading, row)
-            write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
-            rows[INPUT_WEIGHT, row - first] = _missing(r, o, mem, keep, row, k, weight)
+            _aim(r, chains, s, o, mem, position, heading, keep, rows, row, k, dt)
         at = k * ROWS * LANES
         solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, at, mem.chain, keep)
         for row in range(first, end):
             keep[row, r.memory[k] + DISTANCE] = rows[SOLVED_DISTANCE, row - first]
+            keep_turns(r, keep, mem.chain, row, row - first, k, rows[INPUT_WEIGHT, row - first])
+
+
+@inlined
+def _aim(
+    r: Any, chains: Any, s: Any, o: Any, mem: Any, position: Any, heading: Any, keep: Any, rows: Any,
+    row: int, k: int, dt: float,
+) -> None:  # fmt: skip
+    """Writes the inputs of a solver's chain for one actor."""
+    weight, lane = _weight(r, s, keep, row, k, dt), row % LANES
+    root = _root(position, heading, row)
+    write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
+    rows[INPUT_WEIGHT, lane] = _missing(r, o, mem, keep, row, k, weight)
+    if weight <= 0.0:
+        forget_turns(r, keep, row, k)
+    recall_turns(r, keep, mem.chain, row, lane, k, dt)
 
 
 @called
@@ -79,8 +95,9 @@ def _root(position: Any, heading: Any, row: int) -> Any:
 @inlined
 def _weight(r: Any, s: Any, keep: Any, row: int, k: int, dt: float) -> Any:
     """The weight of a solver in this tick; by state: eased."""
-    at, parameter = r.memory[k], r.weight_parameter[k]
-    goal = s.smoothed[row, parameter] if parameter >= 0 else r.weight[k, s.state[row, 0]]
+    at, state = r.memory[k], s.state[row, 0]
+    parameter = r.weight_parameter[k, state]
+    goal = s.smoothed[row, parameter] if parameter >= 0 else r.weight[k, state]
     goal = min(max(goal, 0.0), 1.0)
     weight, rate = goal, 0.0
     if keep[row, at + SINCE] > 0.0 and r.eagerness[k] > 0.0:
@@ -100,6 +117,7 @@ def _missing(r: Any, o: Any, mem: Any, keep: Any, row: int, k: int, weight: floa
     for layer in range(r.covers.shape[1]):
         if mem.seconds[row, layer] > 0.0 and r.covers[k, layer]:
             keep[row, at + CARRIED], keep[row, at + LAYER] = keep[row, at + SHOWN], layer
+            forget_turns(r, keep, row, k)
     carried = keep[row, at + CARRIED]
     if carried > 0.0:
         layer = min(int(keep[row, at + LAYER]), r.covers.shape[1] - 1)  # an edit may have removed its layer

@@ -16,7 +16,7 @@ def solver_views(definition: MachineDefinition) -> list[SolverView]:
             end=solver.chain[-1],
             anchor=solver.anchor or solver.chain[0],
             target=solver.target,
-            weight=solver.weight if isinstance(solver.weight, str) else "",
+            weight=solver.weight if isinstance(solver.weight, float | str) else dict(solver.weight),
             grab=solver.grab,
         )
         for name, solver in definition.solvers.items()

@@ -47,6 +47,10 @@ def view_actor(actor: ActorFacts) -> ActorView:
         hash=actor.hash,
         variables=dict(actor.variables),
         channels=dict(actor.channels),
+        parameters={
+            name: list(value) if isinstance(value, tuple) else value
+            for name, value in actor.parameters.items()
+        },
         clamped=[
             ClampedView(
                 joint=clamped.joint,

@@ -89,6 +89,8 @@ class ActorView(ResponseModel):
     """the free variables of the expressions of the machine and its character"""
     channels: dict[str, float]
     """the channels of joints that expressions set: degrees, metres, scales"""
+    parameters: dict[str, float | list[float]]
+    """as they are set; points, directions and rotations as lists"""
     clamped: list[ClampedView]
     reached: list[ReachedView]
 

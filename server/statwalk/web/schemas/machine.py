@@ -108,8 +108,8 @@ class ExpressionView(ResponseModel):
 
 class SolverView(ResponseModel):
     """A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
-    parameters of its target and (empty: none) of its weight; `grab`: while the page drags its handle, the
-    weight is 1.
+    parameter of its target, and its weight: a number 0…1 or a parameter, or one of both by state of the base;
+    `grab`: while the page drags its handle, the weight is 1.
     """
 
     name: str
@@ -118,7 +118,7 @@ class SolverView(ResponseModel):
     end: str
     anchor: str
     target: str
-    weight: str
+    weight: float | str | dict[str, float | str]
     grab: bool
 
 

@@ -95,12 +95,14 @@ class LayerView(ResponseModel):
 
 class KeyView(ResponseModel):
     """The events of a key: `press` when it goes down (`hold`: held until it comes up), `release` when it
-    comes up.
+    comes up. `change`: by state, the parameters that move while it is down, units a second; the first state
+    that a layer of the actor is in counts, or `*`.
     """
 
     press: str | None
     release: str | None
     hold: bool
+    change: dict[str, dict[str, float]]
 
 
 class ParameterView(ResponseModel):

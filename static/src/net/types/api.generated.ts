@@ -951,6 +951,10 @@ export interface components {
             channels: {
                 [key: string]: number;
             };
+            /** @description as they are set; points, directions and rotations as lists */
+            parameters: {
+                [key: string]: number | number[];
+            };
             clamped: components["schemas"]["ClampedView"][];
             reached: components["schemas"]["ReachedView"][];
         };
@@ -1380,12 +1384,18 @@ export interface components {
         };
         /**
          * @description The events of a key: `press` when it goes down (`hold`: held until it comes up), `release` when it
-         *     comes up.
+         *     comes up. `change`: by state, the parameters that move while it is down, units a second; the first state
+         *     that a layer of the actor is in counts, or `*`.
          */
         KeyView: {
             press: string | null;
             release: string | null;
             hold: boolean;
+            change: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            };
         };
         /** @description What is known of a bone; null takes a value of the bones away. */
         KnownBody: {
@@ -1783,10 +1793,12 @@ export interface components {
         };
         /**
          * @description A chain of joints and its target, in model space, metres; the other members have the defaults of
-         *     `Character.solve`. `machine`: its limits count in place of the character's.
+         *     `Character.solve`.
          */
         NewSolve: {
+            /** @description joints from start to end, or the two alone */
             chain: string[];
+            /** @description model space, metres, each within ±1,000,000 */
             target: [
                 number,
                 number,
@@ -1805,33 +1817,48 @@ export interface components {
              *     }
              */
             pose?: components["schemas"]["PoseSource"];
-            /** @default 1 */
+            /**
+             * @description 0: the pose stays; 1: the solution
+             * @default 1
+             */
             weight?: number;
+            /** @description model space, a direction: where the middle joint goes; null: as it bends now */
             pole?: [
                 number,
                 number,
                 number
             ] | null;
+            /** @description model space, metres: the same as a point; null: none */
             pole_point?: [
                 number,
                 number,
                 number
             ] | null;
+            /** @description model space, x y z w, above 0 long: the end's; null: it keeps that from its parent */
             rotation?: [
                 number,
                 number,
                 number,
                 number
             ] | null;
-            /** @default 0 */
+            /**
+             * @description metres before full stretch from which the chain eases
+             * @default 0
+             */
             softening?: number;
-            /** @default 0.0001 */
+            /**
+             * @description metres: nearer counts as reached, and ends the iterations
+             * @default 0.0001
+             */
             tolerance?: number;
+            /** @description at most; null: 16, of force 64, of look-at 8 */
             iterations?: number | null;
+            /** @description 0…1 by joint: the part of a turn that it makes, else 1; not for two-bone */
             sensitivity?: {
                 [key: string]: number;
             };
             /**
+             * @description look-at: the line of sight in the frame of the last joint, above 0 long
              * @default [
              *       0,
              *       0,
@@ -1843,8 +1870,12 @@ export interface components {
                 number,
                 number
             ];
-            /** @default  */
+            /**
+             * @description the first joint of the chain, which stays, or the last: then the first comes to the target, and the root moves; empty: the first
+             * @default
+             */
             anchor?: string;
+            /** @description the machine whose limits count; null: the limits of the character */
             machine?: string | null;
         };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
@@ -2067,8 +2098,8 @@ export interface components {
         };
         /**
          * @description A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
-         *     parameters of its target and (empty: none) of its weight; `grab`: while the page drags its handle, the
-         *     weight is 1.
+         *     parameter of its target, and its weight: a number 0…1 or a parameter, or one of both by state of the base;
+         *     `grab`: while the page drags its handle, the weight is 1.
          */
         SolverView: {
             name: string;
@@ -2077,7 +2108,9 @@ export interface components {
             end: string;
             anchor: string;
             target: string;
-            weight: string;
+            weight: number | string | {
+                [key: string]: number | string;
+            };
             grab: boolean;
         };
         /** @description The speed of the clock; 1 is real time. */

@@ -1,6 +1,6 @@
 /**
- * Lists the expressions of the watched actor's machine and character: which line sets what, and its present
- * value. The machine's own lines are edited here.
+ * Lists the expressions of the watched actor's machine and character, and of the states that it is in: which line sets
+ * what, and its present value. The machine's own lines are edited here.
  */
 
 import "./expressions.css";
@@ -14,6 +14,8 @@ import { el, say } from "../../ui/dom";
 
 const READ_MS = 500;
 const KEY = "expressions:";
+/** More lines than this are folded. */
+const MANY = 12;
 
 /** Splits a line at its first equals sign. */
 export function sides(line: string): [string, string] {
@@ -67,6 +69,7 @@ export class ExpressionsPanel {
     });
     this.text.addEventListener("keydown", (press) => press.stopPropagation());
     session.machine.on((machine) => this.draw(machine));
+    session.layerStates.on(() => this.draw(session.machine.value));
     session.actor.on(() => void this.read());
     setInterval(() => void this.read(), READ_MS);
   }
@@ -74,12 +77,17 @@ export class ExpressionsPanel {
   private draw(machine: MachineInfo | null): void {
     const lines = machine?.expressions ?? [];
     const ofStates = (machine?.layers ?? []).flatMap(({ states }) =>
-      states.flatMap(({ name, expressions }) => expressions.map((line) => this.stateRow(line, name))),
+      states
+        .filter(({ name }) => this.session.layerStates.value.includes(name))
+        .flatMap(({ name, expressions }) => expressions.map((line) => this.stateRow(line, name))),
     );
     this.values.clear();
     const rows = [...lines.map((line) => this.row(line)), ...ofStates];
     this.host.hidden = !rows.length;
-    this.list.replaceChildren(el("dl", {}, ...rows));
+    const list = el("dl", {}, ...rows);
+    this.list.replaceChildren(
+      rows.length > MANY ? el("details", {}, el("summary", {}, `${rows.length} expressions`), list) : list,
+    );
     void this.read();
   }
 
