@@ -179,7 +179,7 @@ function start(name: string): void {
   new ParametersPanel(byId("parameters"), session, values);
   new ExpressionsPanel(byId("expressions"), session, editing);
   clampedPanel(byId("clamped"), session);
-  const joint = new JointPanel(byId("joint"), session, stageView);
+  const joint = new JointPanel(byId("joint"), session, stageView, values);
   const targets = new TargetsPanel(byId("targets"), session, stageView, values);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
@@ -208,10 +208,11 @@ function start(name: string): void {
   }));
   let last = performance.now();
   const loop = (now: number): void => {
-    const dt = Math.min(0.1, Math.max(0, (now - last) / 1000));
+    const passed = Math.max(0, (now - last) / 1000);
+    const dt = Math.min(0.1, passed);
     last = now;
+    changes.advance(Math.min(0.5, passed));
     player.advance(dt);
-    changes.advance(dt);
     const phase = session.phase();
     stageView.update();
     joint.update();

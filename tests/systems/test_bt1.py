@@ -1,4 +1,6 @@
-"""BT1 the tentacle: a closed soft skin of two influences, sway, forward and inverse kinematics, and their mixture."""
+"""BT1 the tentacle: a closed soft skin of two influences; sway, forward and inverse kinematics; all mixed."""
+
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -29,7 +31,7 @@ def placed(events="", **parameters):
         stage.set(actor, name, value)
     for event in events.split():
         stage.send(actor, event)
-        stage.step(1)
+        stage.step(10)
     stage.step(120)
     return stage, actor
 
@@ -157,6 +159,21 @@ def test_a_pause_holds_the_pose_and_the_sway_goes_on_from_there():
     assert moved[-1] > 0
 
 
+def test_a_toggle_that_is_held_does_not_flicker_and_a_second_press_is_not_lost():
+    stage, actor = placed("")
+    stage.hold(actor, "PAUSE")
+    states = played(stage, actor, 30, lambda actor: actor.state)
+    changes = sum(one != other for one, other in pairwise(states))
+    assert 1 <= changes <= 5
+    stage.release(actor, "PAUSE")
+    stage.step(30)
+    before = actor.state
+    stage.send(actor, "PAUSE")
+    stage.send(actor, "PAUSE")
+    stage.step(15)
+    assert actor.state == before
+
+
 # forward kinematics
 
 
@@ -190,7 +207,7 @@ def test_parts_are_chosen():
     seen = []
     for event in ("MIDDLE", "TIP", "ROOT", "FORWARD", "FORWARD"):
         stage.send(actor, event)
-        stage.step(1)
+        stage.step(10)
         seen.append(actor.states[1:])
     assert seen == [("ON", "MIDDLE"), ("ON", "TIP"), ("ON", "ROOT"), ("OFF", "NONE"), ("ON", "ROOT")]
 
@@ -280,7 +297,7 @@ def test_half_a_pull_is_half_way():
 
 
 def test_all_three_mix():
-    """The turns of forward kinematics are under those of the target: the tip is there, the body bends elsewhere."""
+    """Forward kinematics works under the target: the tip is there, the body bends elsewhere."""
     _, one = placed("INVERSE", target=TARGETS[0])
     _, other = placed("INVERSE FORWARD", target=TARGETS[0], root_side=-90.0)
     for actor in (one, other):

@@ -51,6 +51,14 @@ def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any, away_x: floa
     is shown `away_x` and `away_z` metres from its motion.
     """
     best = f.first_point[foot]
+    if f.ground.shape[0] == 0:
+        least = _height(f, legs, row, best)
+        for point in range(best + 1, f.first_point[foot + 1]):
+            height = _height(f, legs, row, point)
+            if height < least:
+                best, least = point, height
+        bx, by, bz = stage_point(f, legs, row, best, root)
+        return best, bx, by, bz
     bx, by, bz = stage_point(f, legs, row, best, root)
     least = by - ground_at(f.ground, bx + away_x, bz + away_z, root[1])
     for point in range(best + 1, f.first_point[foot + 1]):
@@ -59,6 +67,16 @@ def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any, away_x: floa
         if height < least:
             best, bx, by, bz, least = point, x, y, z, height
     return best, bx, by, bz
+
+
+@inlined
+def _height(f: Any, legs: Any, row: int, point: int) -> Any:
+    """The y of an animated point of the sole in model space."""
+    block, lane = place_of(row)
+    place = f.carrier[point]
+    x, y, z = f.point[point, 0], f.point[point, 1], f.point[point, 2]
+    b = legs[block, place, 4, lane] * x + legs[block, place, 5, lane] * y + legs[block, place, 6, lane] * z
+    return b + legs[block, place, 7, lane]
 
 
 @inlined
