@@ -20,7 +20,7 @@ from statwalk.rig.evaluate import world_from_local
 from statwalk.solve.foot_tables import ACROSS, ALONG
 
 DECIMALS = 6
-"""sums over the skin differ in their last bits from processor to processor; a tick needs the same everywhere"""
+"""sums over the skin differ in their last bits from processor to processor; a tick needs the same bits"""
 Contacts = tuple[Single, int, Sequence[tuple[float, float]]]
 """a motion of one clip, the number of a foot, and the spans of phase in which the foot stands"""
 USUAL_LEG = 0.85
