@@ -216,6 +216,17 @@ def walked():
 
 
 @case
+def climbed():
+    """Walkers on stairs and a slope, from all sides."""
+    stage, role = Stage(seed=3), load(MACHINES / "terrain")
+    for walker in stage.add_many(role, [((0.2 * k - 1.6, 0, 0.5 * k), 0.7 * k) for k in range(17)]):
+        stage.hold(walker, "FORWARD")
+    stage.step(150)
+    (cast,) = stage.casts
+    return cast.shown.rows(), cast.position, cast.solver_memory, cast.hash
+
+
+@case
 def solved():
     """Every solver, free and with every kind of limit, in lanes that are full and that are not."""
     cone = JointLimit(CONE, twist=(-0.4, 0.4), swing=((-0.5, 0.5), (-0.3, 0.3)))
