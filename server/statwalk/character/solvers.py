@@ -80,7 +80,6 @@ def solvers_of(
     swinging = springs_on(character, definition)
     names = {joint: f"spring {character.skeleton.names[joint]}" for joint in swinging}
     feet_memory = {FOOT_LOCK: foot_memory(len(feet))} if feet else {}
-    reaching = reach_chains(character, machine, definition)
     memory = SolverMemory(
         feet_memory
         | dict.fromkeys(names.values(), (0.0,) * KEPT)
@@ -94,7 +93,7 @@ def solvers_of(
     ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
     weight = _weight(machine, definition.foot_lock)
     legs = leg_tables(character, feet, contacts, motions, weight, ground)
-    reach = reach_tables(character, machine, definition, reaching, memory, len(chains))
+    reach = reach_tables(character, machine, definition, reaching, memory, len(feet))
     hanging = hanging_tables(
         hanging_of(character, definition, falling, reaching),
         len(feet) + len(reaching),
