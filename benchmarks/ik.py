@@ -70,12 +70,13 @@ class Crowd:
         rows[:, 0, POLE + 2] = 1
         rows[:, 0, WEIGHT] = (np.arange(len(lanes)) < CHAINS_SOLVED).reshape(-1, 16)
         start, scratch = buffer.values.copy(), zeros(scratch_floats(self.joints))
+        keep = np.zeros((CHAINS_SOLVED, 1))
         aligned = copy(rows).reshape(rows.shape)
 
         def run() -> float:
             np.copyto(buffer.values, start)
             begin = perf_counter()
-            _kernels.solve(tables.argument, clamps.argument, 0, buffer.values, aligned, scratch)
+            _kernels.solve(tables.argument, clamps.argument, 0, buffer.values, aligned, scratch, keep)
             return perf_counter() - begin
 
         return run

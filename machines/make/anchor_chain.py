@@ -117,7 +117,7 @@ def _fluke(side: int) -> Mesh:
 def _ship(model: Model) -> None:
     """A boat whose bow looks along +Z; the chain hangs from the roller at its bow."""
     rim, keel = _rim(), _sections()
-    model.part("Ship", smooth(keel.reshape(-1, 3), _net(*keel.shape[:2])), HULL)
+    model.part("Ship", smooth(keel.reshape(-1, 3), _net(*keel.shape[:2])[:, ::-1]), HULL)
     band = np.stack([rim * [1.02, 1, 1] + [0, 0.005, 0], rim * [1.02, 1, 1] - [0, 0.05, 0]], 1)
     edge = np.stack([rim * [1.02, 1, 1] + [0, 0.005, 0], rim * [0.9, 1, 1] + [0, 0.005, 0]], 1)
     model.part("Ship", smooth(band.reshape(-1, 3), _net(len(rim), 2)[:, ::-1]), STRIPE)

@@ -179,7 +179,7 @@ function start(name: string): void {
   new ParametersPanel(byId("parameters"), session, values);
   new ExpressionsPanel(byId("expressions"), session, editing);
   clampedPanel(byId("clamped"), session);
-  const joint = new JointPanel(byId("joint"), session, stageView);
+  const joint = new JointPanel(byId("joint"), session, stageView, values);
   const targets = new TargetsPanel(byId("targets"), session, stageView, values);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));

@@ -14,6 +14,7 @@ from statwalk.services.library.load import load, load_scene, shipped_machines, s
 from statwalk.stage.replay import replay
 
 MADE = (
+    "anchor-chain/anchor-chain.glb",
     "tree/tree.glb",
     "tentacle/tentacle.glb",
     "hand/hand.glb",

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from statwalk.character.character import Character
+from statwalk.character.feet import Foot
 from statwalk.character.hanging import hanging_chains, hanging_memory, hanging_of, memory_name
 from statwalk.character.joint_limits import limits_of
 from statwalk.character.leg_tables import foot_memory, has_leg, leg_chain, leg_tables
@@ -25,10 +26,14 @@ from statwalk.solve.chains import Chains, chain_tables, limited_joints
 from statwalk.solve.foot_tables import (
     DROP,
     DROP_RATE,
+    FIT,
     LOWEST_X,
     LOWEST_Z,
     OF_ACTOR,
+    OF_FIT,
     OF_FOOT,
+    OF_GROUND,
+    TOOK,
     Y_RATE,
     FootTables,
     X,
@@ -42,6 +47,8 @@ CUT = "limits"
 """name of what limits cut in the solvers' memory"""
 FOOT_LOCK = "foot lock"
 """name of the foot lock in the solvers' memory"""
+UNEVEN_GROUND = "uneven ground"
+"""name of what feet need on uneven ground there"""
 
 
 class Solvers(NamedTuple):
@@ -64,13 +71,17 @@ def solvers_of(
     """Returns the solvers that a machine file asks for.
 
     :raises MachineError: when it asks for a foot lock, and the character has no feet with legs; when it
-        limits a joint that the character does not have; when a spring's joint does not exist or has no bone;
-        when the joints of a solver or a chain do not exist or are no chain.
+        has ground and no foot lock; when it limits a joint that the character does not have; when a spring's
+        joint does not exist or has no bone; when the joints of a solver or a chain do not exist or are no
+        chain.
     """
+    if definition.ground and not definition.foot_lock:
+        line = definition.ground[0].line
+        raise definition.refuse("ground: only feet find it; write `foot_lock: true` as well", line)
     every = feet_in(character, definition) if definition.foot_lock else ()
     feet = tuple(foot for foot in every if has_leg(character, foot))
     if definition.foot_lock and not feet:
-        raise definition.refuse("foot_lock: the character has no feet with legs; name them under `feet`", 0)
+        raise definition.refuse(f"foot_lock: {_why_no_legs(character, every)}", 0)
     clamps = clamp_table(limits_of(character, definition), character.bind_pose)
     legs_first = [leg_chain(character, foot) for foot in feet]
     reaching = reach_chains(character, machine, definition)
@@ -80,6 +91,8 @@ def solvers_of(
     swinging = springs_on(character, definition)
     names = {joint: f"spring {character.skeleton.names[joint]}" for joint in swinging}
     feet_memory = {FOOT_LOCK: foot_memory(len(feet))} if feet else {}
+    if feet and definition.ground:
+        feet_memory[UNEVEN_GROUND] = (0.0,) * (OF_GROUND + OF_FIT * len(feet))
     memory = SolverMemory(
         feet_memory
         | dict.fromkeys(names.values(), (0.0,) * KEPT)
@@ -92,7 +105,8 @@ def solvers_of(
     contacts = contacts_in(character, definition, every) if feet else {}
     ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
     weight = _weight(machine, definition.foot_lock)
-    legs = leg_tables(character, feet, contacts, motions, weight, ground)
+    places = 0, memory.first(UNEVEN_GROUND) if UNEVEN_GROUND in feet_memory else -1
+    legs = leg_tables(character, feet, contacts, motions, weight, ground, places)
     reach = reach_tables(character, machine, definition, reaching, memory, len(feet))
     hanging = hanging_tables(
         hanging_of(character, definition, falling, reaching),
@@ -102,6 +116,22 @@ def solvers_of(
     notes = {joint: memory.first(CUT) + place for place, joint in enumerate(limited)}
     tables = chain_tables(character.skeleton.parent, chains, clamps, notes)
     return Solvers(springs, legs, tables, clamps, reach, hanging, limited, memory)
+
+
+def _why_no_legs(character: Character, feet: Sequence[Foot]) -> str:
+    names = character.skeleton.names
+    for foot in feet:
+        if min(foot.hip, foot.knee) >= 0:
+            above = int(character.skeleton.parent[foot.ankle])
+            carrier = repr(names[above]) if above >= 0 else "no joint"
+            return (
+                f"the {foot.name} ankle {names[foot.ankle]!r} hangs on {carrier}, but a leg is three joints, "
+                "each the child of the one before it: hip, knee, ankle"
+            )
+    return (
+        "the names of the joints tell no feet with legs; name them in the file: "
+        "`feet: {left: {hip: JOINT, knee: JOINT, ankle: JOINT}}`"
+    )
 
 
 def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
@@ -116,6 +146,9 @@ def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
         kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
         kept[rows, at + X : at + Y_RATE + 1] = 0.0
         kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0
+        if solvers.legs.fit[0] >= 0:
+            fit = int(solvers.legs.fit[0]) + OF_GROUND + foot * OF_FIT
+            kept[rows, fit + TOOK : fit + TOOK + FIT] = kept[rows, fit : fit + FIT]
     for k, at in enumerate(map(int, solvers.reach.memory)):
         kept[rows, at + CARRIED], kept[rows, at + LAYER] = kept[rows, at + SHOWN], 0.0
         first, turned = at + OF_SOLVER, int(solvers.reach.turned[k])

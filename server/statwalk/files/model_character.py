@@ -11,12 +11,12 @@ from pathlib import Path
 from statwalk.character.character import Character
 from statwalk.character.made_clips import Refuse, with_clips
 from statwalk.errors import ContentError
-from statwalk.files import clip_changes
+from statwalk.files import captures, clip_changes
 from statwalk.files.gltf.add_clip import model_with_clip
 from statwalk.files.gltf.read import read_model
 from statwalk.files.yaml.yaml_text import Node
 
-SUFFIXES = (".glb", ".gltf")
+SUFFIXES = (".glb", ".gltf", *captures.SUFFIXES)
 LARGEST_BYTES = 64 << 20
 _ONLY_WITH_SKELETON = ("scale",)
 
@@ -30,10 +30,15 @@ def model_of(node: Node, path: Path, entries: Mapping[str, Node]) -> Character:
         if key in entries:
             raise entries[key].refuse(f"`{key}` is for characters with a skeleton; a model has its own size")
     if path.suffix.lower() not in SUFFIXES or not path.is_file():
-        raise node.refuse(f"{node.text()[:80]!r} must name a .glb or .gltf file in the folder of this file")
+        kinds = ", ".join(SUFFIXES[:-1])
+        raise node.refuse(
+            f"{node.text()[:80]!r} must name a {kinds} or {SUFFIXES[-1]} file in the folder of this file"
+        )
     if path.stat().st_size > LARGEST_BYTES:
         raise node.refuse(f"a model may have {LARGEST_BYTES >> 20} MiB at most")
     name = entries["name"].text() if "name" in entries else path.stem
+    if path.suffix.lower() in captures.SUFFIXES:
+        return replace(captures.load_capture(path), name=name)
     try:
         return read_model(path.read_bytes(), name, path.parent)
     except ContentError as error:

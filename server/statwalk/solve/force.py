@@ -56,11 +56,11 @@ def solve_force(
         note_cuts(chains, clamps, number, active, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
-        best = keep_better(scratch, count, better, distance, best)
+        best = keep_better(scratch, count - 1, better, distance, best)
         active = where_below(tolerance, best, active, zero)
         active = where_below(whole * of(STALLED), size(distance - last), active, zero)
         last = distance
-    take_best(scratch, count)
+    take_best(scratch, count - 1)
     return iterations
 
 

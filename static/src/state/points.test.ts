@@ -25,10 +25,10 @@ describe("the points that a state reaches for", () => {
     { name: "STAY", outer: "" },
     { name: "FIGHT.HIT", outer: "FIGHT" },
   ];
-  const solvers = {
-    one: { solver: "force", target: "grip", weight: { FIGHT: "pull", STAY: 0 } },
-    two: { solver: "ccd", target: "gaze", weight: "look" },
-  };
+  const solvers = [
+    { name: "one", solver: "force", target: "grip", weight: { FIGHT: "pull", STAY: 0 } },
+    { name: "two", solver: "ccd", target: "gaze", weight: "look" },
+  ];
   const machine = { states, solvers } as unknown as MachineInfo;
 
   it.each([

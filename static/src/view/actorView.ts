@@ -69,7 +69,7 @@ export class ActorView {
     this.bones.update();
     this.limits.update();
     this.spot.visible = this.scene.quality === "low";
-    this.spot.position.set(root.position.x, 0.002, root.position.z);
+    this.spot.position.copy(root.position).y += 0.002;
   }
 
   show(look: SkinLook, lines: boolean, solids: boolean): void {

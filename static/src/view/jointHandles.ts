@@ -39,8 +39,8 @@ interface Shown {
   values: number[];
 }
 
-/** Size of a ball, in bone lengths. */
-const SIZE = 0.07;
+/** Radius of a ball, in bone lengths, and in pixels at least. */
+const [SIZE, PIXELS] = [0.05, 7];
 
 export class JointHandles {
   private readonly shown = new Map<string, Shown>();
@@ -86,7 +86,7 @@ export class JointHandles {
       this.shown.set(handle.key, shown);
       if (this.dragged?.handle.key === handle.key) this.dragged = shown;
       ball.position.copy(this.place(shown, held));
-      ball.scale.setScalar(SIZE * mark.metres);
+      ball.scale.setScalar(Math.max(SIZE * mark.metres, PIXELS * this.pixel(ball.position)));
     }
   }
 
@@ -114,6 +114,13 @@ export class JointHandles {
   held(): ReadonlyMap<string, number> {
     const { handle, values } = this.dragged ?? {};
     return new Map(handle?.parameters.map(({ name }, k) => [name, values![k]!]));
+  }
+
+  /** Metres of a pixel at a place. */
+  private pixel(place: THREE.Vector3): number {
+    const { camera } = this.scene.view;
+    const high = 2 * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)) * camera.position.distanceTo(place);
+    return high / Math.max(this.scene.canvas.clientHeight, 1);
   }
 
   private ball(): THREE.Mesh {

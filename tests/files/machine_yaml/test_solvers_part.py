@@ -64,7 +64,7 @@ def test_the_order_is_that_of_the_file():
         ("solver: ccd, chain: [A, B], target: grip, weight: {STAT: side}", "side"),
         ("solver: ccd, chain: [A, B], target: grip, weight: {STAT: prat}", "part"),
         ("solver: ccd, chain: [A, B], target: grip, ease: 1", "weight by state"),
-        ("solver: ccd, chain: [A, B], target: grip, travel: 1", "for force"),
+        ("solver: look-at, chain: [A], target: grip, travel: 1", "for force, two-bone, ccd, fabrik"),
         ("solver: ccd, chain: [A, B], target: grip, cone_deg: 1", "for look-at"),
         ("solver: ccd, chain: [], target: grip", "1 to 256"),
         ("solver: ccd, chain: [A, B], target: grip, pole: [0, 0, 0]", "length"),

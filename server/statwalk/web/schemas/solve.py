@@ -29,20 +29,48 @@ class NewSolve(RequestModel):
     `Character.solve`.
     """
 
-    chain: Annotated[list[Name], Field(min_length=1, max_length=256)]
-    target: Point
+    chain: Annotated[
+        list[Name],
+        Field(min_length=1, max_length=256, description="joints from start to end, or the two alone"),
+    ]
+    target: Annotated[Point, Field(description="model space, metres, each within ±1,000,000")]
     solver: Literal["two-bone", "ccd", "fabrik", "force", "look-at"] = "two-bone"
     pose: PoseSource = PoseSource()
-    weight: Annotated[float, Field(ge=0, le=1)] = 1.0
-    pole: Point | None = None
-    pole_point: Point | None = None
-    rotation: Quaternion | None = None
-    softening: Annotated[float, Field(ge=0, le=1e6)] = 0.0
-    tolerance: Annotated[float, Field(ge=1e-9, le=1e6)] = 1e-4
-    iterations: Annotated[int, Field(ge=1, le=1_000)] | None = None
-    sensitivity: Values = Field(default_factory=dict)
-    forward: Point = (0.0, 0.0, 1.0)
-    anchor: Annotated[str, Field(max_length=200)] = ""
+    weight: Annotated[float, Field(ge=0, le=1, description="0: the pose stays; 1: the solution")] = 1.0
+    pole: Annotated[
+        Point | None,
+        Field(description="model space, a direction: where the middle joint goes; null: as it bends now"),
+    ] = None
+    pole_point: Annotated[
+        Point | None, Field(description="model space, metres: the same as a point; null: none")
+    ] = None
+    rotation: Annotated[
+        Quaternion | None,
+        Field(
+            description="model space, x y z w, above 0 long: the end's; null: it keeps that from its parent"
+        ),
+    ] = None
+    softening: Annotated[
+        float, Field(ge=0, le=1e6, description="metres before full stretch from which the chain eases")
+    ] = 0.0
+    tolerance: Annotated[
+        float, Field(ge=1e-9, le=1e6, description="metres: nearer counts as reached, and ends the iterations")
+    ] = 1e-4
+    iterations: Annotated[
+        int | None,
+        Field(ge=1, le=1_000, description="at most; null: 16, of force 64, of look-at 8"),
+    ] = None
+    sensitivity: Annotated[
+        Values,
+        Field(description="0…1 by joint: the part of a turn that it makes, else 1; not for two-bone"),
+    ] = Field(default_factory=dict)
+    forward: Annotated[
+        Point,
+        Field(description="look-at: the line of sight in the frame of the last joint, above 0 long"),
+    ] = (0.0, 0.0, 1.0)
+    anchor: Annotated[
+        str, Field(max_length=200, description="a joint that stays where it is in model space; empty: none")
+    ] = ""
 
 
 class SolvedJointView(ResponseModel):

@@ -1796,7 +1796,9 @@ export interface components {
          *     `Character.solve`.
          */
         NewSolve: {
+            /** @description joints from start to end, or the two alone */
             chain: string[];
+            /** @description model space, metres, each within ±1,000,000 */
             target: [
                 number,
                 number,
@@ -1814,33 +1816,48 @@ export interface components {
              *     }
              */
             pose?: components["schemas"]["PoseSource"];
-            /** @default 1 */
+            /**
+             * @description 0: the pose stays; 1: the solution
+             * @default 1
+             */
             weight?: number;
+            /** @description model space, a direction: where the middle joint goes; null: as it bends now */
             pole?: [
                 number,
                 number,
                 number
             ] | null;
+            /** @description model space, metres: the same as a point; null: none */
             pole_point?: [
                 number,
                 number,
                 number
             ] | null;
+            /** @description model space, x y z w, above 0 long: the end's; null: it keeps that from its parent */
             rotation?: [
                 number,
                 number,
                 number,
                 number
             ] | null;
-            /** @default 0 */
+            /**
+             * @description metres before full stretch from which the chain eases
+             * @default 0
+             */
             softening?: number;
-            /** @default 0.0001 */
+            /**
+             * @description metres: nearer counts as reached, and ends the iterations
+             * @default 0.0001
+             */
             tolerance?: number;
+            /** @description at most; null: 16, of force 64, of look-at 8 */
             iterations?: number | null;
+            /** @description 0…1 by joint: the part of a turn that it makes, else 1; not for two-bone */
             sensitivity?: {
                 [key: string]: number;
             };
             /**
+             * @description look-at: the line of sight in the frame of the last joint, above 0 long
              * @default [
              *       0,
              *       0,

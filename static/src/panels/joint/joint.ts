@@ -5,8 +5,8 @@
 
 import "./joint.css";
 import * as THREE from "three";
-import { Latest } from "../../net/latest";
 import type { JointLimit, MachineInfo } from "../../net/protocol";
+import type { ParameterValues } from "../../state/parameterValues";
 import type { Session } from "../../state/session";
 import { el, say } from "../../ui/dom";
 import { type Handle, handlesOf, JointHandles } from "../../view/jointHandles";
@@ -14,7 +14,6 @@ import { freedomValues, type Local, valueWords } from "../../view/jointValues";
 import type { LimitMark } from "../../view/limitOverlay";
 import type { StageView } from "../../view/stageView";
 
-const PER_SECOND = 30;
 /** Pixels from a circle within which a click chooses its joint, and by which a click may move. */
 const [NEAR, STILL] = [14, 4];
 
@@ -28,7 +27,6 @@ export function freedomWords(freedom: JointLimit["freedoms"][number], value: num
 
 export class JointPanel {
   private readonly handles: JointHandles;
-  private readonly senders = new Map<string, Latest<number>>();
   private readonly label = el("div", { class: "joint-value", hidden: true });
   private down: [number, number] | null = null;
 
@@ -36,6 +34,7 @@ export class JointPanel {
     private readonly host: HTMLElement,
     private readonly session: Session,
     private readonly stageView: StageView,
+    private readonly values: ParameterValues,
   ) {
     const { canvas } = stageView.scene;
     this.handles = new JointHandles(
@@ -48,7 +47,6 @@ export class JointPanel {
       this.down = event.button === 0 && !this.handles.busy ? [event.clientX, event.clientY] : null;
     });
     canvas.addEventListener("pointerup", (event) => this.click(event));
-    session.actor.on(() => this.senders.clear());
   }
 
   /** Where each handle is drawn, in pixels; for tests. */
@@ -163,18 +161,6 @@ export class JointPanel {
   }
 
   private move({ parameters }: Handle, values: readonly number[]): void {
-    parameters.forEach(({ name }, k) => {
-      let sender = this.senders.get(name);
-      if (!sender) {
-        sender = new Latest<number>((value) => this.set(name, value), PER_SECOND);
-        this.senders.set(name, sender);
-      }
-      sender.put(values[k]!);
-    });
-  }
-
-  private set(parameter: string, value: number): void {
-    const actor = this.session.actor.value;
-    if (actor !== null) this.session.connection.send({ type: "set", parameter, value, actor });
+    parameters.forEach(({ name }, k) => this.values.set(name, values[k]!));
   }
 }
