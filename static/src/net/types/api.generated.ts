@@ -1869,7 +1869,10 @@ export interface components {
                 number,
                 number
             ];
-            /** @default  */
+            /**
+             * @description a joint that stays where it is in model space; empty: none
+             * @default
+             */
             anchor?: string;
         };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
