@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from statwalk.character.body_bones import carrier
 from statwalk.character.character import Character
 from statwalk.character.feet import Foot
 from statwalk.character.foot_contacts import ClipContacts
@@ -65,7 +66,8 @@ def leg_tables(
     """
     rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
     soles = [_sole(character, foot, rest) for foot in feet]
-    pelvis = _pelvis(character, feet)
+    pelvis = carrier(character.skeleton, [foot.hip for foot in feet])
+    pelvis = -1 if pelvis is None else pelvis
     above = int(character.skeleton.parent[pelvis]) if pelvis >= 0 else -1
     wanted = {joint for foot in feet for joint in foot.leg} | {above} - {-1}
     carriers = np.concatenate([carrier for carrier, _ in soles] or [np.zeros(0, np.int64)])
@@ -101,21 +103,6 @@ def _rows(vectors: Sequence[Floats]) -> NDArray[np.float64]:
 
 def _firsts(counts: Sequence[int]) -> NDArray[np.int32]:
     return np.concatenate([[0], np.cumsum(counts, dtype=np.int64)]).astype(np.int32)
-
-
-def _pelvis(character: Character, feet: Sequence[Foot]) -> int:
-    """The deepest joint above all hips, -1 without feet."""
-    paths = [_above(character, foot.hip) for foot in feet]
-    common = set(paths[0]).intersection(*paths[1:]) if paths else set[int]()
-    return max(common, default=-1)
-
-
-def _above(character: Character, joint: int) -> list[int]:
-    """The joints above a joint."""
-    above = []
-    while (joint := int(character.skeleton.parent[joint])) >= 0:
-        above.append(joint)
-    return above
 
 
 def _sole(character: Character, foot: Foot, rest: Floats) -> tuple[Ints, Floats]:

@@ -10,9 +10,11 @@ import numpy as np
 
 from statwalk.character.body import Body
 from statwalk.character.body_bones import PARENTS, SIDES
-from statwalk.character.soles import ground_of, soles_of
+from statwalk.character.feet import BONES, feet_of
+from statwalk.character.feet import SIDES as SIDE_OF
 from statwalk.maths import quat, vector
 from statwalk.maths.arrays import Floats
+from statwalk.rig.evaluate import world_from_local
 from statwalk.solve.rules import joint_between
 
 STANDING_SHARE = 5.0
@@ -48,8 +50,8 @@ class BodyKeys(NamedTuple):
 
 def planted(body: Body, turns: dict[str, Floats], path: CapturedPath) -> BodyKeys:
     """Returns the turns of the bones with the legs on the ground, and where the hips are."""
-    soles = soles_of(body)
-    ground = ground_of(soles)
+    soles = _soles(body)
+    ground = min((float(points[:, 1].min()) for points in soles.values()), default=0.0)
     hips = _hips(body, path, soles)
     solved, places = dict(turns), {"Hips": hips}
     for side in SIDES:
@@ -59,6 +61,21 @@ def planted(body: Body, turns: dict[str, Floats], path: CapturedPath) -> BodyKey
             target = _lifted(body, turns, target, (leg[2], soles[leg[2]], ground))
             solved |= _leg(body, turns, hips, target, leg)
     return BodyKeys(solved, places | _detached(body, solved, places))
+
+
+def _soles(body: Body) -> dict[str, Floats]:
+    """Returns by foot bone the points (K, 3) of its sole at rest."""
+    names = body.character.skeleton.names
+    legs = {
+        foot: {
+            part: names[body.bones[side + bone]] for part, bone in BONES.items() if side + bone in body.bones
+        }
+        for foot, side in SIDE_OF.items()
+        if side + "Foot" in body.bones
+    }
+    rest = world_from_local(body.character.skeleton, body.character.bind_pose).astype(np.float64)
+    feet = [foot for foot in feet_of(body.character, legs) if foot.name in legs]
+    return {SIDE_OF[foot.name] + "Foot": foot.skin.at(rest) for foot in feet}
 
 
 def _hips(body: Body, path: CapturedPath, soles: dict[str, Floats]) -> Floats:

@@ -30,6 +30,7 @@ from statwalk.solve.foot_tables import (
     PLANTED,
     SINCE,
     STANDING,
+    TOO_SHORT,
     TURN,
     TURN_RATE,
     X_RATE,
@@ -149,7 +150,7 @@ def _perhaps_release(keep: Any, row: int, at: int, other: int, is_down: bool) ->
     """Releases a foot that its motion lifts, that is too far from its motion, or that takes a step."""
     x, z, twist = keep[row, at + X], keep[row, at + Z], abs(keep[row, at + TURN])
     away = math.sqrt(x * x + z * z)
-    goes = not is_down or away > FAR or twist > FAR_TWIST or keep[row, at + EAGER] > 0.0
+    goes = not is_down or away > FAR or twist > FAR_TWIST or keep[row, at + TOO_SHORT] > 0.0
     if not goes and other >= 0 and keep[row, at + SINCE] > SHORTEST_STAND:
         stands = keep[row, other + PLANTED] == STANDING and keep[row, other + SINCE] > SHORTEST_STAND
         further = size_of(keep, row, at) >= size_of(keep, row, other)
@@ -229,7 +230,7 @@ def _perhaps_plant(
     height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
     if height < LOW:
         keep[row, at + PLANTED], keep[row, at + SINCE], keep[row, at + PIVOT] = STANDING, 0.0, low[0]
-        keep[row, at + EAGER] = 0.0
+        keep[row, at + EAGER] = keep[row, at + TOO_SHORT] = 0.0
 
 
 @inlined

@@ -18,12 +18,12 @@ from statwalk.solve.foot_points import ankle_of, on_stage
 from statwalk.solve.foot_tables import (
     DROP,
     DROP_RATE,
-    EAGER,
     LIFT_RATE,
     OF_ACTOR,
     OF_FOOT,
     PLANTED,
     STANDING,
+    TOO_SHORT,
     TURN,
     X,
     Y,
@@ -50,7 +50,7 @@ def lower_pelvis(f: Any, legs: Any, keep: Any, row: int, root: Any, dt: float) -
         at = memory + OF_ACTOR + foot * OF_FOOT
         if keep[row, at + PLANTED] == STANDING:
             need = _missing(f, legs, keep, row, foot, at, root)
-            keep[row, at + EAGER] = 1.0 if need > most else 0.0
+            keep[row, at + TOO_SHORT] = 1.0 if need > most else 0.0
             wanted = max(wanted, min(need, most))
     old = keep[row, memory + DROP] - wanted
     drop, rate = settled(old, keep[row, memory + DROP_RATE], GIVE, dt)
