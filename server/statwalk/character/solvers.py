@@ -25,12 +25,14 @@ from statwalk.solve.foot_tables import (
     DROP,
     DROP_RATE,
     LOWEST_X,
+    LOWEST_Y,
     LOWEST_Z,
     OF_ACTOR,
     OF_FOOT,
     Y_RATE,
     FootTables,
     X,
+    Y,
     Z,
 )
 from statwalk.solve.reach_tables import CARRIED, LAYER, SHOWN, ReachTables
@@ -93,6 +95,7 @@ def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
     for foot in range(len(solvers.legs.hip)):
         at = first + OF_ACTOR + foot * OF_FOOT
         kept[rows, at + LOWEST_X] += kept[rows, at + X]
+        kept[rows, at + LOWEST_Y] += kept[rows, at + Y]
         kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
         kept[rows, at + X : at + Y_RATE + 1] = 0.0
         kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0
