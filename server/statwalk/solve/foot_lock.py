@@ -53,7 +53,7 @@ TWIST, FAR_TWIST = 0.15, 0.5
 """radians, likewise"""
 SHORTEST_STAND, SHORTEST_STEP = 0.05, 0.1
 """seconds"""
-HARDEST, MOST_EAGER = 28.0, 24.0
+HARDEST, MOST_EAGER = 16.0, 24.0
 """m/s² with which a released foot sets off to its motion at most; 1/s"""
 CLEARANCE, PER_METRE, PER_SPEED = 0.06, 0.3, 0.03
 """metres by which a foot on its way is lifted at most; for each metre from its motion; for each m/s"""
