@@ -219,16 +219,33 @@ def entries_of(role: Role, state: int) -> list[Floats]:
     return list(rows)
 
 
+def _times_alone(role: Role, state: int, offset: float, axes: Floats, end: float) -> Floats:
+    """The seconds into a state's motion at every tick until `end`; those of a blend are of its longest clip,
+    and pass as fast as its clips do.
+    """
+    motion = role.motions[state]
+    if not isinstance(motion, BlendSpace):
+        return np.arange(offset, end + 1e-9, 1 / RATE)
+    times, time, step = list[float](), 0.0, offset
+    while len(times) <= end * RATE:
+        pace = motion.rate(np.array([time]), np.array([step]), axes[None]) if step > 0 else np.ones(1)
+        time, step = time + step * float(pace[0]), 1 / RATE
+        if time > end + 1e-9:
+            break
+        times.append(time)
+    return np.array(times)
+
+
 def motion_alone(role: Role, state: int, offset: float, axes: Floats | None = None) -> Floats:
     """Returns the joints (T, J, 3) of a state's motion by itself, a tick at a time from `offset` seconds on;
-    a motion that loops plays twice.
+    a motion that loops plays twice, a blend at the pace of its clips.
 
     `axes` (P + V,): parameters and entry values, see `entries_of`; default: the first of them.
     """
     machine = role.machine
     axes = entries_of(role, state)[0] if axes is None else axes
     duration = float(machine.duration[state]) if np.isfinite(machine.duration[state]) else 1.0
-    times = np.arange(offset, duration * (1 + bool(machine.loop[state])) + 1e-9, 1 / RATE)
+    times = _times_alone(role, state, offset, axes, duration * (1 + bool(machine.loop[state])))
     wrapped = np.mod(times, duration) if machine.loop[state] and duration > 0 else np.minimum(times, duration)
     machines = machines_at(role, np.full(len(times), state), wrapped)
     machines.smoothed[:] = axes
