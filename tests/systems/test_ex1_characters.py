@@ -97,7 +97,7 @@ def test_a_machine_against_its_character_is_refused_with_its_line(tmp_path, line
         (("ratio = 10 / 8", "ratio = gear_b.rotate_z"), 6, "circle"),
         (("-ratio *", "-ratio +* "), 7, "the formula"),
         (("of: rest", "of: rust"), 3, "did you mean rest"),
-        (("gearbox.glb", "other.glb"), 2, "must name a .glb or .gltf file"),
+        (("gearbox.glb", "other.glb"), 2, "must name a .glb"),
         (("name: box", "scale: 2"), 1, "a model has its own size"),
         (("name: box", "skeleton: mammal"), 1, "a skeleton (skeleton: mammal.txt) or a model"),
     ],
