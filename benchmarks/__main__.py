@@ -1,6 +1,7 @@
 """Prints all tables: `python benchmarks`."""
 
 import crowd
+import feet
 import frame
 import ik
 import lanes
@@ -14,6 +15,6 @@ import tick
 import whynot
 import world
 
-for table in (tick, spring, crowd, pose, lanes, skin, morph, load, frame, ik, world, machine, whynot):
+for table in (tick, spring, feet, crowd, pose, lanes, skin, morph, load, frame, ik, world, machine, whynot):
     table.main()
     print()

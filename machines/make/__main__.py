@@ -3,6 +3,7 @@
 import sys
 from pathlib import Path
 
+import anchor_chain
 import bee
 import cannon
 import coin
@@ -11,6 +12,8 @@ import gearbox
 import goose
 import hand
 import joints
+import principles
+import tentacle
 import tree
 
 PLACES = {
@@ -19,7 +22,10 @@ PLACES = {
     "playground/cannon/cannon.glb": cannon,
     "gearbox/gearbox.glb": gearbox,
     "tree/tree.glb": tree,
+    "tentacle/tentacle.glb": tentacle,
     "hand/hand.glb": hand,
+    "principles/principles.glb": principles,
+    "anchor-chain/anchor-chain.glb": anchor_chain,
     "geese/goose/goose.glb": goose,
     "swarm/bee/bee.glb": bee,
 }

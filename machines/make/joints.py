@@ -1,6 +1,6 @@
 """The six types of joints (FAQ Q4-Q10), as the FAQ draws them: bone A stands on a plinth, bone B moves."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -21,7 +21,7 @@ from joint_letters import written
 from model import Model, Motion, material
 from shapes import Array, about_y, box
 from statwalk.maths.clamp_table import JointLimit
-from statwalk.rig.joint_types import freedoms, joint
+from statwalk.rig.joint_types import Freedom, freedoms, joint
 from statwalk.rig.joints import transform
 
 STONE, INK = material("stone", "#cfd3d8", 0.9), material("letters", "#39424e", 0.7)
@@ -130,8 +130,7 @@ def _machine(name: str, stand: Stand) -> str:
         "# sliders, which reach beyond the limits: what lies beyond is clamped.",
         "semantics: 1",
         f"title: A {stand.limit.type} joint, {stand.letters}",
-        f"description: Press s to see its range, t to try its {len(free)} degrees of freedom "
-        "with the sliders.",
+        f"description: Press s to see its range; drag its {_handles(free)}, or press t and move the sliders.",
         f"character: {name}.glb",
         "initial: SHOW",
         "defaults: {blend: 0.4, buffer: 0}",
@@ -139,8 +138,9 @@ def _machine(name: str, stand: Stand) -> str:
         f"  B: {stand.keys}",
         "parameters:",
         *(
-            f"  {key}: {{default: 0, min: {values[0]:g}, max: {values[-1]:g}, smooth: 0.1}}"
-            for key, values in zip(names, tries, strict=True)
+            f"  {key}: {{default: 0, min: {values[0]:g}, max: {values[-1]:g}, smooth: 0.1, "
+            f"handle: {{joint: B, freedom: {freedom.name}, event: TRY}}}}"
+            for key, freedom, values in zip(names, free, tries, strict=True)
         ),
         "states:",
         "  SHOW: {motion: sweep, loop: true}",
@@ -170,6 +170,12 @@ def _machine(name: str, stand: Stand) -> str:
             "      HERE  | AWAY |      |",
         ]
     return "\n".join(text) + "\n"
+
+
+def _handles(free: Sequence[Freedom]) -> str:
+    """A handle for each degree of freedom; two of a sphere or a plane share one."""
+    names = {freedom.name.removesuffix("_x").removesuffix("_z") for freedom in free}
+    return "handle" if len(names) == 1 else f"{len(names)} handles"
 
 
 def _deg(*ends: float) -> tuple[float, float]:

@@ -18,14 +18,18 @@ Motion = Mapping[tuple[str, str], Callable[[Array], Array]]
 """for a joint and translation, rotation or scale the values (K, n) at times (K,)"""
 
 
+def linear(colour: str) -> list[float]:
+    """Red, green, blue as light, of a `colour` as on a screen, #rrggbb."""
+    screen = np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)]) / 255
+    return [float(round(part, 4)) for part in screen**2.2]
+
+
 def material(name: str, colour: str, rough: float = 0.6, metal: float = 0.0, **more: Any) -> dict[str, Any]:
     """A glTF material; `colour` as on a screen, #rrggbb."""
-    screen = np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)]) / 255
-    linear = [*(float(round(part, 4)) for part in screen**2.2), 1.0]
     return {
         "name": name,
         "pbrMetallicRoughness": {
-            "baseColorFactor": linear,
+            "baseColorFactor": [*linear(colour), 1.0],
             "metallicFactor": metal,
             "roughnessFactor": rough,
         },
@@ -37,6 +41,10 @@ def turn_about(axis: Sequence[float], degrees: Array) -> Array:
     """Quaternions (K, 4) of turns about a unit axis."""
     half = np.radians(np.asarray(degrees, float)) / 2
     return np.concatenate([np.sin(half)[:, None] * np.array(axis, float), np.cos(half)[:, None]], -1)
+
+
+def _opaque(colours: Array) -> Any:
+    return np.concatenate([colours, np.ones((len(colours), 1))], 1).astype(np.float32)
 
 
 class Model:
@@ -71,8 +79,16 @@ class Model:
             Primitive(joint=row, node=row, mesh=row, primitive=before, **self._surface(surface, stuff))
         )
 
-    def skinned(self, surface: Mesh, stuff: dict[str, Any], weights: Mapping[str, Array]) -> None:
-        """A part in the character's space that several joints bend, each with weights (V,)."""
+    def skinned(
+        self,
+        surface: Mesh,
+        stuff: dict[str, Any],
+        weights: Mapping[str, Array],
+        colours: Array | None = None,
+    ) -> None:
+        """A part in the character's space that several joints bend, each with weights (V,); `colours` (V, 3)
+        of its points, as light.
+        """
         rows = np.array([self.names.index(joint) for joint in weights], np.int32)
         inverse = np.tile(np.eye(4, dtype=np.float32)[:3], (len(rows), 1, 1))
         inverse[:, :, 3] = [-self._from_root(row) for row in rows.tolist()]
@@ -91,6 +107,7 @@ class Model:
                 skin=len(self.skins) - 1,
                 joints=joints.astype(np.uint16),
                 weights=(shares / shares.sum(1, keepdims=True)).astype(np.float32),
+                attributes={} if colours is None else {"COLOR_0": _opaque(colours)},
                 **self._surface(surface, stuff),
             )
         )

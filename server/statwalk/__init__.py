@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from statwalk.character.character import Character as Character
     from statwalk.character.deduce import Deduction as Deduction
     from statwalk.character.deduce import deduce as deduce
+    from statwalk.character.express import Expressed as Expressed
+    from statwalk.character.express import express as express
     from statwalk.character.retarget import retarget as retarget
     from statwalk.character.role import Role as Role
     from statwalk.errors import ContentError as ContentError
@@ -43,6 +45,7 @@ if TYPE_CHECKING:
 _NAMES = {  # imported on first use: `statwalk --help` needs none of them
     "statwalk.character.character": ("Character",),
     "statwalk.character.deduce": ("Deduction", "deduce"),
+    "statwalk.character.express": ("Expressed", "express"),
     "statwalk.character.retarget": ("retarget",),
     "statwalk.character.role": ("Role",),
     "statwalk.errors": (

@@ -89,8 +89,7 @@ class UnknownNameError(StatwalkError):
         self.kind, self.name, self.known = kind, name, tuple(known)
         suggestion = nearest(name, self.known) or "."
         super().__init__(
-            f"no {kind} is called {name[:LONGEST_NAME]!r}{suggestion} "
-            f"There are: {_listed(self.known)}"
+            f"no {kind} is called {name[:LONGEST_NAME]!r}{suggestion} There are: {_listed(self.known)}"
         )
 
     def __reduce__(self) -> tuple[Any, ...]:

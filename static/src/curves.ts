@@ -8,6 +8,7 @@ import "./panels/curves/curves.css";
 import { compareCurves } from "./net/api";
 import type { CurvesView } from "./net/types/api.generated";
 import { Figures } from "./panels/curves/figures";
+import { KeyStrip } from "./panels/curves/keyStrip";
 import { fault, KeyTable, type Key } from "./panels/curves/keyTable";
 import { METHODS } from "./panels/curves/methods";
 import { Plots } from "./panels/curves/plots";
@@ -60,7 +61,7 @@ class Asker {
   private timer = 0;
   private asked = 0;
 
-  constructor(private readonly take: (curves: CurvesView) => void) {}
+  constructor(private readonly take: (curves: CurvesView, keys: readonly Key[]) => void) {}
 
   ask(keys: readonly Key[]): void {
     window.clearTimeout(this.timer);
@@ -78,7 +79,7 @@ class Asker {
         interpolations,
         samples: SAMPLES,
       });
-      if (number === this.asked) this.take(curves);
+      if (number === this.asked) this.take(curves, keys);
     } catch (error) {
       say(byId("refused"), error instanceof Error ? error.message : String(error));
     }
@@ -102,16 +103,23 @@ function nameButtons(plots: Plots): void {
 const figures = new Figures(byId<HTMLCanvasElement>("figures"));
 const plots = new Plots(byId("plots"));
 const clock = new Clock(byId("clock"));
-const asker = new Asker((curves) => {
+const asker = new Asker((curves, keys) => {
   figures.show(curves.curves);
-  plots.show(curves);
+  plots.show(
+    curves,
+    keys.map(({ time }) => time),
+  );
   clock.span(curves.times[0] ?? 0, curves.times.at(-1) ?? 1);
   const refused = curves.curves.find((curve) => curve.refused);
   say(byId("refused"), refused ? `${refused.interpolation}: ${refused.refused}` : "");
   document.body.dataset["curves"] = String(curves.curves.length);
 });
 nameButtons(plots);
-new KeyTable(byId("keys"), byId("examples"), (keys) => asker.ask(keys));
+const strip = new KeyStrip(byId("strip"), (row, time) => table.move(row, time));
+const table = new KeyTable(byId("keys"), byId("examples"), (keys) => {
+  strip.show(keys);
+  asker.ask(keys);
+});
 let last = performance.now();
 const loop = (now: number): void => {
   clock.advance(Math.min(0.1, Math.max(0, (now - last) / 1000)));

@@ -12,12 +12,14 @@ import { ImportDialog } from "./panels/importDialog/importDialog";
 import { Picker } from "./panels/picker/picker";
 import { byId, el, onTheme, reducedMotion } from "./ui/dom";
 import { dropZone } from "./panels/importDialog/dropZone";
+import { JointPanel } from "./panels/joint/joint";
+import { PoseTrial } from "./panels/joint/poseTrial";
 import { clampedPanel } from "./panels/clamped/clamped";
 import { EventsPanel } from "./panels/events/events";
 import { FeetStrip } from "./panels/feet/feet";
 import { GraphPanel } from "./panels/graph/graph";
 import { HelpDialog } from "./panels/help/help";
-import { StateBadge, modeBar, notices, toggleMode } from "./panels/viewControls/viewControls";
+import { StateBadge, modeBar, notices, toggleMode, wireOrSkin } from "./panels/viewControls/viewControls";
 import { DeduceDialog } from "./panels/deduce/deduceDialog";
 import { ExpressionsPanel } from "./panels/expressions/expressions";
 import { ParametersPanel } from "./panels/parameters/parameters";
@@ -31,7 +33,9 @@ import { Timeline } from "./panels/timeline/timeline";
 import { Transport } from "./panels/timeline/transport";
 import { routeBar } from "./panels/routeBar/routeBar";
 import { WhyPanel } from "./panels/why/why";
+import { KeyChanges } from "./state/keyChanges";
 import { OwnStages } from "./state/ownStages";
+import { ParameterValues } from "./state/parameterValues";
 import { Player } from "./state/player";
 import { Session } from "./state/session";
 import { exposeForTests } from "./testHook";
@@ -50,8 +54,8 @@ function viewerKeys(
   transport: Transport,
   help: () => void,
 ): Shortcut[] {
-  const mode = (key: string, name: keyof Modes): Shortcut => ({
-    keys: [key],
+  const mode = (key: string, name: keyof Modes, ...more: string[]): Shortcut => ({
+    keys: [key, ...more],
     words: `show ${name}`,
     act: () => toggleMode(stageView, name),
   });
@@ -63,9 +67,11 @@ function viewerKeys(
     { keys: ["f"], words: "frame the character", act: () => stageView.frame() },
     mode("1", "skin"),
     mode("2", "wire"),
-    mode("3", "bones"),
+    mode("3", "bones", "b"),
     mode("4", "tetra"),
     mode("5", "limits"),
+    { keys: ["t"], words: "wire, smooth skin", act: () => wireOrSkin(stageView) },
+    { keys: ["r"], words: "turntable", act: () => stageView.turning.set(!stageView.turning.value) },
     {
       keys: ["g"],
       words: "pose stream, glb stream",
@@ -86,7 +92,7 @@ function keepAddress(session: Session, stages: OwnStages): void {
   });
 }
 
-/** Takes the focus off a clicked button or select: it would catch the character's keys. */
+/** Takes the focus off a clicked button or select, or a dragged slider: it would catch the character's keys. */
 function freeFocus(): void {
   document.addEventListener(
     "click",
@@ -97,6 +103,9 @@ function freeFocus(): void {
     "change",
     (change) => change.target instanceof HTMLSelectElement && change.target.blur(),
   );
+  document.addEventListener("pointerup", ({ target }) => {
+    if (target instanceof HTMLInputElement && target.type === "range") target.blur();
+  });
 }
 
 /** Imports your own character: dropped on the page, or chosen as a file. */
@@ -152,7 +161,8 @@ function start(name: string): void {
   const drawn = new Meter();
   const transport = new Transport(byId("transport"), session, player);
   const travel = new Travel(session);
-  const table = new TableController(session, new Editing(session), travel);
+  const editing = new Editing(session);
+  const table = new TableController(session, editing, travel);
   const why = explainer(session, table, travel);
   const timeline = new Timeline(
     byId("lanes"),
@@ -165,10 +175,14 @@ function start(name: string): void {
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
   const badge = new StateBadge(byId("badge"), session, stageView);
   const feet = new FeetStrip(byId("badge"), session);
-  new ParametersPanel(byId("parameters"), session);
-  new ExpressionsPanel(byId("expressions"), session);
+  const values = new ParameterValues(session);
+  const changes = new KeyChanges(values, () => session.layerStates.value);
+  new ParametersPanel(byId("parameters"), session, values);
+  new ExpressionsPanel(byId("expressions"), session, editing);
   clampedPanel(byId("clamped"), session);
-  const targets = new TargetsPanel(byId("targets"), session, stageView);
+  const joint = new JointPanel(byId("joint"), session, stageView, values);
+  const trial = new PoseTrial(byId("trial"), session, stageView);
+  const targets = new TargetsPanel(byId("targets"), session, stageView, values);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
   layerTabs(byId("layers"), session);
@@ -183,21 +197,30 @@ function start(name: string): void {
   byId("help").addEventListener("click", () => help.toggle());
   const rules = new DeduceDialog();
   byId("deduce").addEventListener("click", () => rules.open());
-  new Keyboard(session, keys, (event, down) => events.press(event, down));
+  new Keyboard(session, keys, changes, (event, down) => events.press(event, down));
   onTheme(() => stageView.recolour());
   window.addEventListener("online", () => session.retry());
   setInterval(() => session.ping(), PING_MS);
   setInterval(() => status.update(performance.now()), READ_MS);
   keepAddress(session, stages);
   freeFocus();
-  exposeForTests(session, stageView, drawn, () => targets.places());
+  exposeForTests(session, stageView, drawn, () => ({
+    ...targets.places(),
+    ...joint.places(),
+    ...trial.places(),
+  }));
   let last = performance.now();
   const loop = (now: number): void => {
-    const dt = Math.min(0.1, Math.max(0, (now - last) / 1000));
+    const passed = Math.max(0, (now - last) / 1000);
+    const dt = Math.min(0.1, passed);
     last = now;
+    changes.advance(Math.min(0.5, passed));
     player.advance(dt);
     const phase = session.phase();
     stageView.update();
+    joint.update();
+    targets.update();
+    trial.update(Object.keys(joint.places()).length > 0);
     if (scene.draw(dt)) drawn.add(now);
     badge.update(phase);
     feet.update(phase);

@@ -14,7 +14,9 @@
  * lanes()      [first tick, last tick, state] of every known run of the watched actor's base layer
  * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
  * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres
- * handles()    { name: [x, y] } where the handles of point parameters are drawn, pixels
+ * handles()    { name: [x, y] } where the handles of point parameters, and of joints, are drawn, pixels
+ * joint()      the joint that was clicked, or ""
+ * circle(name) [x, y] where the circle of a joint is drawn, pixels
  * pixels()     draws the characters alone: { covered: share of the picture 0…1,
  *              box: [left, top, right, bottom] 0…1, colour: mean [r, g, b] 0…255 of what is covered }
  * listen(s)    counts messages for s seconds: { perSecond, gapP99Ms, ticks: number of distinct ticks }
@@ -75,6 +77,13 @@ function jointsByName(stageView: StageView): Record<string, number[]> {
   if (!actor) return {};
   const world = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
   return Object.fromEntries(actor.cast.names.map((name, j) => [name, [...world.subarray(j * 3, j * 3 + 3)]]));
+}
+
+function circleAt(stageView: StageView, name: string): [number, number] {
+  const { view, canvas } = stageView.scene;
+  const box = canvas.getBoundingClientRect();
+  const { x, y } = new THREE.Vector3(...(jointsByName(stageView)[name] ?? [])).project(view.camera);
+  return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
 }
 
 /** Counts messages for `seconds`, looking once per animation frame, as the page does. */
@@ -144,6 +153,8 @@ export function exposeForTests(
     stats,
     joints: () => jointsByName(stageView),
     handles,
+    joint: () => stageView.joint.value,
+    circle: (name: string) => circleAt(stageView, name),
     pixels: () => measure(drawBodies(stageView)),
     listen: (seconds: number) => listen(session, seconds),
   };

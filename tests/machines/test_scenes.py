@@ -14,9 +14,12 @@ from statwalk.services.library.load import load, load_scene, shipped_machines, s
 from statwalk.stage.replay import replay
 
 MADE = (
+    "anchor-chain/anchor-chain.glb",
     "tree/tree.glb",
+    "tentacle/tentacle.glb",
     "hand/hand.glb",
     "gearbox/gearbox.glb",
+    "principles/principles.glb",
     "playground/door/door.glb",
     "playground/coin/coin.glb",
     "playground/cannon/cannon.glb",

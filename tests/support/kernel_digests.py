@@ -6,15 +6,22 @@ not taken from the disk, can be looked into: `wide` lists those among them that 
 
 import hashlib
 import json
+import shutil
+import tempfile
 from contextlib import suppress
+from pathlib import Path
 
+import ik_chains
 import numpy as np
 import random_motions
 import wild_machines
+from paths import MACHINES
 from playing import role_of
 from statwalk.errors import StageError
 from statwalk.files.gltf import _kernels as reading
 from statwalk.maths import compiling
+from statwalk.maths.clamp_kinds import CONE, EULER, HINGE, RANGE
+from statwalk.maths.clamp_table import JointLimit
 from statwalk.motion.keys import _kernels as keys
 from statwalk.motion.tables.build import tables_of
 from statwalk.rig import _kernels as hierarchy
@@ -22,8 +29,9 @@ from statwalk.services.library.load import load
 from statwalk.skin import _kernels as skin
 from statwalk.skin.deform import surface
 from statwalk.skin.primitive import Primitive, Skin
+from statwalk.solve.chains import SOLVERS
 from statwalk.stage.stage import Stage
-from statwalk.stage.steps.expression_values import free_values
+from statwalk.stage.steps.expression_values import expression_values
 
 CHANCE = np.random.default_rng(17)
 CASES = []
@@ -165,7 +173,99 @@ def expressed():
     stage.add_many(load("gearbox"), [((place, 0, 0), 0) for place in range(20)])
     stage.step(40)
     (cast,) = stage.casts
-    return cast.shown.rows(), cast.hash, free_values(cast, np.arange(20), 40, 1 / 60)
+    return cast.shown.rows(), cast.hash, expression_values(cast, np.arange(20), 40, 1 / 60)
+
+
+@case
+def hung():
+    """The ship's chain, hanging, dragged, let go and moored, twenty actors."""
+    stage = Stage(seed=1)
+    actors = stage.add_many(load("anchor-chain"), [((place, 0, 0), place) for place in range(20)])
+    for number, actor in enumerate(actors):
+        stage.set(actor, "anchor", (number + 0.9, 1.0 + 0.1 * number, 0.3))
+        stage.set(actor, "held", number % 2)
+    stage.step(25)
+    for number, actor in enumerate(actors):
+        stage.set(actor, "held", 0)
+        if number % 3 == 0:
+            stage.send(actor, "MOOR")
+    stage.step(25)
+    (cast,) = stage.casts
+    return cast.shown.rows(), cast.solver_memory, cast.hash
+
+
+@case
+def pulled():
+    """Tentacles on the way to their targets and back to their sway, with half of the weight and with all."""
+    stage = Stage(seed=1)
+    actors = stage.add_many(load("tentacle"), [((place, 0, 0), place) for place in range(20)])
+    for number, actor in enumerate(actors):
+        stage.set(actor, "target", (number + 0.5, 0.2 + 0.1 * number, 0.4))
+        stage.set(actor, "pull", 0.5 + number % 2 / 2)
+        stage.set(actor, "middle_bend", 6.0 * number)
+        stage.send(actor, "INVERSE" if number % 5 else "MIDDLE")
+    stage.step(30)
+    for actor in actors[::3]:
+        stage.send(actor, "INVERSE")
+    stage.step(20)
+    (cast,) = stage.casts
+    return cast.shown.rows(), cast.solver_memory, cast.hash
+
+
+@case
+def walked():
+    """Walkers with locked feet, springs and gazes, on the way from state to state."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(shutil.copytree(MACHINES / "faq-walker", Path(temporary) / "walker"))
+        with (folder / "machine.yaml").open("a") as file:
+            file.write("springs: {Left.lowerarm: {half_life: 0.1, frequency: 2}, Head: {half_life: 0.2}}\n")
+        role = load(folder)
+    stage = Stage(seed=2)
+    walkers = stage.add_many(role, [((place, 0, 0), place) for place in range(20)])
+    for place, walker in enumerate(walkers):
+        stage.set(walker, "look", place / 19)
+        stage.set(walker, "gaze", (place, 1.5 + place / 20, 3))
+    for tick in range(90):
+        for walker in walkers[tick % 7 :: 7]:
+            (stage.hold if tick % 40 < 25 else stage.release)(walker, "FORWARD")
+        stage.step()
+    (cast,) = stage.casts
+    return cast.shown.rows(), cast.position, cast.solver_memory, cast.hash
+
+
+@case
+def climbed():
+    """Walkers on stairs and a slope, from all sides."""
+    stage, role = Stage(seed=3), load(MACHINES / "terrain")
+    for walker in stage.add_many(role, [((0.2 * k - 1.6, 0, 0.5 * k), 0.7 * k) for k in range(17)]):
+        stage.hold(walker, "FORWARD")
+    stage.step(150)
+    (cast,) = stage.casts
+    return cast.shown.rows(), cast.position, cast.solver_memory, cast.hash
+
+
+@case
+def solved():
+    """Every solver, free and with every kind of limit, in lanes that are full and that are not."""
+    cone = JointLimit(CONE, twist=(-0.4, 0.4), swing=((-0.5, 0.5), (-0.3, 0.3)))
+    limits = {
+        1: cone,
+        2: JointLimit(EULER, angles=((-0.5, 0.5), (-1.0, 0.2), (-2.0, 2.5))),
+        3: JointLimit(HINGE, twist=(-1.2, 0.2)),
+        4: JointLimit(CONE, swing=((-0.6, 0.6), (-0.6, 0.6))),
+        5: JointLimit(RANGE, twist=(-1.0, 0.5), swing=((-0.3, 0.6), (-0.2, 0.8))),
+    }
+    chain, limb = ik_chains.random_poses(40, 6, 3), ik_chains.random_poses(40, 3, 4)
+    targets, found = CHANCE.normal(size=(40, 3)) * 2, []
+    for solver in SOLVERS:
+        poses = limb if solver == "two-bone" else chain
+        joints = poses.rotation.shape[1] - 1
+        few = {joint: limit for joint, limit in limits.items() if joint <= joints}
+        sensitivity = () if solver == "two-bone" else (1.0, 0.5, 0.0, 1.0, 1.0, 1.0)
+        for more in ({}, {"limits": few}, {"sensitivity": sensitivity, "softening": 0.2, "weight": 0.7}):
+            after, outcome = ik_chains.solved(poses, targets, solver, pole=(0.3, 1, 0), pole_kind=1, **more)
+            found += [after.rotation, outcome.distance, outcome.iterations]
+    return found
 
 
 def digest(arrays):

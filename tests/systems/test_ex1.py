@@ -126,6 +126,20 @@ def test_a_motion_may_be_a_pose_driven_by_expressions():
     assert shift(actor, "gear_b") == pytest.approx([18, 0, 4 * seconds], abs=1e-4)
 
 
+def test_in_an_additive_layer_it_adds_what_it_makes_of_the_pose_at_rest():
+    motion = "{expressions: [gear_b.rotate_z = pace + 10]}"
+    layer = (
+        f"layers:\n  over:\n    mask: [gear_b]\n    mode: additive\n    initial: LEAN\n"
+        f"    states: {{LEAN: {{motion: {motion}}}}}\n    table: |\n      state | END\n      LEAN  |\n"
+    )
+    head = HEAD.replace("table: |", layer + "table: |", 1)
+    role = Role.build("box", GEARBOX.character, read_machine(head))
+    stage, actor = played(role)
+    stage.set(actor, "pace", 7.0)
+    stage.step(2)
+    assert angles(actor, "gear_b")[2] == pytest.approx(17, abs=1e-3)
+
+
 def test_the_way_into_such_a_motion_has_no_jump():
     stage, actor = played(role_of(), 5)
     before = actor.pose.translation.copy()

@@ -8,7 +8,7 @@ import statwalk
 from ik_chains import points, random_poses, solved
 from statwalk.errors import ContentError, UnknownNameError
 from statwalk.maths import clamp, quat
-from statwalk.maths.clamp_kinds import CONE, HINGE
+from statwalk.maths.clamp_kinds import CONE, EULER, HINGE
 from statwalk.maths.clamp_table import JointLimit, clamp_table
 from statwalk.maths.pose import Pose, rest
 
@@ -16,7 +16,14 @@ JOINTS, ACTORS = 6, 50
 SOLVERS = ("ccd", "fabrik", "force")
 NARROW = JointLimit(CONE, twist=(-0.4, 0.4), swing=((-0.5, 0.5), (-0.3, 0.3)))
 HINGED = JointLimit(HINGE, twist=(-1.2, 0.2))
-LIMITS = {1: NARROW, 2: HINGED, 3: NARROW, 5: JointLimit(CONE, twist=(0, 0), swing=((-1, 1), (-1, 1)))}
+AXES = JointLimit(EULER, angles=((-0.6, 0.3), (-0.2, 0.9), (-0.4, 0.4)))
+LIMITS = {
+    1: NARROW,
+    2: HINGED,
+    3: NARROW,
+    4: AXES,
+    5: JointLimit(CONE, twist=(0, 0), swing=((-1, 1), (-1, 1))),
+}
 AT_REST = Pose(*(np.repeat(part[None], ACTORS, 0) for part in rest(JOINTS + 1)))
 AT_REST.translation[:, 2:] = np.random.default_rng(8).normal(size=(ACTORS, JOINTS - 1, 3))
 TARGETS = np.random.default_rng(9).normal(size=(ACTORS, 3)) * 2

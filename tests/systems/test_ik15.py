@@ -11,12 +11,15 @@ import khronos
 import numpy as np
 import pytest
 import statwalk
-from ik_chains import points, random_poses, solved, turns
+from ik_chains import points, random_poses, solved, straight_pose, turns
 from paths import ROOT, needs_assets
 from scipy.spatial.transform import Rotation
 from statwalk.maths.clamp_kinds import CONE
 from statwalk.maths.clamp_table import JointLimit
+from statwalk.maths.pose import Pose
+from statwalk.solve.chains import SOLVERS
 
+LIMIT = JointLimit(CONE, twist=(-1, 1), swing=((-2, 2), (-2, 2)))
 PACKAGES = ROOT / "static" / "node_modules"
 
 
@@ -57,6 +60,44 @@ def test_ccd_turns_each_joint_as_three_js_does(iterations):
     np.testing.assert_allclose(alike[better], 1, atol=2e-6)
     assert better.sum() > 20
     assert (outcome.iterations[better] == iterations).all()
+
+
+def degenerate(poses):
+    """Sixteen targets: at the end, at the start, on all joints, at full stretch, a little and far out of
+    reach, in line.
+    """
+    places = points(poses)[0, 1:]
+    start, end, whole = places[0], places[-1], np.linalg.norm(np.diff(places, axis=0), axis=1).sum()
+    aim = (places[1] - start) / np.linalg.norm(places[1] - start)
+    far = [start + aim * whole * times for times in (1, 1 - 1e-7, 1 + 1e-7, 1000, -1, -1e5, 1e-12)]
+    middles = [places[1], (places[0] + places[1]) / 2, (start + end) / 2, 2 * end - start, end + 1e-9]
+    return np.array([end, start, *far, *middles, start + 1e-6, (0, 0, 0)])
+
+
+BENT, STRAIGHT = random_poses(1, 3, 61), straight_pose(3)
+FOLDED = STRAIGHT._replace(rotation=STRAIGHT.rotation.copy())
+FOLDED.rotation[0, 2] = 1, 0, 0, 0
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("limits", [{}, {1: LIMIT, 2: LIMIT}], ids=["free", "limited"])
+@pytest.mark.parametrize("start", [BENT, STRAIGHT, FOLDED], ids=["bent", "straight", "folded"])
+def test_degenerate_targets_are_finite_in_every_lane(solver, limits, start):
+    targets, first = degenerate(start), None
+    for shift in (0, 5, 11):  # beside other targets, in other lanes
+        order = np.roll(np.arange(len(targets)), shift)
+        crowd = Pose(*(np.repeat(part, len(targets), 0) for part in start))
+        poses, outcome = solved(crowd, targets[order], solver, limits=limits, pole=(0, 0, 1), pole_kind=1)
+        np.testing.assert_allclose(np.linalg.norm(poses.rotation, axis=-1), 1, atol=2e-6)
+        assert np.isfinite(outcome.distance).all()
+        first = first or poses
+        assert poses.rotation.tobytes() == first.rotation[order].tobytes()
+        if solver != "look-at":
+            far = np.linalg.norm(points(poses)[:, -1] - targets[order], axis=1)
+            np.testing.assert_allclose(outcome.distance, far, atol=1e-5, rtol=1e-4)
+            before = np.linalg.norm(points(crowd)[:, -1] - targets[order], axis=1)
+            if not limits:  # a pose beyond its limits is brought inside, and may then be farther
+                assert (outcome.distance <= before * (1 + 1e-5) + 5e-5).all()
 
 
 NECK = random_poses(60, 3, 51, bone=0.1)

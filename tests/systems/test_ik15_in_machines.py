@@ -71,6 +71,22 @@ def test_a_weight_by_state_is_eased_both_ways():
     assert actor.reached["reach"].weight == 0
 
 
+def test_a_weight_by_state_may_be_a_parameter():
+    stage, actor = standing(
+        f"reach: {{solver: two-bone, chain: {ARM}, target: grip, space: model, "
+        "weight: {STAT: 0.25, WALK: part}, ease: 0}"
+    )
+    stage.set(actor, "part", 0.75)
+    stage.step(2)
+    assert actor.reached["reach"].weight == 0.25
+    stage.send(actor, "GO")
+    stage.step(60)
+    assert actor.reached["reach"].weight == 0.75
+    stage.set(actor, "part", 0.5)
+    stage.step(2)
+    assert actor.reached["reach"].weight == 0.5
+
+
 def fastest(chain, weight, step):
     """The most degrees that the chain's first joint turns in one tick of going and stopping."""
     stage, actor = standing(f"reach: {{{chain}, target: grip, space: model, weight: part}}")

@@ -2,10 +2,13 @@
 
 import numpy as np
 import pytest
+from chain_bodies import chain_of, role_with
+from paths import ASSETS, GLTF, needs_assets
 from scipy.spatial.transform import Rotation
 from statwalk import load
 from statwalk.errors import ContentError, TextError
 from statwalk.files.faq.constraint_text import read_constraints, write_constraints
+from statwalk.rig.joint_types import joint
 from statwalk.stage.stage import Stage
 
 TABLE = """#name          rotation min max        translation min max
@@ -124,3 +127,87 @@ def test_an_unknown_joint_in_the_table_names_the_tables_file(tmp_path):
         load(path)
     assert (error.value.file or "").endswith("limits.txt")
     assert error.value.place == "line 3"
+
+
+TWO = chain_of((0, 0, 0), (1, 0, 0), (2, 0, 0))
+KNEE = {"J1": joint("revolute", {"angle": (np.radians(-30), np.radians(30))}, axis=(0, 0, 1))}
+HIP = {"J0": joint("revolute", {"angle": (np.radians(-20), np.radians(20))}, axis=(0, 0, 1))}
+
+
+def test_a_solver_reports_by_how_much_it_was_clamped():
+    """A target at a right angle: the exact knee bends by 90 degrees, its hinge ends at 30."""
+    answer = TWO.solve(TWO.bind_pose, ("J0", "J1", "J2"), (1, 1, 0), pole=(0, -1, 0), limits=KNEE)
+    assert {name: np.degrees(angle) for name, angle in answer.clamped.items()} == {
+        "J1": pytest.approx(60, abs=0.01)
+    }
+    inside = TWO.solve(TWO.bind_pose, ("J0", "J1", "J2"), (1.95, 0.1, 0), pole=(0, -1, 0), limits=KNEE)
+    assert (bool(inside.reached), inside.clamped) == (True, {})
+
+
+@pytest.mark.parametrize("solver", ["ccd", "fabrik", "look-at"])
+def test_iterations_report_their_last_turn(solver):
+    """The bone wants to point along Y, 90 degrees away; the hinge ends at 20."""
+    sight = {"forward": (1, 0, 0), "chain": ["J0"]} if solver == "look-at" else {"chain": ["J0", "J1"]}
+    answer = TWO.solve(TWO.bind_pose, target=(0, 1, 0), solver=solver, limits=HIP, **sight)
+    assert np.degrees(answer.clamped["J0"]) == pytest.approx(70, abs=0.05)
+    many = TWO.solve(
+        TWO.clip("rest").sample(np.zeros(18)), target=[(0, 1, 0)] * 9 + [(1, 0.1, 0)] * 9, solver=solver,
+        limits=HIP, **sight,
+    )  # fmt: skip
+    np.testing.assert_array_equal(many.clamped["J0"][:9], answer.clamped["J0"])
+    assert (many.clamped["J0"][9:] < 1e-3).all()
+
+
+LIMITED = """joints:
+  J0: {type: revolute, axis: [0, 0, 1], angle_deg: [-20, 20]}
+solvers:
+  go: {solver: ccd, chain: [J0, J1], target: grip, weight: held}"""
+
+
+def test_the_tick_reports_what_solvers_clamped_and_forgets_it():
+    stage = Stage()
+    actors = stage.add_many(role_with(TWO, LIMITED), [((0, 0, 0), 0.0)] * 18)
+    for actor, weight in zip(actors, [1, 0] * 9, strict=True):
+        stage.set(actor, "grip", (0.0, 1.0, 0.0))
+        stage.set(actor, "held", weight)
+    stage.step(3)
+    for actor, weight in zip(actors, [1, 0] * 9, strict=True):
+        found = [(clamped.joint, clamped.by, np.degrees(clamped.angle)) for clamped in actor.clamped]
+        assert found == ([("J0", "solver", pytest.approx(70, abs=0.05))] if weight else [])
+    stage.set(actors[0], "held", 0)
+    stage.step()
+    assert actors[0].clamped == ()
+
+
+@needs_assets
+@pytest.mark.parametrize("model", ["KayKit_Knight.glb", "cmu_12_01_walk.bvh"])
+def test_a_character_file_gives_limits_to_a_model(tmp_path, model):
+    source = GLTF / model if model.endswith("glb") else ASSETS / "bvh" / model
+    bare = load(source)
+    head = next(name for name in bare.skeleton.names if name.lower() == "head")
+    (tmp_path / model).symlink_to(source)
+    file = tmp_path / "limited.yaml"
+    hinge = "{type: revolute, axis: [0, 1, 0], angle_deg: [0, 9]}"
+    file.write_text(f"name: limited\nmodel: {model}\njoints:\n  {head}: {hinge}\n")
+    character = load(file)
+    assert (character.name, character.limits[head].type) == ("limited", "revolute")
+    assert character.skeleton.names == bare.skeleton.names
+    file.write_text(f"model: {model}\nlimits: {{Nose: {{}}}}\n")
+    with pytest.raises(ContentError, match="'Nose'") as error:
+        load(file)
+    assert error.value.place == "line 2"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("model: other.yaml\n", "must name a .glb, .gltf, .bvh or .trc file"),
+        ("model: ../knight.glb\n", "in the folder of this file"),
+        ("model: knight.glb\nskeleton: mammal\n", "skeleton"),
+        ("model: knight.glb\n", "must name a .glb"),
+    ],
+)
+def test_a_wrong_model_of_a_character_file_is_refused(tmp_path, text, words):
+    (tmp_path / "limited.yaml").write_text(text)
+    with pytest.raises(ContentError, match=words):
+        load(tmp_path / "limited.yaml")

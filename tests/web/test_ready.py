@@ -105,8 +105,8 @@ def served(tmp_path: Path) -> Iterator[tuple[str, Path]]:
 
 
 def kept_code() -> dict[str, int]:
-    """The files of compiled code and when they were written, by the server or by a child of it; the marker that
-    says that they are all there may come later, from another process.
+    """The files of compiled code and when they were written, by the server or by a child of it; not the
+    marker that says that all are there, which another process may write later.
     """
     files = [path for path in code_folder.folder().iterdir() if path.name != "complete"]
     return {path.name: path.stat().st_mtime_ns for path in files}

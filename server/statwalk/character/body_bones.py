@@ -107,6 +107,9 @@ def _by_name(skeleton: Skeleton) -> dict[str, int]:
         if free:
             found[side + bone] = free[0]
             taken.add(free[0])
+    for side in SIDES:  # a leg of one joint is a thigh
+        if {side + "UpperLeg", side + "Foot"}.isdisjoint(found) and side + "LowerLeg" in found:
+            found[side + "UpperLeg"] = found.pop(side + "LowerLeg")
     return found | _fingers(named)
 
 

@@ -38,6 +38,19 @@ def chain_joints(skeleton: Skeleton, names: Sequence[str], solver: str) -> tuple
     return joints, joints.index(rows[1]) if solver == "two-bone" else 1
 
 
+def ends_at(skeleton: Skeleton, joints: Sequence[int], anchor: str) -> bool:
+    """Returns whether an anchor is the last joint of a chain; otherwise it is the first.
+
+    :raises ContentError: when it is neither.
+    :raises UnknownNameError: when the skeleton has no such joint.
+    """
+    joint, first, last = skeleton.index(anchor), joints[0], joints[-1]
+    if joint not in (first, last):
+        ends = f"{skeleton.names[first]} or {skeleton.names[last]}"
+        raise ContentError(f"{anchor} is no end of the chain; its anchor is {ends}", place="anchor")
+    return joint == last
+
+
 def sensitivities(
     skeleton: Skeleton,
     names: Sequence[str],

@@ -17,6 +17,7 @@ from statwalk.errors import UnknownNameError
 from statwalk.maths import transform
 from statwalk.maths.clamp_table import JointLimit
 from statwalk.maths.columns import lock_fields
+from statwalk.maths.formula.assignments import Assignment
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Clip
 from statwalk.rig.evaluate import world_from_local
@@ -36,6 +37,7 @@ class Character:
     clips        by name, in the order of the file; unnamed and repeated names are made unique
     materials    glTF material objects, in the order of the parts' indices
     limits       the limits of joints, by name (SK5, SK6)
+    expressions  what moves with what, whichever machine plays it, sorted by dependency (EX1)
     notes        the repairs made when the file was read
     model_glb    the model as a .glb for any viewer
     made         the names of clips that a machine file made of the model's own clips
@@ -50,6 +52,7 @@ class Character:
     parts: tuple[Primitive, ...] = ()
     materials: tuple[Mapping[str, Any], ...] = ()
     limits: Mapping[str, JointLimit] = field(default_factory=dict)
+    expressions: tuple[Assignment, ...] = ()
     notes: tuple[str, ...] = ()
     model_glb: bytes = b""
     made: frozenset[str] = frozenset()

@@ -1,45 +1,120 @@
-"""The expressions of a machine on a character (EX1): joints and channels by their numbers."""
+"""The expressions of a machine and of its character (EX1): joints and channels by their numbers."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
 
 from statwalk.character.character import Character
-from statwalk.errors import UnknownNameError
+from statwalk.errors import StatwalkError, UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine
 from statwalk.machine.definition.expression_definition import (
     CHANNELS,
+    CLOCKS,
     ExpressionMotion,
     channel_of_name,
 )
 from statwalk.machine.definition.machine_definition import MachineDefinition
-from statwalk.maths.formula.assignments import Assignment
+from statwalk.maths.formula.assignments import Assignment, CircleError, in_order
+from statwalk.maths.formula.postfix import Formula
+from statwalk.rig.skeleton import Skeleton
 from statwalk.solve.expression_tables import ExpressionProgram, JointChannel, expression_program
+
+OWN = "."
+"""begins the name of a variable of the character's own expressions, which the machine's never meet"""
+Refuse = Callable[[str, int], StatwalkError]
+"""makes the error about a line of a file"""
+
+
+class ExpressionValues(NamedTuple):
+    """What the lines of the machine and of its character set, by name."""
+
+    variables: dict[str, float]
+    """free variables; of two with one name the machine's"""
+    channels: dict[str, float]
+    """channels of joints: degrees, metres, scales"""
 
 
 def expressions_of(
     character: Character, definition: MachineDefinition, machine: Machine
 ) -> ExpressionProgram:
-    """Returns the program of a machine's expressions and of its states' motions.
+    """Returns the program of the expressions of a machine, its character and its states' motions.
 
-    :raises MachineError: when an expression names a joint that the character does not have; with the line.
+    The character's run with the machine's, in the order of their dependencies.
+
+    :raises MachineError: when an expression names a joint that the character does not have, sets a channel
+        that the character sets itself, or forms a circle with the character's; with the line.
     """
     states = [state for table in definition.tables().values() for state in table.states.values()]
-    groups: list[tuple[Assignment, ...]] = [definition.expressions]
+    groups: list[tuple[Assignment, ...]] = [_with_own(character, definition)]
     group_of_state: list[int] = []
     for state in states:
         if isinstance(state.motion, ExpressionMotion):
             groups.append(state.motion.assignments)
         group_of_state.append(len(groups) - 1 if isinstance(state.motion, ExpressionMotion) else 0)
     parameters = [parameter.name for parameter in machine.parameters]
-    channels = {
-        name: _channel(character, definition, assignment, name)
-        for assignments in groups
+    every = [assignment for assignments in groups for assignment in assignments]
+    channels = channels_of(character.skeleton, every, definition.refuse, parameters)
+    return expression_program(groups, group_of_state, channels, parameters)
+
+
+def channels_of(
+    skeleton: Skeleton, assignments: Iterable[Assignment], refuse: Refuse, parameters: Sequence[str] = ()
+) -> dict[str, JointChannel]:
+    """Returns the channels that assignments read and set, by name.
+
+    :raises StatwalkError: what `refuse` returns, when there is no joint of a name.
+    """
+    return {
+        name: _channel(skeleton, assignment, name, refuse)
         for assignment in assignments
         for name in _channel_names(assignment)
         if name not in parameters
     }
-    return expression_program(groups, group_of_state, channels, parameters)
+
+
+def values_by_name(program: ExpressionProgram, values: Sequence[float]) -> ExpressionValues:
+    """Returns the values (F,) of a program's slots by the names that set them."""
+    named = dict(zip(program.slots, values, strict=True))
+    own = {name.removeprefix(OWN): value for name, value in named.items() if name.startswith(OWN)}
+    others = {name: value for name, value in named.items() if not name.startswith(OWN)}
+    channels = {name: value for name, value in others.items() if channel_of_name(name)}
+    return ExpressionValues(
+        own | {name: value for name, value in others.items() if name not in channels}, channels
+    )
+
+
+def _with_own(character: Character, definition: MachineDefinition) -> tuple[Assignment, ...]:
+    """The machine's assignments and the character's, sorted."""
+    if not character.expressions:
+        return definition.expressions
+    own = {line.target: line for line in map(_apart, character.expressions)}
+    for line in definition.expressions:
+        if line.target in own:
+            raise definition.refuse(
+                f"expressions: {line.target} is set by the character's own expressions (line "
+                f"{own[line.target].line} of its file)",
+                line.line,
+            )
+    machines = {line.target: line for line in definition.expressions}
+    try:
+        return in_order(machines | own)
+    except CircleError as error:
+        first = min(machines[name].line for name in error.names if name in machines)
+        raise definition.refuse(f"expressions: with the character's own, {error.message}", first) from None
+
+
+def _apart(line: Assignment) -> Assignment:
+    """A line of the character, its free variables named apart from the machine's."""
+    formula = line.formula
+    scope = tuple(map(_own_name, formula.scope))
+    steps = tuple(_own_name(step) if isinstance(step, str) else step for step in formula.steps)
+    return replace(line, target=_own_name(line.target), formula=Formula(formula.text, scope, steps))
+
+
+def _own_name(name: str) -> str:
+    return name if channel_of_name(name) or name in CLOCKS else OWN + name
 
 
 def _channel_names(assignment: Assignment) -> Iterator[str]:
@@ -47,11 +122,9 @@ def _channel_names(assignment: Assignment) -> Iterator[str]:
     return (name for name in names if channel_of_name(name) is not None)
 
 
-def _channel(
-    character: Character, definition: MachineDefinition, assignment: Assignment, name: str
-) -> JointChannel:
+def _channel(skeleton: Skeleton, assignment: Assignment, name: str, refuse: Refuse) -> JointChannel:
     joint, channel = channel_of_name(name) or ("", "")
     try:
-        return JointChannel(character.skeleton.index(joint), CHANNELS.index(channel))
+        return JointChannel(skeleton.index(joint), CHANNELS.index(channel))
     except UnknownNameError as error:
-        raise definition.refuse(f"expressions: {error}", assignment.line) from None
+        raise refuse(f"expressions: {error}", assignment.line) from None

@@ -8,7 +8,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from statwalk.character.body_bones import ancestors, body_bones
+from statwalk.character.body_bones import ancestors, body_bones, words_of
 from statwalk.character.character import Character
 from statwalk.character.skin_points import SkinPoints, bound_points
 from statwalk.maths import transform
@@ -19,6 +19,14 @@ from statwalk.rig.evaluate import world_from_local
 SIDES = {"left": "Left", "right": "Right"}
 """the feet that names tell, and the sides of `body_bones`"""
 BONES = {"hip": "UpperLeg", "knee": "LowerLeg", "ankle": "Foot", "toe": "Toes"}
+GIRDLES = {"front": "front fore", "back": "back hind rear"}
+"""the words by which names tell the legs of four-legged characters: `Front_Leg_Ankle_L` is `front-left`"""
+PARTS = {
+    "hip": "upper thigh upperleg legupper",
+    "knee": "lower shin lowerleg leglower",
+    "ankle": "ankle hock paw foot",
+    "toe": "foot toe toes tip",
+}
 SOLE = 0.02
 """metres above the lowest point of a foot at rest, for a leg of one metre: the height of its sole"""
 AZIMUTHS, TILTS = np.linspace(0, 2 * np.pi, 16, endpoint=False), np.radians([15, 60, 88])
@@ -108,7 +116,23 @@ def _legs_by_name(character: Character) -> dict[str, dict[str, int]]:
         name: {part: bones[side + bone] for part, bone in BONES.items() if side + bone in bones}
         for name, side in SIDES.items()
     }
-    return {name: leg for name, leg in legs.items() if "ankle" in leg}
+    legs = {name: leg for name, leg in legs.items() if "ankle" in leg}
+    return legs or _four_legs(character)
+
+
+def _four_legs(character: Character) -> dict[str, dict[str, int]]:
+    """The legs whose names tell front or back, side and part."""
+    legs: dict[str, dict[str, int]] = {}
+    for joint, name in enumerate(character.skeleton.names):
+        side, words = words_of(name)
+        girdle = next((girdle for girdle, names in GIRDLES.items() if words[0] in names.split()), "")
+        part = "".join(word for word in words[1:] if word != "leg")
+        if side and girdle and part:
+            leg = legs.setdefault(f"{girdle}-{side.lower()}", {})
+            free = [key for key, names in PARTS.items() if part in names.split() and key not in leg]
+            if free:
+                leg[free[0]] = joint
+    return {name: leg for name, leg in legs.items() if {"hip", "knee", "ankle"} <= leg.keys()}
 
 
 def _above(character: Character, ankle: int) -> dict[str, int]:

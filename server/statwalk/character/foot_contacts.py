@@ -72,8 +72,10 @@ def contacts_of(character: Character, feet: tuple[Foot, ...]) -> dict[str, ClipC
     """Returns the contacts of all clips of a character, by clip; found once for the same feet."""
     known_feet, known = _known.get(character, ((), {}))
     if known_feet != feet:
-        ground = _ground(character, feet)
-        known = {name: _contacts(character, clip, feet, ground) for name, clip in character.clips.items()}
+        ground, grounds = _grounds(character, feet)
+        known = {
+            name: _contacts(character, clip, feet, ground, grounds) for name, clip in character.clips.items()
+        }
         _known[character] = feet, known
     return known
 
@@ -81,14 +83,15 @@ def contacts_of(character: Character, feet: tuple[Foot, ...]) -> dict[str, ClipC
 _known: WeakKeyDictionary[Character, tuple[tuple[Foot, ...], dict[str, ClipContacts]]] = WeakKeyDictionary()
 
 
-def _ground(character: Character, feet: tuple[Foot, ...]) -> float:
+def _grounds(character: Character, feet: tuple[Foot, ...]) -> tuple[float, list[float]]:
     """The height of the ground: the middle of the lowest heights of the soles in all clips, at rest without
-    clips.
+    clips; and for each foot: of more than two each has its own, as paws are not as thick in front as behind.
     """
     rest = world_from_local(character.skeleton, character.bind_pose)[None]
     worlds = [_worlds(character, clip) for clip in character.clips.values()] or [rest]
-    lowest = [min((foot.skin.heights(world).min() for foot in feet), default=0.0) for world in worlds]
-    return float(np.median(lowest))
+    lowest = np.array([[foot.skin.heights(world).min() for foot in feet] for world in worlds])
+    ground = float(np.median(lowest.min(1))) if feet else 0.0
+    return ground, np.median(lowest, 0).tolist() if len(feet) > 2 else [ground] * len(feet)
 
 
 def _times(clip: Clip) -> Floats:
@@ -101,7 +104,9 @@ def _worlds(character: Character, clip: Clip) -> Floats:
     return world_from_local(character.skeleton, clip.sample(_times(clip)))
 
 
-def _contacts(character: Character, clip: Clip, feet: tuple[Foot, ...], ground: float) -> ClipContacts:
+def _contacts(
+    character: Character, clip: Clip, feet: tuple[Foot, ...], ground: float, grounds: list[float]
+) -> ClipContacts:
     """The contacts of one clip."""
     if not feet or clip.duration <= 0:
         return ClipContacts(clip.name, tuple(FootContact(foot.name, (), (), ()) for foot in feet))
@@ -111,8 +116,8 @@ def _contacts(character: Character, clip: Clip, feet: tuple[Foot, ...], ground: 
     speeds = [np.gradient(track[..., ::2], step, axis=0) for track in points]
     drift = _drift(world, points, speeds, (ground, max(legs), step))
     stands = [
-        _stands(track[..., 1] - ground, np.linalg.norm(speed - drift, axis=-1), leg)
-        for track, speed, leg in zip(points, speeds, legs, strict=True)
+        _stands(track[..., 1] - own, np.linalg.norm(speed - drift, axis=-1), leg)
+        for track, own, speed, leg in zip(points, grounds, speeds, legs, strict=True)
     ]
     least = round(SHORTEST / step)
     return ClipContacts(

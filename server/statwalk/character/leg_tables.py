@@ -10,7 +10,16 @@ from numpy.typing import NDArray
 from statwalk.character.body_bones import carrier
 from statwalk.character.character import Character
 from statwalk.character.feet import Foot
-from statwalk.character.foot_contacts import ClipContacts
+from statwalk.character.foot_contacts import ClipContacts, joined
+from statwalk.character.foot_prints import (
+    Contacts,
+    beside,
+    foot_print,
+    in_units,
+    joints_below,
+    landings,
+    unit_of,
+)
 from statwalk.character.skin_points import SkinPoints, bound_points
 from statwalk.maths import transform
 from statwalk.maths.arrays import Floats, Ints
@@ -59,10 +68,10 @@ def leg_tables(
     motions: Sequence[Motion | None],
     weight: tuple[float, int] = (1.0, -1),
     ground: NDArray[np.float64] | None = None,
-    memory: int = 0,
+    columns: tuple[int, int] = (0, -1),
 ) -> FootTables:
     """Returns the tables for feet with legs; `weight`: a number, and the parameter that replaces it or -1;
-    `memory`: the first column of the foot lock in the solvers' memory.
+    `columns`: the first of the foot lock in the solvers' memory, and the first for uneven ground or -1.
     """
     rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
     soles = [_sole(character, foot, rest) for foot in feet]
@@ -72,7 +81,16 @@ def leg_tables(
     wanted = {joint for foot in feet for joint in foot.leg} | {above} - {-1}
     carriers = np.concatenate([carrier for carrier, _ in soles] or [np.zeros(0, np.int64)])
     joints = JointList.of(character.skeleton, sorted(wanted | set(carriers.tolist())))
-    spans = _spans(feet, contacts, motions)
+    unit = unit_of([foot.length(rest) for foot in feet])
+    stands = _contacts(feet, contacts, motions)
+    if columns[1] >= 0:
+        stands = [(motion, foot, joined(spans) if motion.loop else spans) for motion, foot, spans in stands]
+    spans = [span for _, _, span in stands]
+    forward = [_ahead(foot, rest) for foot in feet]
+    ahead = _rows([_local(rest, foot.ankle, way) for foot, way in zip(feet, forward, strict=True)])
+    prints = [foot_print(foot, rest, way) for foot, way in zip(feet, forward, strict=True)]
+    sizes = np.array(prints, np.float64).reshape(-1, 4)
+    below = joints_below(character, feet, joints.joints)
     return locked(
         FootTables(
             joints=joints.joints,
@@ -81,9 +99,11 @@ def leg_tables(
             above_pelvis=joints.places(np.array([above])).astype(np.int32),
             hip=joints.places(np.array([foot.hip for foot in feet], np.int64)).astype(np.int32),
             ankle=joints.places(np.array([foot.ankle for foot in feet], np.int64)).astype(np.int32),
-            ahead=_rows([_local(rest, foot.ankle, _ahead(foot, rest)) for foot in feet]),
+            ahead=ahead,
             bend=_rows([bend_of(character, foot) for foot in feet]),
-            length=np.array([foot.length(rest) for foot in feet], np.float64),
+            length=np.array([foot.length(rest) for foot in feet], np.float64) / unit,
+            unit=np.array([unit]),
+            other=beside(rest, feet),
             first_point=_firsts([len(points) for _, points in soles]),
             carrier=joints.places(carriers).astype(np.int32),
             point=_rows([point for _, points in soles for point in points]),
@@ -91,8 +111,13 @@ def leg_tables(
             span=np.array([span for row in spans for span in row], np.float64).reshape(-1, 2),
             weight=np.array([weight[0]]),
             weight_parameter=np.array([weight[1]], np.int64),
-            ground=np.zeros((0, 7)) if ground is None else ground,
-            memory=np.array([memory], np.int64),
+            ground=np.zeros((0, 7)) if ground is None else in_units(ground, unit),
+            memory=np.array(columns[:1], np.int64),
+            fit=np.array(columns[1:], np.int64),
+            print=sizes / unit,
+            first_below=_firsts([len(rows) for rows in below]),
+            below=np.concatenate([np.zeros(0, np.int64), *below]).astype(np.int32),
+            landing=landings(character, feet, ahead, sizes, stands if columns[1] >= 0 else ()),
         )
     )
 
@@ -151,15 +176,15 @@ def bend_of(character: Character, foot: Foot) -> Floats:
     return total / float(np.linalg.norm(total))
 
 
-def _spans(
+def _contacts(
     feet: Sequence[Foot], contacts: Mapping[str, ClipContacts], motions: Sequence[Motion | None]
-) -> list[Sequence[tuple[float, float]]]:
+) -> list[Contacts]:
     """The contacts of each member of the motions and each foot; none where a clip walks on the spot."""
-    spans: list[Sequence[tuple[float, float]]] = []
+    found: list[Contacts] = []
     for motion in motions:
         for member in motion.members if motion is not None else ():
             known = contacts.get(member.clip.name)
             runs = known is None or any(known.drift)
             of_foot = {} if known is None or runs else {foot.foot: foot.planted for foot in known.feet}
-            spans += [of_foot.get(foot.name, ()) for foot in feet]
-    return spans
+            found += [(member, number, of_foot.get(foot.name, ())) for number, foot in enumerate(feet)]
+    return found

@@ -15,11 +15,13 @@ from statwalk.machine.definition.clip_definition import (
     ClipDefinition,
     EaseChange,
     ExaggerateChange,
+    FilterChange,
     LengthChange,
     SpeedChange,
     SquashChange,
 )
 from statwalk.motion.clip import Clip
+from statwalk.motion.filter_clip import filtered
 from statwalk.motion.layers import below
 from statwalk.motion.principles.anticipate import anticipate
 from statwalk.motion.principles.ease import ease
@@ -48,7 +50,9 @@ def with_clips(character: Character, made: Mapping[str, ClipDefinition], refuse:
             raise refuse(f"the character has a clip {name} already; choose another name", definition.line)
         if definition.of not in clips:
             raise refuse(str(UnknownNameError("clip", definition.of, clips)), definition.line)
-        clip = changed(character, clips[definition.of], definition.changes, refuse)
+        source = clips[definition.of]
+        source = source if definition.loop is None else replace(source, loop=definition.loop)
+        clip = changed(character, source, definition.changes, refuse)
         loop = clip.loop if definition.loop is None else definition.loop
         clips[name] = replace(clip, name=name, loop=loop)
     return replace(character, clips=clips, made=frozenset(made))
@@ -82,6 +86,8 @@ def _changed(character: Character, clip: Clip, change: ClipChange) -> Clip:
             return anticipate(clip, amount, seconds, _rows(character, joints))
         case SquashChange(_, joint, axis, stretch):
             return squash(clip, character.skeleton.index(joint), stretch, axis)
+        case FilterChange(_, low_pass, spikes):
+            return filtered(clip, low_pass, spikes)
         case _:
             return sides_of(character).clip(clip)
 

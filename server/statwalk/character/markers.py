@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from statwalk.character.marker_body import SEGMENTS, clip_of, skeleton_of, trunk, turned
-from statwalk.character.marker_names import point_of
+from statwalk.character.marker_names import plain_name, points_of
 from statwalk.errors import TextError
 from statwalk.maths import quat, vector
 from statwalk.maths.arrays import Floats
@@ -25,6 +25,11 @@ from statwalk.solve.rules import joint_between
 Y = np.array([0.0, 1.0, 0.0])
 
 
+FRONT_OF_PELVIS = tuple(
+    (f"{side}ASI", f"{side}ASIS", f"{side}FWT", f"{side}IAS", f"WAIST{side}FRONT", f"{word}ASIS")
+    for side, word in (("L", "LEFT"), ("R", "RIGHT"))
+)
+"""the markers on the left and the right front of the pelvis (ASIS), of which a set has one pair"""
 _HINGES = {"LowerLeg": ("UpperLeg", "Foot", 1.0), "LowerArm": ("UpperArm", "Hand", -1.0)}
 """joints that rule 12 finds: the joints above and below, and whether they bend forward or back"""
 
@@ -51,7 +56,7 @@ def solve_markers(names: Sequence[str], times: Floats, places: Floats, name: str
     points = {point: _without_gaps(track) for point, track in points.items()}
     segments = [segment for segment in SEGMENTS if segment.start in points and segment.end in points]
     if "Pelvis" not in points or not segments:
-        known = ", ".join(sorted({str(point_of(marker)) for marker in names} - {"None"})) or "nothing"
+        known = ", ".join(sorted({point for point in points_of(names) if point})) or "nothing"
         raise TextError(
             f"the markers' names tell {known}; a body needs a pelvis (LASI, RASI or Hips) and a limb "
             "(LKNE and LANK, LKnee and LAnkle, …)"
@@ -67,8 +72,7 @@ def _points(names: Sequence[str], places: Floats) -> tuple[dict[str, Floats], tu
     """Returns the mean track (F, 3) of the markers that show each point, and notes about the others."""
     rows: dict[str, list[int]] = {}
     unknown: list[str] = []
-    for row, marker in enumerate(names):
-        point = point_of(marker)
+    for row, (marker, point) in enumerate(zip(names, points_of(names), strict=True)):
         if point is None:
             unknown.append(marker)
         else:
@@ -88,11 +92,8 @@ def _hip_joints(names: Sequence[str], places: Floats, points: Mapping[str, Float
     """Returns the hip joints, where no marker shows them: from the front of the pelvis a fifth of its width
     inwards and back and three tenths down (after Bell, Brand and Pedersen 1989).
     """
-    row_of = {marker.split(":")[-1].upper().replace(".", ""): row for row, marker in enumerate(names)}
-    rows = [
-        next((row_of[name] for name in names if name in row_of), None)
-        for names in (("LASI", "LASIS"), ("RASI", "RASIS"))
-    ]
+    row_of = {_letters(marker): row for row, marker in enumerate(names)}
+    rows = [next((row_of[name] for name in names if name in row_of), None) for names in FRONT_OF_PELVIS]
     if "LeftUpperLeg" in points or rows[0] is None or rows[1] is None:
         return {}
     left, right = places[:, rows[0]], places[:, rows[1]]
@@ -105,6 +106,10 @@ def _hip_joints(names: Sequence[str], places: Floats, points: Mapping[str, Float
         "LeftUpperLeg": left - across * width * 0.14 + inner,
         "RightUpperLeg": right + across * width * 0.14 + inner,
     }
+
+
+def _letters(marker: str) -> str:
+    return "".join(letter for letter in plain_name(marker).upper() if letter.isalnum())
 
 
 def _downwards(points: Mapping[str, Floats]) -> Floats:

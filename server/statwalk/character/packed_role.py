@@ -12,6 +12,7 @@ from statwalk.motion.layer_lanes import LayerMasks
 from statwalk.motion.tables.motion_tables import MotionTables
 from statwalk.solve.chains import Chains
 from statwalk.solve.foot_tables import FootTables
+from statwalk.solve.hanging import HangingTables
 from statwalk.solve.reach_tables import ReachTables
 
 
@@ -26,11 +27,18 @@ class PackedRole(NamedTuple):
     chains: PackedColumns[Chains]
     clamps: PackedColumns[ClampTable]
     reach: PackedColumns[ReachTables]
+    hanging: PackedColumns[HangingTables]
 
     @property
-    def solvers(self) -> tuple[Any, Any, Any, Any]:
+    def solvers(self) -> tuple[Any, Any, Any, Any, Any]:
         """Returns the tables of the solvers as arguments of kernels."""
-        return self.feet.argument, self.chains.argument, self.clamps.argument, self.reach.argument
+        return (
+            self.feet.argument,
+            self.chains.argument,
+            self.clamps.argument,
+            self.reach.argument,
+            self.hanging.argument,
+        )
 
     @property
     def arguments(self) -> tuple[Any, Any, Any, Any]:

@@ -21,6 +21,9 @@ STANDING_SHARE = 5.0
 """percent: the ankle stands when it is as low as in so much of the clip"""
 LONGEST_REACH = 0.998
 """of a leg's length: a knee that is fully straight has no side to bend to"""
+MOST_LIFT = 0.1
+"""of the leg's length, by which a tilted foot may lift its ankle"""
+HALVINGS = 12
 Y = np.array([0.0, 1.0, 0.0])
 
 
@@ -35,6 +38,14 @@ class CapturedPath(NamedTuple):
     hips: Floats
     feet: dict[str, Floats]
     drop: float
+
+
+class Sole(NamedTuple):
+    """The sole of a foot: its points (K, 3) from the ankle at rest, and the height of the ground."""
+
+    foot: str
+    arms: Floats
+    ground: float
 
 
 class BodyKeys(NamedTuple):
@@ -58,7 +69,9 @@ def planted(body: Body, turns: dict[str, Floats], path: CapturedPath) -> BodyKey
         leg = [side + bone for bone in ("UpperLeg", "LowerLeg", "Foot")]
         if all(bone in turns for bone in leg) and leg[2] in path.feet:
             target = _ankle(body, turns, hips, path, leg[2])
-            target = _lifted(body, turns, target, (leg[2], soles[leg[2]], ground))
+            sole = Sole(leg[2], soles[leg[2]] - body.at(leg[2]), ground)
+            solved[leg[2]] = _flattened(body, turns[leg[2]], target, sole)
+            target = target + Y * np.maximum(_below(body, solved[leg[2]], target, sole), 0)[:, None]
             solved |= _leg(body, turns, hips, target, leg)
     return BodyKeys(solved, places | _detached(body, solved, places))
 
@@ -137,16 +150,34 @@ def _turned(body: Body, turns: dict[str, Floats], bone: str, at_rest: Floats) ->
     return quat.rotate(turn, np.broadcast_to(at_rest, (*turn.shape[:-1], 3)))
 
 
-def _lifted(body: Body, turns: dict[str, Floats], ankle: Floats, sole: tuple[str, Floats, float]) -> Floats:
-    """Returns the ankle (F, 3), lifted where the sole would be below the ground."""
-    foot, points, ground = sole
-    turn = quat.mul(turns[foot], quat.conjugate(body.rotation[body.bones[foot]]))
-    heights = quat.to_matrix(turn)[:, 1, :]
+def _below(body: Body, turn: Floats, ankle: Floats, sole: Sole) -> Floats:
+    """Returns how far (F,) the sole of a foot that has turned is below the ground; negative: above it."""
+    away = quat.mul(turn, quat.conjugate(body.rotation[body.bones[sole.foot]]))
+    heights = quat.to_matrix(away)[:, 1, :]
     lowest = np.full(len(ankle), np.inf)
-    for arm in points - body.at(foot):
+    for arm in sole.arms:
         np.minimum(lowest, vector.dot(heights, arm), out=lowest)
-    lifted: Floats = ankle + Y * np.maximum(ground - (ankle[:, 1] + lowest), 0)[:, None]
-    return lifted
+    below: Floats = sole.ground - (ankle[:, 1] + lowest)
+    return below
+
+
+def _flattened(body: Body, turn: Floats, ankle: Floats, sole: Sole) -> Floats:
+    """Returns the foot's turn (F, 4), nearer to level where its tilt would lift the ankle too far: a long
+    foot on a short leg.
+    """
+    most = MOST_LIFT * body.leg()
+    too_low = _below(body, turn, ankle, sole) > most
+    if not too_low.any():
+        return turn
+    rest = body.rotation[body.bones[sole.foot]]
+    away = quat.mul(turn, quat.conjugate(rest))
+    level = quat.mul(quat.normalize(away * np.array([0.0, 1.0, 0.0, 1.0])), rest)
+    least, most_tilt = np.zeros(len(turn)), np.ones(len(turn))
+    for _ in range(HALVINGS):
+        part = (least + most_tilt) / 2
+        is_low = _below(body, quat.nlerp(level, turn, part), ankle, sole) > most
+        least, most_tilt = np.where(is_low, least, part), np.where(is_low, part, most_tilt)
+    return np.where(too_low[:, None], quat.nlerp(level, turn, least), turn)
 
 
 def _leg(

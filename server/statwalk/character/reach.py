@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.character.chain_of_names import chain_joints, sensitivities
+from statwalk.character.chain_of_names import chain_joints, ends_at, sensitivities
 from statwalk.character.character import Character
 from statwalk.character.motions import masks_of
 from statwalk.character.solver_memory import SolverMemory
@@ -27,11 +27,15 @@ from statwalk.solve.reach_tables import OF_SOLVER, ReachTables
 
 NONE = (-1, -1, -1)
 WHOLE_TURN = 180.0
+FORCE_TRAVEL = 0.3
 
 
-def reach_names(definition: MachineDefinition) -> dict[str, tuple[float, ...]]:
+def reach_names(definition: MachineDefinition, chains: Sequence[Chain]) -> dict[str, tuple[float, ...]]:
     """Returns the numbers of a new actor in the solvers' memory, by the names of the solvers there."""
-    return dict.fromkeys(map(_memory_name, definition.solvers), (0.0,) * OF_SOLVER)
+    return {
+        _memory_name(name): (0.0,) * OF_SOLVER + (0.0, 0.0, 0.0, 1.0) * _carried(chain)
+        for name, chain in zip(definition.solvers, chains, strict=True)
+    }
 
 
 def reach_chains(character: Character, machine: Machine, definition: MachineDefinition) -> list[Chain]:
@@ -52,6 +56,7 @@ def _chain(character: Character, machine: Machine, written: SolverDefinition) ->
     skeleton = character.skeleton
     joints, middle = chain_joints(skeleton, written.chain, written.solver)
     x, y, z = (np.array(written.forward) / np.linalg.norm(written.forward)).tolist()
+    is_moored = bool(written.anchor) and ends_at(skeleton, joints, written.anchor)
     return Chain(
         solver=written.solver,
         joints=joints,
@@ -62,7 +67,13 @@ def _chain(character: Character, machine: Machine, written: SolverDefinition) ->
         iterations=written.iterations or DEFAULT_ITERATIONS[written.solver],
         pole_kind=_pole_kind(machine, written),
         forward=(x, y, z),
+        is_moored=is_moored,
+        is_carried=written.solver == "force",
     )
+
+
+def _carried(chain: Chain) -> int:
+    return len(chain.joints) - 1 if chain.is_carried else 0
 
 
 def _pole_kind(machine: Machine, written: SolverDefinition) -> int:
@@ -85,15 +96,13 @@ def reach_tables(
     """Returns the tables of the solvers with these chains; `first_chain`: the number of the first."""
     solvers = list(definition.solvers.values())
     rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
-    measured = [
-        chain
-        for chain, solver in zip(chains, solvers, strict=True)
-        if solver.solver == "force" or solver.cone_deg < WHOLE_TURN
-    ]
+    is_measured = [_is_measured(definition, solver) for solver in solvers]
+    measured = [chain for chain, wanted in zip(chains, is_measured, strict=True) if wanted]
     ends = {joint for chain in measured for joint in (chain.joints[0], chain.joints[-1])}
     joints = JointList.of(character.skeleton, sorted(ends))
     poles = [solver.pole for solver in solvers]
     masks = masks_of(character, definition)
+    weights = [_weights(machine, definition, each) for each in solvers]
     return locked(
         ReachTables(
             first_chain=np.array([first_chain], np.int32),
@@ -103,24 +112,28 @@ def reach_tables(
             pole_parameter=_triples(
                 [parameter_indices(machine, pole) if isinstance(pole, str) else NONE for pole in poles]
             ).astype(np.int32),
-            weight_parameter=np.array([_weight_parameter(machine, solver) for solver in solvers], np.int32),
-            weight=np.array([_weights(machine, definition, each) for each in solvers], np.float64).reshape(
-                len(solvers), len(machine.states)
-            ),
+            weight_parameter=np.array(
+                [[_parameter(machine, each) for each in row] for row in weights], np.int32
+            ).reshape(len(solvers), len(machine.states)),
+            weight=np.array(
+                [[0.0 if isinstance(each, str) else each for each in row] for row in weights], np.float64
+            ).reshape(len(solvers), len(machine.states)),
             eagerness=np.array([_eagerness(solver) for solver in solvers], np.float64),
             travel=np.array(
-                [_rate(solver.travel) if solver.solver == "force" else -1.0 for solver in solvers], np.float64
+                [-1.0 if (way := _travel(each)) is None else _rate(way) for each in solvers], np.float64
             ),
             cone=np.array([_cone(each) for each in solvers], np.float64).reshape(-1, 2),
+            is_measured=np.array(is_measured, bool),
             length=np.array([_length(rest, chain) for chain in chains], np.float64),
             joints=joints.joints,
             parents=joints.parents,
-            start=_places(joints, [chain.joints[0] for chain in chains]),
-            end=_places(joints, [chain.joints[-1] for chain in chains]),
+            start=_places(joints, [chain.joints[-1 if chain.is_moored else 0] for chain in chains]),
+            end=_places(joints, [chain.joints[0 if chain.is_moored else -1] for chain in chains]),
             covers=np.array([[_moves(mask, chain) for mask in masks] for chain in chains], bool).reshape(
                 len(chains), len(masks)
             ),
             memory=np.array([memory.first(_memory_name(name)) for name in definition.solvers], np.int32),
+            turned=np.array([_carried(chain) for chain in chains], np.int32),
         )
     )
 
@@ -131,6 +144,19 @@ def _memory_name(solver: str) -> str:
 
 def _triples(rows: Sequence[Sequence[float]]) -> NDArray[np.float64]:
     return np.array(rows, np.float64).reshape(-1, 3)
+
+
+def _is_measured(definition: MachineDefinition, solver: SolverDefinition) -> bool:
+    if solver.solver == "look-at":
+        return solver.cone_deg < WHOLE_TURN
+    return _travel(solver) is not None or bool(definition.chains)
+
+
+def _travel(solver: SolverDefinition) -> float | None:
+    """The seconds in which the end travels; None: it is there immediately."""
+    if solver.travel is None and solver.solver == "force":
+        return FORCE_TRAVEL
+    return solver.travel
 
 
 def _rate(seconds: float) -> float:
@@ -146,15 +172,17 @@ def _eagerness(solver: SolverDefinition) -> float:
     return _rate(solver.ease) if isinstance(solver.weight, Mapping) else 0.0
 
 
-def _weight_parameter(machine: Machine, solver: SolverDefinition) -> int:
-    return parameter_indices(machine, solver.weight)[0] if isinstance(solver.weight, str) else -1
+def _parameter(machine: Machine, weight: float | str) -> int:
+    return parameter_indices(machine, weight)[0] if isinstance(weight, str) else -1
 
 
-def _weights(machine: Machine, definition: MachineDefinition, solver: SolverDefinition) -> list[float]:
-    """The weight in each state; an inner state takes that of the composite state around it."""
+def _weights(machine: Machine, definition: MachineDefinition, solver: SolverDefinition) -> list[float | str]:
+    """The weight in each state, a number or a parameter; an inner state takes that of the composite state
+    around it.
+    """
     if not isinstance(solver.weight, Mapping):
-        return [0.0 if isinstance(solver.weight, str) else solver.weight] * len(machine.states)
-    found = []
+        return [solver.weight] * len(machine.states)
+    found: list[float | str] = []
     for row in machine.rows(0):
         name, written = machine.states[row], definition.states[machine.states[row]]
         outer = written.composite

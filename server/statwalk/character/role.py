@@ -15,7 +15,7 @@ from statwalk.character.colliders import Colliders
 from statwalk.character.expressions import expressions_of
 from statwalk.character.feet import Foot
 from statwalk.character.foot_contacts import ClipContacts
-from statwalk.character.joint_limits import limits_of
+from statwalk.character.joint_limits import check_handles, limits_of
 from statwalk.character.made_clips import with_clips
 from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
 from statwalk.character.packed_role import PackedRole
@@ -41,6 +41,7 @@ from statwalk.motion.tables.motion_tables import MotionTables
 from statwalk.solve.chains import CHAINS
 from statwalk.solve.expression_tables import ExpressionProgram
 from statwalk.solve.foot_tables import FEET
+from statwalk.solve.hanging import HANGING
 from statwalk.solve.reach_tables import REACH
 
 
@@ -87,6 +88,7 @@ class Role:
         machine = build(definition, facts, resolved)
         root = root_of(character, root_joint)
         check_feet(character, definition)
+        check_handles(character, definition)
         is_same = before is not None and before.character is character and before.root == root
         stock = before.stock if before is not None and is_same else Stock(character, root)
         motions = motions_of(stock, machine, definition)
@@ -146,7 +148,8 @@ class Role:
         legs, chains = packed(self.solvers.legs, FEET), packed(self.solvers.chains, CHAINS)
         clamps = packed(self.solvers.clamps, CLAMP_TABLE)
         reach = packed(self.solvers.reach, REACH)
-        return PackedRole(program, motions, poses, masks, legs, chains, clamps, reach)
+        hanging = packed(self.solvers.hanging, HANGING)
+        return PackedRole(program, motions, poses, masks, legs, chains, clamps, reach, hanging)
 
     @cached_property
     def limits(self) -> Mapping[int, JointLimit]:

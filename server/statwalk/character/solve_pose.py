@@ -11,9 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from statwalk.character.chain_of_names import chain_joints, sensitivities
+from statwalk.character.chain_of_names import chain_joints, ends_at, sensitivities
 from statwalk.errors import ContentError, UnknownNameError
 from statwalk.maths.arrays import Floats
+from statwalk.maths.clamp_kinds import TOLERANCE
 from statwalk.maths.clamp_table import JointLimit, clamp_table
 from statwalk.maths.pose import Pose
 from statwalk.maths.pose_buffer import PoseBuffer
@@ -29,6 +30,8 @@ from statwalk.solve.chains import (
 )
 from statwalk.solve.solve_poses import Goal, solve_poses
 
+SMALLEST_CUT = 2 * TOLERANCE
+"""radians: less is rounding"""
 FURTHEST = 1e6
 """metres: largest coordinate of a target"""
 
@@ -45,6 +48,8 @@ class SolverOptions:
                  not for two-bone
     forward      look-at: the line of sight in the frame of the last joint; any length but 0
     limits       by joint, instead of the character's
+    anchor       the first joint of the chain, which stays, or the last: then the first comes to the target,
+                 and the root of the skeleton moves; empty: the first
     """
 
     solver: str = "two-bone"
@@ -54,6 +59,7 @@ class SolverOptions:
     sensitivity: Mapping[str, float] = field(default_factory=dict)
     forward: tuple[float, float, float] = (0.0, 0.0, 1.0)
     limits: Mapping[str, JointLimit] = field(default_factory=dict)
+    anchor: str = ""
 
     def check(self) -> None:
         """Checks the ranges.
@@ -78,9 +84,13 @@ class SolveAnswer:
     reached: NDArray[np.bool_]
     """(…) whether the end is within the tolerance of the target"""
     distance: NDArray[np.float32]
-    """(…) metres from the end to the target; look-at: from the line of sight; 0 where the weight is 0"""
+    """(…) metres from the end (from the start, if the end is the anchor) to the target; look-at: from the
+    line of sight; 0 where the weight is 0
+    """
     iterations: NDArray[np.int64]
     """(…) that were made"""
+    clamped: Mapping[str, Floats]
+    """radians (…) by which limits cut the last turn of a joint, by its name; other joints are left out"""
 
 
 def solve_pose(
@@ -119,8 +129,14 @@ def solve_pose(
     buffer = PoseBuffer.of(rest, Pose(*(np.asarray(part, np.float32) for part in poses)))
     solved = solve_poses(buffer, skeleton.parent, clamp_table(limits, rest), made, goal)
     reached = (solved.distance <= options.tolerance) & (goal.weight > 0)
-    parts = (buffer.poses(), reached, solved.distance, solved.iterations)
-    return SolveAnswer(*parts) if lead else SolveAnswer(parts[0].take(0), *(part[0] for part in parts[1:]))
+    cut = {
+        skeleton.names[joint]: solved.cut[:, place] if lead else solved.cut[0, place]
+        for place, joint in enumerate(made.joints)
+        if solved.cut[:, place].max(initial=0) > SMALLEST_CUT
+    }
+    if lead:
+        return SolveAnswer(buffer.poses(), reached, solved.distance, solved.iterations, cut)
+    return SolveAnswer(buffer.poses().take(0), reached[0], solved.distance[0], solved.iterations[0], cut)
 
 
 def _chain(
@@ -128,6 +144,9 @@ def _chain(
 ) -> Chain:
     joints, middle = chain_joints(skeleton, names, options.solver)
     direction = np.asarray(options.forward) / np.linalg.norm(options.forward)
+    if options.anchor and options.solver == "look-at":
+        raise ContentError("look-at has no anchor: its chain turns where it is", place="anchor")
+    is_moored = bool(options.anchor) and ends_at(skeleton, joints, options.anchor)
     return Chain(
         solver=options.solver,
         joints=joints,
@@ -139,6 +158,7 @@ def _chain(
         pole_kind=pole_kind,
         forward=(float(direction[0]), float(direction[1]), float(direction[2])),
         turns_end=turns_end,
+        is_moored=is_moored,
     )
 
 

@@ -8,6 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from statwalk.character.character import Character
+from statwalk.character.feet import Foot
+from statwalk.character.hanging import hanging_chains, hanging_memory, hanging_of, memory_name
 from statwalk.character.joint_limits import limits_of
 from statwalk.character.leg_tables import foot_memory, has_leg, leg_chain, leg_tables
 from statwalk.character.reach import reach_chains, reach_names, reach_tables
@@ -20,26 +22,35 @@ from statwalk.machine.settings import parameter_indices
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.clamp_table import ClampTable, clamp_table
 from statwalk.motion.blend_space import Motion
-from statwalk.solve.chains import Chains, chain_tables
+from statwalk.solve.chains import Chains, chain_tables, limited_joints
 from statwalk.solve.foot_tables import (
     DROP,
     DROP_RATE,
+    FIT,
     LOWEST_X,
     LOWEST_Y,
     LOWEST_Z,
     OF_ACTOR,
+    OF_FIT,
     OF_FOOT,
+    OF_GROUND,
+    TOOK,
     Y_RATE,
     FootTables,
     X,
     Y,
     Z,
 )
-from statwalk.solve.reach_tables import CARRIED, LAYER, SHOWN, ReachTables
+from statwalk.solve.hanging import HangingTables, hanging_tables
+from statwalk.solve.reach_tables import CARRIED, LAYER, OF_SOLVER, SHOWN, ReachTables
 from statwalk.solve.springs import KEPT, Springs, springs_of
 
+CUT = "limits"
+"""name of what limits cut in the solvers' memory"""
 FOOT_LOCK = "foot lock"
 """name of the foot lock in the solvers' memory"""
+UNEVEN_GROUND = "uneven ground"
+"""name of what feet need on uneven ground there"""
 
 
 class Solvers(NamedTuple):
@@ -50,6 +61,9 @@ class Solvers(NamedTuple):
     chains: Chains
     clamps: ClampTable
     reach: ReachTables
+    hanging: HangingTables
+    limited: tuple[int, ...]
+    """the joints of the chains that have limits; the memory says how far they cut"""
     memory: SolverMemory
 
 
@@ -59,31 +73,67 @@ def solvers_of(
     """Returns the solvers that a machine file asks for.
 
     :raises MachineError: when it asks for a foot lock, and the character has no feet with legs; when it
-        limits a joint that the character does not have; when a spring's joint does not exist or has no bone;
-        when the joints of a solver do not exist or are no chain.
+        has ground and no foot lock; when it limits a joint that the character does not have; when a spring's
+        joint does not exist or has no bone; when the joints of a solver or a chain do not exist or are no
+        chain.
     """
+    if definition.ground and not definition.foot_lock:
+        line = definition.ground[0].line
+        raise definition.refuse("ground: only feet find it; write `foot_lock: true` as well", line)
     every = feet_in(character, definition) if definition.foot_lock else ()
     feet = tuple(foot for foot in every if has_leg(character, foot))
     if definition.foot_lock and not feet:
-        raise definition.refuse("foot_lock: the character has no feet with legs; name them under `feet`", 0)
+        raise definition.refuse(f"foot_lock: {_why_no_legs(character, every)}", 0)
     clamps = clamp_table(limits_of(character, definition), character.bind_pose)
-    chains = [leg_chain(character, foot) for foot in feet]
+    legs_first = [leg_chain(character, foot) for foot in feet]
+    reaching = reach_chains(character, machine, definition)
+    falling = hanging_chains(character, definition)
+    chains = [*legs_first, *reaching, *falling]
+    limited = limited_joints(chains, clamps)
     swinging = springs_on(character, definition)
     names = {joint: f"spring {character.skeleton.names[joint]}" for joint in swinging}
     feet_memory = {FOOT_LOCK: foot_memory(len(feet))} if feet else {}
+    if feet and definition.ground:
+        feet_memory[UNEVEN_GROUND] = (0.0,) * (OF_GROUND + OF_FIT * len(feet))
     memory = SolverMemory(
-        feet_memory | dict.fromkeys(names.values(), (0.0,) * KEPT) | reach_names(definition)
+        feet_memory
+        | dict.fromkeys(names.values(), (0.0,) * KEPT)
+        | reach_names(definition, reaching)
+        | hanging_memory(falling, definition)
+        | ({CUT: (0.0,) * len(limited)} if limited else {})
     )
     columns = {joint: memory.first(name) for joint, name in names.items()}
     springs = springs_of(swinging, columns, character.skeleton.parent)
     contacts = contacts_in(character, definition, every) if feet else {}
     ground = np.array([piece.numbers for piece in definition.ground], np.float64).reshape(-1, 7)
     weight = _weight(machine, definition.foot_lock)
-    legs = leg_tables(character, feet, contacts, motions, weight, ground)
-    reaching = reach_chains(character, machine, definition)
-    reach = reach_tables(character, machine, definition, reaching, memory, len(chains))
-    tables = chain_tables(character.skeleton.parent, [*chains, *reaching], clamps)
-    return Solvers(springs, legs, tables, clamps, reach, memory)
+    places = 0, memory.first(UNEVEN_GROUND) if UNEVEN_GROUND in feet_memory else -1
+    legs = leg_tables(character, feet, contacts, motions, weight, ground, places)
+    reach = reach_tables(character, machine, definition, reaching, memory, len(feet))
+    hanging = hanging_tables(
+        hanging_of(character, definition, falling, reaching),
+        len(feet) + len(reaching),
+        [memory.first(memory_name(name)) for name in definition.chains],
+    )
+    notes = {joint: memory.first(CUT) + place for place, joint in enumerate(limited)}
+    tables = chain_tables(character.skeleton.parent, chains, clamps, notes)
+    return Solvers(springs, legs, tables, clamps, reach, hanging, limited, memory)
+
+
+def _why_no_legs(character: Character, feet: Sequence[Foot]) -> str:
+    names = character.skeleton.names
+    for foot in feet:
+        if min(foot.hip, foot.knee) >= 0:
+            above = int(character.skeleton.parent[foot.ankle])
+            carrier = repr(names[above]) if above >= 0 else "no joint"
+            return (
+                f"the {foot.name} ankle {names[foot.ankle]!r} hangs on {carrier}, but a leg is three joints, "
+                "each the child of the one before it: hip, knee, ankle"
+            )
+    return (
+        "the names of the joints tell no feet with legs; name them in the file: "
+        "`feet: {left: {hip: JOINT, knee: JOINT, ankle: JOINT}}`"
+    )
 
 
 def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
@@ -99,8 +149,13 @@ def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
         kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
         kept[rows, at + X : at + Y_RATE + 1] = 0.0
         kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0
-    for at in map(int, solvers.reach.memory):
+        if solvers.legs.fit[0] >= 0:
+            fit = int(solvers.legs.fit[0]) + OF_GROUND + foot * OF_FIT
+            kept[rows, fit + TOOK : fit + TOOK + FIT] = kept[rows, fit : fit + FIT]
+    for k, at in enumerate(map(int, solvers.reach.memory)):
         kept[rows, at + CARRIED], kept[rows, at + LAYER] = kept[rows, at + SHOWN], 0.0
+        first, turned = at + OF_SOLVER, int(solvers.reach.turned[k])
+        kept[rows, first : first + 4 * turned] = (0.0, 0.0, 0.0, 1.0) * turned
     return kept
 
 

@@ -17,7 +17,7 @@ from statwalk.character.role import Role
 from statwalk.errors import UnknownNameError
 from statwalk.services.library.load import load, shipped_machines
 from statwalk.services.library.measuring import measured
-from statwalk.stage.measure.figures import UNITS, Figure, worded
+from statwalk.stage.measure.figures import UNITS, Figure, number, unit
 from statwalk.stage.measure.measure import Measured
 from statwalk.stage.measure.over_budget import over_budget
 
@@ -44,8 +44,9 @@ def _role_of(machine: str) -> Role:
 
 
 def _shown(rows: Sequence[Measured], budgets: Mapping[str, Any]) -> Table:
-    """The figures as a table to print; over budget in red."""
-    table = Table("", *UNITS, box=None, pad_edge=False)
+    """The figures as a table that fits a narrow terminal; over budget in red."""
+    table = Table("", *(f"{name} {unit(name)}" for name in UNITS), box=None, pad_edge=False)
+    table.columns[0].no_wrap = True
     for part in rows:
         figures = (part.figures.get(name) for name in UNITS)
         table.add_row(
@@ -57,7 +58,7 @@ def _shown(rows: Sequence[Measured], budgets: Mapping[str, Any]) -> Table:
 def _cell(name: str, figure: Figure | None, budgets: Mapping[str, Any]) -> str:
     if figure is None:
         return ""
-    text = f"{worded(name, figure.mean)} ({worded(name, figure.worst)})"
+    text = f"{number(name, figure.mean)} ({number(name, figure.worst)})"
     return f"[red]{text}[/]" if name in budgets and figure.worst > budgets[name].most else text
 
 

@@ -28,7 +28,7 @@ from statwalk.motion.keys.key_times import KeyTimes
 from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.primitive import Primitive, Skin
 
-FORMAT = 2
+FORMAT = 3
 """increase when a field of one of the classes changes: files of an older format are then written again"""
 _TREE = "tree"
 _OWN_FILE = "model_glb"

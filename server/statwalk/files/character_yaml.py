@@ -6,6 +6,10 @@
     clips:
       walk: {keys: walk.txt, interpolation: slerp, loop: true}
       wave: {keys: wave.txt, interpolation: {rotation: nurbs, translation: linear}}
+    expressions: |                # what moves with what, whichever machine plays it
+      Wheel.rotate_z = -2 * Crank.rotate_z
+
+`model: robot.glb` in place of `skeleton` names a model, whose clips it may change (`of:`).
 
 Every bone becomes a joint and a rigid tetrahedron (FAQ Q28). A bone at the end of a limb, and a bone with a
 keyed length, gets a second joint, `NAME.end`, at its end point.
@@ -20,15 +24,18 @@ from pathlib import Path
 import numpy as np
 
 from statwalk.character.character import Character
+from statwalk.character.expressions import channels_of
 from statwalk.character.made_clips import Refuse, with_clips
 from statwalk.character.made_clips import changed as with_changes
 from statwalk.errors import ContentError, TextError, UnknownNameError
 from statwalk.files import clip_changes, tetrahedra
+from statwalk.files.expressions import expressions
 from statwalk.files.faq.key_frame_clip import ClipForm, check_names, clip_of, keyed_lengths
 from statwalk.files.faq.key_frame_text import KeyFrame, read_keys
 from statwalk.files.faq.skeleton_text import SHIPPED, read_skeleton, read_text
 from statwalk.files.gltf import write
 from statwalk.files.joint_limits import joint_limits, table_limits
+from statwalk.files.model_character import model_of, with_made_clips
 from statwalk.files.yaml.yaml_text import Node, parse
 from statwalk.machine.definition.limit_definition import LimitDefinition
 from statwalk.maths import pose as poses
@@ -42,7 +49,7 @@ from statwalk.rig.bones import Bones
 from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.primitive import Primitive, Skin
 
-_KEYS = ("name", "skeleton", "scale", "joints", "limits", "clips")
+_KEYS = ("name", "skeleton", "model", "scale", "joints", "limits", "clips", "expressions")
 _CLIP_KEYS = ("keys", "interpolation", "loop", *clip_changes.CHANGES)
 _SCALES = (1e-6, 1e6)
 
@@ -54,8 +61,11 @@ def load_character(path: Path) -> Character:
     """
     root = parse(read_text(path), str(path), TextError)
     entries = root.entries(*_KEYS)
-    if "skeleton" not in entries:
-        raise root.refuse("a character needs a skeleton: skeleton: mammal.txt")
+    if ("skeleton" in entries) == ("model" in entries):
+        raise root.refuse("a character needs a skeleton (skeleton: mammal.txt) or a model (model: robot.glb)")
+    if "model" in entries:
+        model = model_of(entries["model"], _beside(entries["model"], path.parent), entries)
+        return _with_rules(root, with_made_clips(model, entries, _refuser(root)), 1.0, path.parent)
     bones = _skeleton(entries["skeleton"], path.parent)
     scale = entries["scale"].number(*_SCALES) if "scale" in entries else 1.0
     clips = entries["clips"].entries() if "clips" in entries else {}
@@ -73,8 +83,15 @@ def load_character(path: Path) -> Character:
     }
     animated = with_clips(replace(character, clips=changed), made, _refuser(root))
     animated = replace(animated, made=frozenset())  # the model carries them as its own
-    animated = replace(animated, limits=_limits(root, character.skeleton, scale, path.parent))
-    return replace(animated, model_glb=write.model_glb(animated))
+    ruled = _with_rules(root, animated, scale, path.parent)
+    return replace(ruled, model_glb=write.model_glb(ruled))
+
+
+def _with_rules(root: Node, character: Character, scale: float, folder: Path) -> Character:
+    """Returns the character with its limits and expressions."""
+    lines = expressions(root.entries(*_KEYS).get("expressions"))
+    channels_of(character.skeleton, lines, _refuser(root))  # an unknown joint is an error now
+    return replace(character, limits=_limits(root, character.skeleton, scale, folder), expressions=lines)
 
 
 def _refuser(root: Node) -> Refuse:

@@ -5,6 +5,7 @@ clips:
   salute-left: {of: salute, mirror: true, ease: ease-in-out}
   leap: {of: jump, anticipate: {amount: 0.3, seconds: 0.25}}
   drop: {of: land, squash: {joint: hips, stretch: {0: 1, 0.1: 0.7, 0.4: 1}}}
+  calm: {of: captured, filter: {low_pass: 6, spikes: true}}
 """
 
 from __future__ import annotations
@@ -18,12 +19,14 @@ from statwalk.machine.definition.clip_definition import (
     ClipDefinition,
     EaseChange,
     ExaggerateChange,
+    FilterChange,
     LengthChange,
     MirrorChange,
     SpeedChange,
     SquashChange,
 )
 from statwalk.maths.easing import EASINGS
+from statwalk.motion.filter_clip import HIGHEST_CUTOFF, Filter
 from statwalk.motion.principles import anticipate, exaggerate, retime, squash
 
 MOST_CLIPS, MOST_STRETCHES, MOST_JOINTS = 256, 1000, 256
@@ -126,6 +129,21 @@ def _mirror(node: Node) -> ClipChange | None:
     return MirrorChange(node.line) if node.truth() else None
 
 
+def _filter(node: Node) -> ClipChange:
+    wanted = read_filter(node)
+    return FilterChange(node.line, wanted.low_pass, wanted.spikes)
+
+
+def read_filter(node: Node | None) -> Filter:
+    """Reads `filter: {low_pass: 6, spikes: true}`; none filters nothing.
+
+    :raises ContentError: when a key is unknown or its value is out of range.
+    """
+    entries = node.entries("low_pass", "spikes") if node is not None else {}
+    low_pass = entries["low_pass"].number(0, HIGHEST_CUTOFF) if "low_pass" in entries else 0.0
+    return Filter(low_pass, "spikes" in entries and entries["spikes"].truth())
+
+
 def _joints(entries: Mapping[str, Node]) -> tuple[str, ...]:
     items = entries["joints"].items() if "joints" in entries else []
     if len(items) > MOST_JOINTS:
@@ -150,4 +168,5 @@ CHANGES: Mapping[str, Callable[[Node], ClipChange | None]] = {
     "anticipate": _anticipate,
     "squash": _squash,
     "mirror": _mirror,
+    "filter": _filter,
 }

@@ -22,6 +22,17 @@ def parameter_indices(machine: Machine, name: str) -> tuple[int, ...]:
     return indices
 
 
+def values_of(machine: Machine, numbers: Sequence[float]) -> dict[str, float | tuple[float, ...]]:
+    """Returns the values of all parameters by name, from the numbers (P,) that store them."""
+    values: dict[str, float | tuple[float, ...]] = {}
+    for part, number in zip(machine.parameters, numbers, strict=True):
+        before = values.get(part.vector, ())
+        values[part.vector or part.name] = (
+            (*before, number) if part.vector and isinstance(before, tuple) else number
+        )
+    return values
+
+
 def settings(machine: Machine, name: str, value: float | Sequence[float]) -> list[tuple[str, float]]:
     """Returns name and value of each number that stores a parameter.
 

@@ -15,9 +15,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from statwalk.maths import quat, vector
-from statwalk.maths.arrays import Floats, floats
+from statwalk.maths.arrays import Floats, Ints, floats
 from statwalk.maths.clamp_kinds import CONE, FREE
 from statwalk.maths.columns import columns, locked
+from statwalk.maths.elementary import sincos
 from statwalk.maths.pose import Pose
 
 SMALLEST_SWING = 1e-5
@@ -72,6 +73,13 @@ class ClampTable(NamedTuple):
     """(L, 4): smallest X and Z, largest X and Z; a cone's smallest without their sign"""
     angles: Annotated[NDArray[np.float32], "row, number"]
     """(L, 6): middles about X, Y and Z, then halves of the ranges"""
+    sines: Annotated[NDArray[np.float32], "row, number"]
+    """(L, 16): sine and cosine of the middle, and of half the range, about X, Y and Z; the same of half
+    these angles about Y
+    """
+    round: Annotated[NDArray[np.float32], "row, number"]
+    """(L, 2): sine and cosine of half the largest swing of a cone that is the same in all directions; else 0
+    """
     slide: Annotated[NDArray[np.float32], "row, number"]
     """(L, 6): smallest along X, Y and Z, then largest"""
     screw: Annotated[NDArray[np.float32], "row, number"]
@@ -109,6 +117,8 @@ def clamp_table(limits: Mapping[int, JointLimit], rest: Pose) -> ClampTable:
             twist,
             swing,
             angles,
+            _sines(angles),
+            _round(swing, np.array([limit.kind for limit in chosen], np.int32)),
             slide,
             screw,
             turning,
@@ -154,6 +164,21 @@ def _numbers(limit: JointLimit) -> tuple[list[float], ...]:
     ends = [least for least, _most in slide] + [most for _least, most in slide]
     screw = [limit.pitch, *limit.twist] if limit.pitch else [0.0, 0.0, 0.0]
     return twist, swing, angles, ends, screw
+
+
+def _sines(angles: Floats) -> Floats:
+    """The rows of `sines` of those of `angles`."""
+    middle, half = angles[:, :3].astype(np.float64), angles[:, 3:].astype(np.float64)
+    pairs = [part for axis in range(3) for part in (middle[:, axis], half[:, axis])]
+    around = np.stack([*pairs, middle[:, 1] / 2, half[:, 1] / 2], -1)
+    return np.stack(sincos(around), -1).reshape(-1, 16).astype(np.float32)
+
+
+def _round(swing: Floats, kind: Ints) -> Floats:
+    """The rows of `round` of those of `swing`."""
+    is_round = (kind == CONE) & (swing == swing[:, :1]).all(-1) & (swing[:, 0] < np.pi)
+    both = np.stack(sincos(swing[:, 0].astype(np.float64) / 2), -1)
+    return np.where(is_round[:, None], both, 0).astype(np.float32)
 
 
 def _middle_and_half(ends: Range) -> Range:

@@ -13,5 +13,5 @@ def settled(offset: float, rate: float, eagerness: float, dt: float) -> Any:
     """Returns offset and rate of a critically damped spring `dt` seconds later; `eagerness` in 1/s: half of
     an offset at rest is gone after 1.678 / eagerness seconds.
     """
-    push, left = rate + eagerness * offset, exp(-eagerness * dt)
-    return (offset + push * dt) * left, (rate - eagerness * push * dt) * left
+    drift, left = (rate + eagerness * offset) * dt, exp(-eagerness * dt)
+    return (offset + drift) * left, (rate - eagerness * drift) * left

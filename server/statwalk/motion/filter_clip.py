@@ -10,9 +10,12 @@ from statwalk.errors import ContentError
 from statwalk.maths import filters
 from statwalk.maths.arrays import Floats
 from statwalk.motion.clip import Channel, Clip
+from statwalk.motion.principles.resample import grid, line, values_of
 
 HIGHEST_CUTOFF = 1_000.0
 MOST_SAMPLES = 4_000_000
+SEAM = 1e-3
+"""of the range of a loop's values: ends so near to each other meet"""
 UNEVEN = 1e-3
 """a share of the time between two keys: keys nearer to an even grid count as even"""
 
@@ -39,20 +42,52 @@ class Filter:
 def filtered(clip: Clip, low_pass: float = 0.0, spikes: bool = False) -> Clip:
     """Returns the clip without spikes, then without what moves faster than `low_pass` Hz.
 
-    Translations, rotations and scales of LINEAR keys are filtered, others stay. Keys at uneven times become
-    keys at even times, as many a second as where they are densest.
+    Curves become keys close together (60 a second) first; held keys stay held. Keys at uneven times become
+    keys at even times, as many a second as where they are densest. A clip that loops and whose ends meet is
+    filtered across its seam.
 
     :raises ContentError: when the cutoff is no number of Hz from 0 to 1,000.
     """
     wanted = Filter(low_pass, spikes)
-    return replace(clip, channels=tuple(_filtered(channel, wanted) for channel in clip.channels))
+    if wanted == Filter():
+        return clip
+    lines = _as_lines(clip)
+    return replace(clip, channels=tuple(_filtered(channel, wanted, clip.loop) for channel in lines))
 
 
-def _filtered(channel: Channel, wanted: Filter) -> Channel:
+def _as_lines(clip: Clip) -> list[Channel]:
+    """Returns the channels, with LINEAR keys in place of curves."""
+    straight = ("LINEAR", "STEP")
+    if all(channel.interpolation in straight for channel in clip.channels):
+        return list(clip.channels)
+    times = grid(clip)
+    poses = clip.sample(times)
+    return [
+        channel if channel.interpolation in straight else line(channel, times, values_of(channel, poses))
+        for channel in clip.channels
+    ]
+
+
+def _filtered(channel: Channel, wanted: Filter, is_loop: bool) -> Channel:
     if channel.interpolation != "LINEAR" or len(channel.times) < 3:
         return channel
     even = _even(channel)
     values: Floats = np.asarray(even.values, np.float64)
+    if not (is_loop and _ends_meet(values, even.path)):
+        return replace(even, values=_clean(even, values, wanted).astype(np.float32))
+    once = len(values) - 1  # the last key is the first: three rounds, of which the middle one is kept
+    rounds = np.concatenate([values[:-1], values[:-1], values])
+    return replace(even, values=_clean(even, rounds, wanted)[once : 2 * once + 1].astype(np.float32))
+
+
+def _ends_meet(values: Floats, path: str) -> bool:
+    """Returns whether the last key shows what the first does."""
+    last = -values[-1] if path == "rotation" and values[-1] @ values[0] < 0 else values[-1]
+    return bool(np.abs(last - values[0]).max() <= SEAM * max(1.0, float(np.ptp(values, axis=0).max())))
+
+
+def _clean(even: Channel, values: Floats, wanted: Filter) -> Floats:
+    """Returns values (K, n) at the even times of a channel, or several rounds of them, filtered."""
     rate = (len(even.times) - 1) / float(even.times[-1] - even.times[0])
     if even.path == "rotation":
         values = filters.without_rotation_spikes(values) if wanted.spikes else values
@@ -60,7 +95,7 @@ def _filtered(channel: Channel, wanted: Filter) -> Channel:
     else:
         values = filters.without_spikes(values) if wanted.spikes else values
         values = filters.low_pass(values, rate, wanted.low_pass) if wanted.low_pass else values
-    return replace(even, values=values.astype(np.float32))
+    return values
 
 
 def _even(channel: Channel) -> Channel:

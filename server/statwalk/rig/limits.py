@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -22,6 +22,8 @@ class ClampedJoint(NamedTuple):
     joint: str
     angle: float
     distance: float
+    by: Literal["motion", "solver"] = "motion"
+    """what went beyond them: motion and blends, or inverse kinematics (in its last turn of the joint)"""
 
 
 class Excess(NamedTuple):

@@ -11,14 +11,14 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_elementary import of
-from statwalk.maths.simd.lane_functions import any_above, where_below
-from statwalk.maths.simd.lane_quat import conjugate, minus, plus, rotated
-from statwalk.maths.simd.lane_turns import between
-from statwalk.maths.simd.lane_vector import length
+from statwalk.maths.simd.lane_functions import any_above, most, root, where_below
+from statwalk.maths.simd.lane_quat import conjugate, minus, plus, rotated, scaled, vector_square
+from statwalk.maths.simd.lane_vector import length, where3_below
 from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import load3, load4, store3, store4
 from statwalk.solve.chain_lanes import AIM, JOINT, LOCAL, OFFSET
-from statwalk.solve.iterate import FAR, goes_on, keep_better, take_best, turned_by
+from statwalk.solve.chains import TWO_BONE
+from statwalk.solve.iterate import FAR, aimed, goes_on, is_free_joint, keep_better, note_cuts, take_best
 
 ZERO, ONE = np.float32(0), np.float32(1)
 
@@ -39,11 +39,13 @@ def solve_ccd(
         if not any_above(active, zero):
             break
         distance = _sweep(chains, clamps, number, goal, scratch)
+        if chains.solver[number] != TWO_BONE:  # a limb's cuts are those of the exact solution
+            note_cuts(chains, number, active, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
-        best = keep_better(scratch, count, better, distance, best)
+        best = keep_better(scratch, count - 1, better, distance, best)
         active, last = goes_on(active, distance, last, tolerance, whole), distance
-    take_best(scratch, count)
+    take_best(scratch, count - 1)
     return iterations
 
 
@@ -64,9 +66,19 @@ def _sweep(chains: Any, clamps: Any, number: int, goal: Any, scratch: Any) -> An
     for step in range(count - 1):
         place = count - 2 - step
         at, q = place * JOINT, load4(scratch, place * JOINT + LOCAL)
+        bone = rotated(q, end)
         if chains.sensitivity[first + place] > ZERO:
-            turn = between(rotated(q, end), load3(scratch, at + AIM))
-            q = turned_by(chains, clamps, first + place, turn, q)
+            aim = load3(scratch, at + AIM)
+            q = aimed(chains, clamps, first + place, bone, aim, q, scratch, at)
             store4(scratch, at + LOCAL, q)
-        end = plus(load3(scratch, at + OFFSET), rotated(q, end))
+            bone = _along(bone, aim) if is_free_joint(chains, clamps, first + place) else rotated(q, end)
+        end = plus(load3(scratch, at + OFFSET), bone)
     return length(minus(goal, end))
+
+
+@inlined
+def _along(bone: Any, aim: Any) -> Any:
+    """The bone turned towards `aim`, if that has a length."""
+    square, tiny = vector_square(aim), of(1e-30)
+    factor = root(vector_square(bone) * square) / most(square, tiny)
+    return where3_below(tiny, square, scaled(aim, factor), bone)

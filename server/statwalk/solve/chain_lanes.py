@@ -19,7 +19,7 @@ from statwalk.maths.simd.lanes import LANES, broadcast, store
 from statwalk.maths.simd.pose_lanes import ROTATION, SCALE, either4, joint_at, load3, load4, store3, store4
 
 ZERO, ONE = np.float32(0), np.float32(1)
-LOCAL, OFFSET, POINT, TURN, BEST, AIM, LENGTH = (
+LOCAL, OFFSET, POINT, TURN, BEST, AIM, LENGTH, CUT, NOTED, TURNED = (
     0,
     4 * LANES,
     7 * LANES,
@@ -27,12 +27,16 @@ LOCAL, OFFSET, POINT, TURN, BEST, AIM, LENGTH = (
     14 * LANES,
     18 * LANES,
     21 * LANES,
+    22 * LANES,
+    23 * LANES,
+    24 * LANES,
 )
 """floats of a joint in memory: its rotation from its parent; its place in its parent's frame; its place, and
 the rotation of its parent, in the chain's frame; the best rotation so far; a vector of the solver's; the
-length of the bone before it
+length of the bone before it; by how much its limits cut its last turn (the square of the sine of half the
+angle), and the same in the last iteration that counted; the turn carried from tick to tick
 """
-JOINT = 24 * LANES
+JOINT = 28 * LANES
 """floats of a joint in memory"""
 
 
@@ -63,6 +67,8 @@ def read_chain(chains: Any, number: int, values: Any, block: int, scale: Any, sc
         store4(scratch, place * JOINT + LOCAL, load4(values, at + ROTATION))
         store3(scratch, place * JOINT + OFFSET, times(scale, load3(values, at)))
         scale = times(scale, load3(values, at + SCALE))
+        store(scratch, place * JOINT + CUT, broadcast(ZERO))
+        store(scratch, place * JOINT + NOTED, broadcast(ZERO))
 
 
 @inlined
@@ -136,7 +142,6 @@ def write_joint(values: Any, at: int, solved: Any, weight: Any) -> Any:
     )
     if any_above(one, weight):
         partly = normalized(slerp(old, solved, least(most(weight, zero), one)))
-        solved = either4(one - weight, partly, solved)
-    solved = either4(weight, solved, old)
+        solved = either4(weight, either4(one - weight, partly, solved), old)
     store4(values, at + ROTATION, solved)
     return solved

@@ -18,14 +18,14 @@ and its output rows
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.maths.arrays import Ints
+from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.clamp_table import ClampTable
 from statwalk.maths.columns import columns, locked
 from statwalk.maths.simd.lanes import LANES
@@ -69,8 +69,14 @@ class Chain:
     """look-at: the line of sight in the frame of the last joint, unit length"""
     gain: float = 1.0
     """force: radians of a step for a force as long as the chain, shared by the joints, above 0"""
+    is_carried: bool = False
+    """force: whether the solver begins with the turns at TURNED of its scratch, and leaves them there"""
     turns_end: bool = False
     """whether the end gets the input `rotation`; otherwise it keeps its rotation from its parent"""
+    is_moored: bool = False
+    """whether the end is the anchor: it stays where it is, the start comes to the target, and the root of the
+    skeleton moves; otherwise the start stays
+    """
 
 
 class Chains(NamedTuple):
@@ -92,7 +98,13 @@ class Chains(NamedTuple):
     pole_kind: Annotated[NDArray[np.int32], "chain"]
     forward: Annotated[NDArray[np.float32], "chain, xyz"]
     gain: Annotated[NDArray[np.float32], "chain"]
+    is_carried: Annotated[NDArray[np.bool_], "chain"]
     turns_end: Annotated[NDArray[np.bool_], "chain"]
+    is_moored: Annotated[NDArray[np.bool_], "chain"]
+    top: Annotated[NDArray[np.int32], "chain"]
+    """the joint without a parent above a chain's start"""
+    note: Annotated[NDArray[np.int32], "row"]
+    """the column of `keep` that says how far the joint's limits cut its last turn; -1: none"""
     is_free: Annotated[NDArray[np.bool_], "chain"]
     """whether no joint that turns has limits or a sensitivity below 1"""
 
@@ -101,8 +113,12 @@ CHAINS = columns(Chains, readonly=True)
 """the numba type of Chains"""
 
 
-def chain_tables(parent: Ints, chains: Sequence[Chain], limits: ClampTable) -> Chains:
-    """Returns the tables of the chains of a skeleton with these parents (J,) and limits."""
+def chain_tables(
+    parent: Ints, chains: Sequence[Chain], limits: ClampTable, notes: Mapping[int, int] | None = None
+) -> Chains:
+    """Returns the tables of the chains of a skeleton with these parents (J,) and limits; `notes`: the column
+    of `keep` for each joint whose clamp is noted.
+    """
     ancestors = [_ancestors(parent, chain.joints[0]) for chain in chains]
     joints = [chain.joints for chain in chains]
     sensitivity = [chain.sensitivity or (1.0,) * len(chain.joints) for chain in chains]
@@ -122,7 +138,11 @@ def chain_tables(parent: Ints, chains: Sequence[Chain], limits: ClampTable) -> C
             pole_kind=np.array([chain.pole_kind for chain in chains], np.int32),
             forward=np.array([chain.forward for chain in chains], np.float32).reshape(-1, 3),
             gain=np.array([chain.gain for chain in chains], np.float32),
+            is_carried=np.array([chain.is_carried for chain in chains], bool),
             turns_end=np.array([chain.turns_end for chain in chains], bool),
+            is_moored=np.array([chain.is_moored for chain in chains], bool),
+            top=np.array([top_of(parent, chain.joints[0]) for chain in chains], np.int32),
+            note=np.array([(notes or {}).get(joint, -1) for joint in sum(joints, ())], np.int32),
             is_free=np.array([_is_free(chain, limits) for chain in chains], bool),
         )
     )
@@ -135,10 +155,27 @@ def _is_free(chain: Chain, limits: ClampTable) -> bool:
     return min((1.0, *chain.sensitivity[:-1])) == 1 and bool((limits.row[[*chain.joints[:-1]]] < 0).all())
 
 
+def limited_joints(chains: Sequence[Chain], limits: ClampTable) -> tuple[int, ...]:
+    """Returns the joints of the chains that have limits, in ascending order."""
+    joints = {joint for chain in chains for joint in chain.joints}
+    return tuple(sorted(joint for joint in joints if limits.row[joint] >= 0))
+
+
+def cut_angle(noted: Floats) -> Floats:
+    """Returns the radians by which limits cut turns, from what solvers note in their memory."""
+    angles: Floats = 2 * np.arcsin(np.sqrt(np.clip(noted, 0, 1)))
+    return angles
+
+
 def joints_between(parent: Ints, start: int, end: int) -> tuple[int, ...]:
     """Returns the joints from `start` to its descendant `end`; empty if `end` does not descend from it."""
     joints = (*_ancestors(parent, end), end)
     return joints[joints.index(start) :] if start in joints else ()
+
+
+def top_of(parent: Ints, joint: int) -> int:
+    """Returns the joint without a parent above a joint, or itself."""
+    return (*_ancestors(parent, joint), joint)[0]
 
 
 def input_rows(blocks: int, chains: int) -> NDArray[np.float32]:

@@ -56,8 +56,10 @@ class ExpressionProgram(NamedTuple):
     """The tables, and what their memory must hold."""
 
     tables: ExpressionTables
+    lines: tuple[Assignment, ...]
+    """the assignments of group 0, in the order in which they run"""
     slots: Mapping[str, int]
-    """the slot of each free variable of group 0"""
+    """the slot of each name that group 0 sets: channels and free variables"""
     values: int
     """number of slots"""
     deepest: int
@@ -74,8 +76,9 @@ def expression_program(
     builder = _Builder(channels, parameters)
     for assignments in groups:
         builder.add(assignments)
-    free = {line.target: builder.slot_of(0, line.target) for line in groups[0] if line.target not in channels}
-    return ExpressionProgram(builder.tables(group_of_state), free, builder.count, max(builder.deepest, 1))
+    slots = {line.target: builder.slot_of(0, line.target) for line in groups[0]}
+    tables, deepest = builder.tables(group_of_state), max(builder.deepest, 1)
+    return ExpressionProgram(tables, tuple(groups[0]), slots, builder.count, deepest)
 
 
 class _Builder:

@@ -11,16 +11,17 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_elementary import of
-from statwalk.maths.simd.lane_functions import any_above, most, root, where_below
+from statwalk.maths.simd.lane_functions import any_above, fused, most, root, where_below
 from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, rotated, vector_square
-from statwalk.maths.simd.lane_turns import between
-from statwalk.maths.simd.lane_vector import added, length
+from statwalk.maths.simd.lane_vector import added, dot, length
 from statwalk.maths.simd.lanes import broadcast, load, spread
 from statwalk.maths.simd.pose_lanes import either3, load3, load4, store3, store4
-from statwalk.solve.chain_lanes import AIM, JOINT, LENGTH, LOCAL, OFFSET, POINT, place_joints
-from statwalk.solve.iterate import FAR, goes_on, keep_better, take_best, turned_by
+from statwalk.solve.chain_lanes import AIM, JOINT, LENGTH, LOCAL, OFFSET, POINT
+from statwalk.solve.iterate import FAR, aimed, goes_on, keep_better, note_cuts, take_best
 
 ZERO, ONE = np.float32(0), np.float32(1)
+CANCELLED = 1e-6
+"""of a sum of squares: a difference of squares below it is rounding"""
 
 
 @called
@@ -35,64 +36,95 @@ def solve_fabrik(
     count = chains.first[number + 1] - chains.first[number]
     zero, one, tolerance = broadcast(ZERO), broadcast(ONE), spread(chains.tolerance, number)
     active = where_below(zero, active, where_below(tolerance, best, one, zero), zero)
-    place_joints(scratch, count, LOCAL)
     iterations, before, last = zero, active, of(FAR)
     is_free = chains.is_free[number]
     for _ in range(chains.iterations[number]):
         if not any_above(active, zero):
             break
-        _pull_back(scratch, count, goal)
+        pull_back(scratch, count, goal)
         iterations = iterations + active
         if is_free:
-            distance = length(minus(goal, _pull_forth(scratch, count, active)))
+            distance = length(minus(goal, pull_forth(scratch, count, active)))
         else:
-            distance = length(minus(goal, _turn_to_points(chains, clamps, number, AIM, scratch)))
+            distance = length(minus(goal, turn_to_points(chains, clamps, number, AIM, scratch)))
+            note_cuts(chains, number, active, scratch)
             better = where_below(distance, best, active, zero)
-            best = keep_better(scratch, count, better, distance, best)
+            best = keep_better(scratch, count - 1, better, distance, best)
         active, last = goes_on(active, distance, last, tolerance, whole), distance
     if is_free:
-        distance = length(minus(goal, _turn_to_points(chains, clamps, number, POINT, scratch)))
-        keep_better(scratch, count, where_below(distance, best, before, zero), distance, best)
-    take_best(scratch, count)
+        distance = length(minus(goal, turn_to_points(chains, clamps, number, POINT, scratch)))
+        keep_better(scratch, count - 1, where_below(distance, best, before, zero), distance, best)
+    take_best(scratch, count - 1)
     return iterations
 
 
 @inlined
-def _pull_back(scratch: Any, count: int, goal: Any) -> None:
+def pull_back(scratch: Any, count: int, goal: Any) -> None:
     """Puts the end at the goal, and each joint, from the end to the start, at its bone's length; writes the
     points to AIM.
     """
-    after = goal
-    store3(scratch, (count - 1) * JOINT + AIM, goal)
+    drawn = _first(goal)
     for step in range(count - 2):
         at = (count - 2 - step) * JOINT
-        after = _at_length(after, load3(scratch, at + POINT), load(scratch, at + JOINT + LENGTH))
-        store3(scratch, at + AIM, after)
+        bone = load(scratch, at + JOINT + LENGTH)
+        drawn = _drawn(drawn, load3(scratch, at + POINT), bone)
+        store3(scratch, at + JOINT + AIM, drawn[0])
+    store3(scratch, JOINT + AIM, _place(drawn))
 
 
 @inlined
-def _pull_forth(scratch: Any, count: int, active: Any) -> Any:
+def pull_forth(scratch: Any, count: int, active: Any) -> Any:
     """Puts each joint, from the start to the end, at its bone's length; writes the points of active lanes to
     POINT; returns the end.
     """
-    before = load3(scratch, POINT)
+    drawn = _first(load3(scratch, POINT))
     for place in range(1, count):
         at = place * JOINT
-        moved = _at_length(before, load3(scratch, at + AIM), load(scratch, at + LENGTH))
-        before = either3(active, moved, load3(scratch, at + POINT))
-        store3(scratch, at + POINT, before)
-    return before
+        drawn = _drawn(drawn, load3(scratch, at + AIM), load(scratch, at + LENGTH))
+        if place > 1:
+            _move(scratch, at - JOINT, active, drawn[0])
+    end = _place(drawn)
+    _move(scratch, (count - 1) * JOINT, active, end)
+    return end
 
 
 @inlined
-def _at_length(origin: Any, point: Any, bone: Any) -> Any:
-    """The point at a bone's length from the origin, in the direction of `point`."""
-    way = minus(point, origin)
-    return added(origin, way, bone / root(most(vector_square(way), of(1e-30))))
+def _move(scratch: Any, at: int, active: Any, point: Any) -> None:
+    store3(scratch, at + POINT, either3(active, point, load3(scratch, at + POINT)))
 
 
 @inlined
-def _turn_to_points(chains: Any, clamps: Any, number: int, points: int, scratch: Any) -> Any:
+def _first(origin: Any) -> Any:
+    """A joint that stays, as `_drawn` returns it."""
+    zero = broadcast(ZERO)
+    return origin, (zero, zero, zero), zero, zero
+
+
+@inlined
+def _place(drawn: Any) -> Any:
+    """Where a joint has been drawn to."""
+    origin, way, factor, _ = drawn
+    return added(origin, way, factor)
+
+
+@inlined
+def _drawn(drawn: Any, point: Any, bone: Any) -> Any:
+    """Draws a joint from `point` to a bone's length from the joint before it: returns the place of that one,
+    the way from there to `point`, the factor of the way, and the bone.
+
+    Only roots and divisions take long, so the square of the way does not wait for the way: with o + w·f the
+    place of the joint before, its bone |w·f|, and v = point − o, it is |v|² + |w·f|² − 2 f w·v.
+    """
+    origin, way, factor, last = drawn
+    from_origin = minus(point, origin)
+    squares = most(fused(last, last, vector_square(from_origin)), of(1e-30))
+    both = dot(from_origin, way)
+    square = most(fused(-(both + both), factor, squares), squares * of(CANCELLED))
+    return added(origin, way, factor), added(from_origin, way, -factor), bone / root(square), bone
+
+
+@inlined
+def turn_to_points(chains: Any, clamps: Any, number: int, points: int, scratch: Any) -> Any:
     """Turns each joint, from the start on, so that its bone points at the next of the points (at AIM or
     POINT), as far as it may; writes rotations and places; returns the end.
     """
@@ -104,7 +136,7 @@ def _turn_to_points(chains: Any, clamps: Any, number: int, points: int, scratch:
         q, offset = load4(scratch, at + LOCAL), load3(scratch, at + JOINT + OFFSET)
         if chains.sensitivity[first + place] > ZERO:
             way = rotated(conjugate(above), minus(load3(scratch, at + JOINT + points), place_now))
-            q = turned_by(chains, clamps, first + place, between(rotated(q, offset), way), q)
+            q = aimed(chains, clamps, first + place, rotated(q, offset), way, q, scratch, at)
             store4(scratch, at + LOCAL, q)
         above = mul(above, q)
         place_now = plus(place_now, rotated(above, offset))

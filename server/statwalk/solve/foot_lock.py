@@ -200,7 +200,9 @@ def _raise(
     """
     x, z = keep[row, at + X], keep[row, at + Z]
     floor = ground_at(f.ground, low[1] + x, low[3] + z, root[1]) - low[2]
-    wanted = floor + low[2] - root[1]  # as high above the ground as in the motion
+    wanted = 0.0  # as high above the ground as in the motion: on uneven ground `foot_fit` has seen to it
+    if f.ground.shape[0] == 0:
+        wanted = floor + low[2] - root[1]
     if keep[row, at + PLANTED] == STANDING:
         wanted = floor
     elif may_drag or -floor < CLEARANCE:

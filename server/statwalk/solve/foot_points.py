@@ -1,7 +1,7 @@
 """Points of an actor's feet on the stage, from the model matrices of its legs.
 
 `f` FootTables; `legs` the model matrices of `f.joints`; `root` x, y, z of the actor, sine and cosine of its
-heading.
+heading. All places on the stage are in units of `f.unit`: every character has about the walker's size in it.
 """
 
 from __future__ import annotations
@@ -31,12 +31,19 @@ def stage_point(f: Any, legs: Any, row: int, point: int, root: Any) -> Any:
     b = legs[block, place, 4, lane] * x + legs[block, place, 5, lane] * y + legs[block, place, 6, lane] * z
     c = legs[block, place, 8, lane] * x + legs[block, place, 9, lane] * y + legs[block, place, 10, lane] * z
     a, b = a + legs[block, place, 3, lane], b + legs[block, place, 7, lane]
-    return on_stage(a, b, c + legs[block, place, 11, lane], root)
+    return in_units(f, a, b, c + legs[block, place, 11, lane], root)
+
+
+@inlined
+def in_units(f: Any, x: float, y: float, z: float, root: Any) -> Any:
+    """Returns a point of model space (metres) on the stage."""
+    per_metre = 1.0 / f.unit[0]
+    return on_stage(x * per_metre, y * per_metre, z * per_metre, root)
 
 
 @inlined
 def on_stage(x: float, y: float, z: float, root: Any) -> Any:
-    """Returns a point of model space on the stage."""
+    """Returns a point of model space on the stage, all in the same unit."""
     return x * root[4] + z * root[3] + root[0], y + root[1], z * root[4] - x * root[3] + root[2]
 
 
@@ -46,6 +53,14 @@ def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any, away_x: floa
     is shown `away_x` and `away_z` metres from its motion.
     """
     best = f.first_point[foot]
+    if f.ground.shape[0] == 0:
+        least = _height(f, legs, row, best)
+        for point in range(best + 1, f.first_point[foot + 1]):
+            height = _height(f, legs, row, point)
+            if height < least:
+                best, least = point, height
+        bx, by, bz = stage_point(f, legs, row, best, root)
+        return best, bx, by, bz
     bx, by, bz = stage_point(f, legs, row, best, root)
     least = by - ground_at(f.ground, bx + away_x, bz + away_z, root[1])
     for point in range(best + 1, f.first_point[foot + 1]):
@@ -54,6 +69,16 @@ def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any, away_x: floa
         if height < least:
             best, bx, by, bz, least = point, x, y, z, height
     return best, bx, by, bz
+
+
+@inlined
+def _height(f: Any, legs: Any, row: int, point: int) -> Any:
+    """The y of an animated point of the sole in model space."""
+    block, lane = place_of(row)
+    place = f.carrier[point]
+    x, y, z = f.point[point, 0], f.point[point, 1], f.point[point, 2]
+    b = legs[block, place, 4, lane] * x + legs[block, place, 5, lane] * y + legs[block, place, 6, lane] * z
+    return b + legs[block, place, 7, lane]
 
 
 @inlined
@@ -81,8 +106,8 @@ def ankle_of(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
     z = legs[block, place, 8, lane] * a[0] + legs[block, place, 9, lane] * a[1]
     z += legs[block, place, 10, lane] * a[2]
     yaw = atan2(x * root[4] + z * root[3], z * root[4] - x * root[3])
-    px, py, pz = on_stage(
-        legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
+    px, py, pz = in_units(
+        f, legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
     )
     return px, py, pz, yaw
 

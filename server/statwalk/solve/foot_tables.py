@@ -21,6 +21,8 @@ class FootTables(NamedTuple):
     """the joint that carries all legs, and gives way to them"""
     above_pelvis: Annotated[NDArray[np.int32], "1"]
     """the index in `joints` of the pelvis's parent, -1 none"""
+    unit: Annotated[NDArray[np.float64], "1"]
+    """metres: a power of two, 1 for a leg of 0.6 to 1.2 metres; the foot lock's lengths are in units"""
     hip: Annotated[NDArray[np.int32], "foot"]
     """index in `joints`"""
     ankle: Annotated[NDArray[np.int32], "foot"]
@@ -30,7 +32,9 @@ class FootTables(NamedTuple):
     bend: Annotated[NDArray[np.float64], "foot, xyz"]
     """the direction in which the knee bends, in the frame of the hip"""
     length: Annotated[NDArray[np.float64], "foot"]
-    """metres from hip to knee to ankle"""
+    """units from hip to knee to ankle"""
+    other: Annotated[NDArray[np.int32], "foot"]
+    """the foot beside it, -1 none: of two feet each waits for the other"""
     first_point: Annotated[NDArray[np.int32], "foot + 1"]
     carrier: Annotated[NDArray[np.int32], "point"]
     """the index in `joints` of the joint that carries a point"""
@@ -44,11 +48,24 @@ class FootTables(NamedTuple):
     """0…1, if `weight_parameter` is -1"""
     weight_parameter: Annotated[NDArray[np.int64], "1"]
     ground: Annotated[NDArray[np.float64], "piece, 7"]
-    """x and z of two corners of a level or sloping rectangle, and a, b, c of its height a + b·x + c·z on the
-    stage; where rectangles overlap the highest counts, beside them the height is 0
+    """in units: x and z of two corners of a level or sloping rectangle, and a, b, c of its height
+    a + b·x + c·z on the stage; where rectangles overlap the highest counts, beside them the height is 0
     """
     memory: Annotated[NDArray[np.int64], "1"]
     """the first column of the foot lock in the solvers' memory"""
+    fit: Annotated[NDArray[np.int64], "1"]
+    """the first column of what feet need on uneven ground in the solvers' memory, -1 on a level floor"""
+    print: Annotated[NDArray[np.float64], "foot, 4"]
+    """of the sole at rest, units: ALONG, ACROSS from the ankle to its middle, forward and to the left;
+    HALF_LENGTH, HALF_WIDTH
+    """
+    first_below: Annotated[NDArray[np.int32], "foot + 1"]
+    below: Annotated[NDArray[np.int32], "joint of a foot"]
+    """the indices in `joints` of each ankle and the joints below it"""
+    landing: Annotated[NDArray[np.float64], "span, 3"]
+    """where the middle of the sole is as a foot comes down, x and z (metres, in the actor's frame), and the
+    foot's yaw
+    """
 
 
 FEET = columns(FootTables, readonly=True)
@@ -70,3 +87,27 @@ rates; the lowest animated point, and where it was; 1 if the foot stands and the
 """
 LEAVING, STANDING = 1.0, 2.0
 """a foot that leaves has been released, and keeps its place until it is clear of the ground"""
+
+ALONG, ACROSS, HALF_LENGTH, HALF_WIDTH = range(4)
+"""columns of `print`"""
+FIT, PATH_PARTS = 5, 12
+"""numbers of a fit; parts of a foot's path through the air"""
+SHIFT_X, SHIFT_Z, TILT_X, TILT_Z, LIFT = range(FIT)
+"""a foot's fit to uneven ground: metres from its motion, slope, metres above the root's floor"""
+TOOK = FIT
+"""the fit when the last motion began: the pose offset has taken it over"""
+(
+    TILT_X_RATE, TILT_Z_RATE, SLOPE_X, SLOPE_Z, PLAN, HEIGHT, SLIP, SLIP_RATE, AT_X, AT_Z, FROM_X, FROM_Z,
+    TO_X, TO_Z, OLD_X, OLD_Z, SHIFTED, PROGRESS, PATH,
+) = range(2 * FIT, 2 * FIT + 19)  # fmt: skip
+"""how fast the slope changes; the slope that is wanted; STANDS, FLIES, SEARCHES or 0, a new foot; the height
+that is wanted, and how far above it the foot still is (metres), with the rate; the middle of the sole on the
+stage; where it set off and where it lands; SHIFT as it set off, and the share 0…1 of the way to its new
+SHIFT; the share of its path that is behind it; the first of PATH_PARTS + 1 heights along it
+"""
+SAG, OF_GROUND = 0, 1
+"""numbers of an actor on uneven ground, before those of its feet: metres by which the pelvis is lowered"""
+OF_FIT = PATH + PATH_PARTS + 1
+"""numbers of a foot on uneven ground"""
+STANDS, FLIES, SEARCHES = 1.0, 2.0, 3.0
+"""a foot that searches is on its way, and its motion does not say where it lands"""

@@ -14,7 +14,7 @@ from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.pose_layout import joint_channel, place_of
 from statwalk.maths.springs import settled
 from statwalk.solve.chains import POLE, ROTATION, TARGET, WEIGHT
-from statwalk.solve.foot_points import ankle_of, on_stage
+from statwalk.solve.foot_points import ankle_of, in_units
 from statwalk.solve.foot_tables import (
     DROP,
     DROP_RATE,
@@ -22,6 +22,7 @@ from statwalk.solve.foot_tables import (
     OF_ACTOR,
     OF_FOOT,
     PLANTED,
+    SAG,
     STANDING,
     TOO_SHORT,
     TURN,
@@ -37,15 +38,24 @@ MOST_DROP, MOST_DROP_ON_GROUND = 0.05, 0.35
 """metres by which the pelvis is lowered, on a level floor and on uneven ground; a foot that needs more is
 released
 """
-GIVE, FOLLOW = 21.0, 14.0
-"""1/s: how eagerly the pelvis gives way, and the root follows the ground"""
+GIVE, GIVE_ON_GROUND, FOLLOW = 21.0, 14.0, 14.0
+"""1/s: how eagerly the pelvis gives way, on a level floor and on uneven ground, and the root follows the
+ground
+"""
+SAG_SHARE, MOST_SAG = 0.25, 0.15
+"""metres by which the pelvis is lower for each metre that the ground rises or falls in a metre; at most"""
+MEAN_STEPS, MEAN_STEP = 4, 0.11
+"""places before and behind the root whose ground counts for its height, the nearest most; metres between them
+"""
 
 
 @called
 def lower_pelvis(f: Any, legs: Any, keep: Any, row: int, root: Any, dt: float) -> Any:
     """Returns by how much the pelvis is lowered (metres), so that planted feet stay in reach."""
     memory, most = f.memory[0], MOST_DROP if f.ground.shape[0] == 0 else MOST_DROP_ON_GROUND
-    wanted = 0.0
+    wanted, give = 0.0, GIVE
+    if f.fit[0] >= 0:
+        wanted, give = keep[row, f.fit[0] + SAG], GIVE_ON_GROUND
     for foot in range(f.hip.shape[0]):
         at = memory + OF_ACTOR + foot * OF_FOOT
         if keep[row, at + PLANTED] == STANDING:
@@ -53,7 +63,7 @@ def lower_pelvis(f: Any, legs: Any, keep: Any, row: int, root: Any, dt: float) -
             keep[row, at + TOO_SHORT] = 1.0 if need > most else 0.0
             wanted = max(wanted, min(need, most))
     old = keep[row, memory + DROP] - wanted
-    drop, rate = settled(old, keep[row, memory + DROP_RATE], GIVE, dt)
+    drop, rate = settled(old, keep[row, memory + DROP_RATE], give, dt)
     keep[row, memory + DROP], keep[row, memory + DROP_RATE] = drop + wanted, rate
     return drop + wanted
 
@@ -69,8 +79,8 @@ def _missing(f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, root: A
     """How much lower a hip must be for its leg to reach the shown ankle."""
     block, lane = place_of(row)
     place, reach = f.hip[foot], STRETCH * f.length[foot]
-    x, y, z = on_stage(
-        legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
+    x, y, z = in_units(
+        f, legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
     )
     ankle = ankle_of(f, legs, row, foot, root)
     x, z = x - ankle[0] - keep[row, at + X], z - ankle[2] - keep[row, at + Z]
@@ -80,7 +90,8 @@ def _missing(f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, root: A
 
 @inlined
 def move_pelvis(f: Any, legs: Any, values: Any, row: int, drop: float) -> None:
-    """Lowers the pelvis of the pose in a block of `values` by `drop` metres."""
+    """Lowers the pelvis of the pose in a block of `values` by `drop` units."""
+    drop *= f.unit[0]
     block, lane = place_of(row)
     channel, place = joint_channel(f.pelvis[0]), f.above_pelvis[0]
     for axis in range(3):
@@ -99,9 +110,9 @@ def aim_leg(f: Any, legs: Any, keep: Any, rows: Any, row: int, foot: int, root: 
     at, inputs = f.memory[0] + OF_ACTOR + foot * OF_FOOT, rows[foot]
     ankle = ankle_of(f, legs, row, foot, root)
     x, z = ankle[0] + keep[row, at + X] - root[0], ankle[2] + keep[row, at + Z] - root[2]
-    inputs[TARGET, lane] = x * root[4] - z * root[3]
-    inputs[TARGET + 1, lane] = ankle[1] + keep[row, at + Y] - root[1]
-    inputs[TARGET + 2, lane] = z * root[4] + x * root[3]
+    inputs[TARGET, lane] = (x * root[4] - z * root[3]) * f.unit[0]
+    inputs[TARGET + 1, lane] = (ankle[1] + keep[row, at + Y] - root[1]) * f.unit[0]
+    inputs[TARGET + 2, lane] = (z * root[4] + x * root[3]) * f.unit[0]
     for axis in range(3):
         bend = 0.0
         for column in range(3):
@@ -144,10 +155,18 @@ def _quaternion(legs: Any, block: int, place: int, lane: int) -> Any:
 
 
 @inlined
-def follow_ground(f: Any, keep: Any, position: Any, row: int, dt: float) -> None:
-    """Moves the root to the height of the ground below it."""
-    if f.ground.shape[0] > 0:
-        ground = ground_at(f.ground, position[row, 0], position[row, 2], 0.0)
+def follow_ground(f: Any, keep: Any, position: Any, row: int, sine: float, cosine: float, dt: float) -> None:
+    """Moves the root to the mean height of the ground below it, before and behind it."""
+    if f.fit[0] >= 0:
+        ground, weights, rise, square = 0.0, 0.0, 0.0, 0.0
+        for step in range(-MEAN_STEPS, MEAN_STEPS + 1):
+            weight, away = MEAN_STEPS + 1.0 - abs(step), step * MEAN_STEP
+            x, z = position[row, 0] / f.unit[0] + away * sine, position[row, 2] / f.unit[0] + away * cosine
+            height = ground_at(f.ground, x, z, 0.0)
+            ground, weights = ground + weight * height, weights + weight
+            rise, square = rise + weight * height * away, square + weight * away * away
+        ground /= weights
+        keep[row, f.fit[0] + SAG] = min(SAG_SHARE * abs(rise) / square, MOST_SAG)
         at = f.memory[0] + LIFT_RATE
-        height, keep[row, at] = settled(position[row, 1] - ground, keep[row, at], FOLLOW, dt)
-        position[row, 1] = ground + height
+        height, keep[row, at] = settled(position[row, 1] / f.unit[0] - ground, keep[row, at], FOLLOW, dt)
+        position[row, 1] = (ground + height) * f.unit[0]

@@ -24,7 +24,7 @@ from statwalk.maths.simd.lane_vector import added, cross, length
 from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import load3, load4, store3, store4
 from statwalk.solve.chain_lanes import AIM, JOINT, LOCAL, OFFSET, place_joints
-from statwalk.solve.iterate import FAR, keep_better, limited, take_best
+from statwalk.solve.iterate import FAR, keep_better, limited, note_cuts, take_best
 
 ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
 LARGEST_STEP = 0.25
@@ -53,13 +53,14 @@ def solve_force(
         if not any_above(active, zero):
             break
         distance = length(minus(pulled, _step(chains, clamps, number, pulled, gain, per_length, scratch)))
+        note_cuts(chains, number, active, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
-        best = keep_better(scratch, count, better, distance, best)
+        best = keep_better(scratch, count - 1, better, distance, best)
         active = where_below(tolerance, best, active, zero)
         active = where_below(whole * of(STALLED), size(distance - last), active, zero)
         last = distance
-    take_best(scratch, count)
+    take_best(scratch, count - 1)
     return iterations
 
 
@@ -82,7 +83,7 @@ def _step(chains: Any, clamps: Any, number: int, goal: Any, gain: Any, per_lengt
             for axis in range(3):
                 turn = _turn(axis, bone, minus(seen, end), per_length, part)
                 seen, q = rotated(conjugate(turn), seen), mul(q, turn)
-            q = limited(chains, clamps, first + place, normalized(q))
+            q = limited(chains, clamps, first + place, normalized(q), scratch, at)
             store4(scratch, at + LOCAL, q)
         end = plus(load3(scratch, at + OFFSET), rotated(q, end))
     return end

@@ -12,12 +12,12 @@ from statwalk.maths.simd.clamp_lanes import clamp_rotation
 from statwalk.maths.simd.lane_elementary import of
 from statwalk.maths.simd.lane_functions import any_above, either, size, where_below
 from statwalk.maths.simd.lane_quat import conjugate, minus, mul, renormalized, rotated, slerp, vector_square
-from statwalk.maths.simd.lane_turns import between
-from statwalk.maths.simd.lane_vector import cross, length, perpendicular, unit, where3_below
-from statwalk.maths.simd.lanes import broadcast, spread
+from statwalk.maths.simd.lane_turns import between, half_way
+from statwalk.maths.simd.lane_vector import cross, length, per_root, perpendicular, unit, where3_below
+from statwalk.maths.simd.lanes import broadcast, load, spread, store
 from statwalk.maths.simd.pose_lanes import either4, load3, load4, store4
-from statwalk.solve.chain_lanes import BEST, JOINT, LOCAL, OFFSET, POINT, TURN, place_joints
-from statwalk.solve.chains import FORCE
+from statwalk.solve.chain_lanes import BEST, CUT, JOINT, LOCAL, NOTED, OFFSET, POINT, TURN, place_joints
+from statwalk.solve.chains import FORCE, TWO_BONE
 
 ZERO, ONE = np.float32(0), np.float32(1)
 KICK = 0.1
@@ -31,30 +31,66 @@ FAR = 1e30
 
 
 @inlined
-def limited(chains: Any, clamps: Any, row: int, q: Any) -> Any:
-    """Returns the local rotation of the joint of a row, clamped to the joint's limits."""
+def limited(chains: Any, clamps: Any, row: int, q: Any, scratch: Any, at: int) -> Any:
+    """Returns the local rotation of the joint of a row, whose memory is at `at`, clamped to the joint's
+    limits; writes by how much to CUT, if somebody reads it.
+    """
     limit = clamps.row[chains.joint[row]]
     if limit >= 0:
-        return clamp_rotation(clamps, limit, q)
+        inside = clamp_rotation(clamps, limit, q)
+        if chains.note[row] >= 0:
+            x, y, z, w = inside[0] - q[0], inside[1] - q[1], inside[2] - q[2], inside[3] - q[3]
+            apart = x * x + y * y + z * z + w * w  # twice 1 − cosine of half the angle
+            store(scratch, at + CUT, apart * (broadcast(ONE) - of(0.25) * apart))
+        return inside
     return q
 
 
 @inlined
-def turned_by(chains: Any, clamps: Any, row: int, turn: Any, q: Any) -> Any:
+def is_free_joint(chains: Any, clamps: Any, row: int) -> Any:
+    """Returns whether the joint of a row makes every turn that a solver wants."""
+    return clamps.row[chains.joint[row]] < 0 and chains.sensitivity[row] >= ONE
+
+
+@inlined
+def note_cuts(chains: Any, number: int, counts: Any, scratch: Any) -> None:
+    """Keeps what limits cut in this iteration, in lanes with `counts` above 0."""
+    first = chains.first[number]
+    for place in range(chains.first[number + 1] - first):
+        if chains.note[first + place] >= 0:
+            at = place * JOINT
+            store(scratch, at + NOTED, either(counts, load(scratch, at + CUT), load(scratch, at + NOTED)))
+
+
+@inlined
+def turned_by(chains: Any, clamps: Any, row: int, turn: Any, q: Any, scratch: Any, at: int) -> Any:
     """Returns a joint's rotation q after a turn in its parent's frame: as much of it as its sensitivity says,
     within its limits.
     """
     if chains.sensitivity[row] < ONE:
         zero, one = broadcast(ZERO), broadcast(ONE)
         turn = slerp((zero, zero, zero, one), turn, spread(chains.sensitivity, row))
-    return limited(chains, clamps, row, renormalized(mul(turn, q)))
+    return limited(chains, clamps, row, renormalized(mul(turn, q)), scratch, at)
+
+
+@inlined
+def aimed(chains: Any, clamps: Any, row: int, bone: Any, aim: Any, q: Any, scratch: Any, at: int) -> Any:
+    """Returns a joint's rotation q after the turn in its parent's frame that brings the vector `bone` to the
+    direction of `aim`: as much of it as its sensitivity says, within its limits.
+    """
+    if chains.sensitivity[row] < ONE:
+        return turned_by(chains, clamps, row, between(bone, aim), q, scratch, at)
+    turn, square = half_way(bone, aim)
+    q, factor = mul(turn, renormalized(q)), per_root(square)  # q is known before the turn: nothing waits
+    q = q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor
+    return limited(chains, clamps, row, q, scratch, at)
 
 
 @called
 def begin(chains: Any, clamps: Any, number: int, goal: Any, pole: Any, whole: Any, scratch: Any) -> Any:
     """Prepares the rotations at LOCAL for iterations: stretches chains towards targets out of reach (the
     force solver lets them travel there), and bends chains in line with a target within reach; returns the
-    distance of the best pose, which is at BEST.
+    distance of the best pose, which is at BEST. The places at POINT are those of the rotations at LOCAL.
     """
     first, count = chains.first[number], chains.first[number + 1] - chains.first[number]
     one, zero = broadcast(ONE), broadcast(ZERO)
@@ -64,13 +100,17 @@ def begin(chains: Any, clamps: Any, number: int, goal: Any, pole: Any, whole: An
     far = length(minus(goal, load3(scratch, POINT)))
     reach = whole * of(1 - 1e-6)
     if chains.solver[number] != FORCE and any_above(far, reach):
-        _stretch(chains, clamps, number, goal, where_below(reach, far, one, zero), scratch)
+        is_far = where_below(reach, far, one, zero)
+        _stretch(chains, clamps, number, goal, is_far, scratch)
+        if chains.solver[number] != TWO_BONE:
+            note_cuts(chains, number, is_far, scratch)
         stretched = length(minus(goal, place_joints(scratch, count, LOCAL)))
         better = where_below(stretched, distance, one, zero)
-        distance = keep_better(scratch, count, better, stretched, distance)
+        distance = keep_better(scratch, count - 1, better, stretched, distance)
     in_line = _in_line(goal, whole, count, scratch)
     if any_above(in_line, zero):
         _bend(chains, clamps, first, count, goal, pole, in_line, scratch)
+        place_joints(scratch, count, LOCAL)
     return distance
 
 
@@ -117,7 +157,7 @@ def _stretch(chains: Any, clamps: Any, number: int, goal: Any, mask: Any, scratc
         aim = minus(goal, load3(scratch, at + OFFSET))
         if chains.sensitivity[first + place] > ZERO:
             bone = rotated(q, load3(scratch, at + JOINT + OFFSET))
-            q = either4(mask, turned_by(chains, clamps, first + place, between(bone, aim), q), q)
+            q = either4(mask, aimed(chains, clamps, first + place, bone, aim, q, scratch, at), q)
             store4(scratch, at + LOCAL, q)
         goal = rotated(conjugate(q), aim)
 
@@ -156,5 +196,5 @@ def _bend(
             axis = rotated(conjugate(load4(scratch, at + TURN)), across)
             turn = axis[0] * half, axis[1] * half, axis[2] * half, broadcast(ONE)
             q = load4(scratch, at + LOCAL)
-            bent = turned_by(chains, clamps, first + place, renormalized(turn), q)
+            bent = turned_by(chains, clamps, first + place, renormalized(turn), q, scratch, at)
             store4(scratch, at + LOCAL, either4(mask, bent, q))

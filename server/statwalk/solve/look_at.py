@@ -16,7 +16,7 @@ from statwalk.maths.simd.lane_vector import cross, dot, length
 from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import load4, store4
 from statwalk.solve.chain_lanes import JOINT, LOCAL, TURN, place_joints
-from statwalk.solve.iterate import keep_better, take_best, turned_by
+from statwalk.solve.iterate import keep_better, note_cuts, take_best, turned_by
 
 ZERO, ONE = np.float32(0), np.float32(1)
 
@@ -40,6 +40,7 @@ def solve_look_at(chains: Any, clamps: Any, number: int, goal: Any, active: Any,
         for place in range(count):
             if chains.sensitivity[first + place] > ZERO:
                 _turn_joint(chains, clamps, number, place, goal, scratch)
+        note_cuts(chains, number, active, scratch)
         distance = missed(chains, number, goal, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
@@ -80,4 +81,5 @@ def _turn_joint(chains: Any, clamps: Any, number: int, place: int, goal: Any, sc
     turn = slerp((zero, zero, zero, one), turn, of(1 / (count - place)))
     above = load4(scratch, at + TURN)
     turn = mul(mul(conjugate(above), turn), above)
-    store4(scratch, at + LOCAL, turned_by(chains, clamps, first + place, turn, load4(scratch, at + LOCAL)))
+    turned = turned_by(chains, clamps, first + place, turn, load4(scratch, at + LOCAL), scratch, at)
+    store4(scratch, at + LOCAL, turned)

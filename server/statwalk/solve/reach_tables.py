@@ -22,30 +22,37 @@ class ReachTables(NamedTuple):
     pole: Annotated[NDArray[np.float64], "solver, xyz"]
     """a direction in model space, if `pole_parameter` is -1"""
     pole_parameter: Annotated[NDArray[np.int32], "solver, xyz"]
-    weight_parameter: Annotated[NDArray[np.int32], "solver"]
-    """-1: the weight is `weight`"""
+    weight_parameter: Annotated[NDArray[np.int32], "solver, state"]
+    """-1: the weight in that state is `weight`"""
     weight: Annotated[NDArray[np.float64], "solver, state"]
     eagerness: Annotated[NDArray[np.float64], "solver"]
     """1/s with which a weight by state is reached; 0: immediately"""
     travel: Annotated[NDArray[np.float64], "solver"]
-    """1/s with which the end of a force solver travels; 0: immediately; below 0: another solver"""
+    """1/s with which the end travels; 0: immediately; below 0: it does not travel"""
     cone: Annotated[NDArray[np.float64], "solver, 2"]
     """cosine and sine of the angle from +Z within which a look-at solver looks; -1, 0: everywhere"""
+    is_measured: Annotated[NDArray[np.bool_], "solver"]
+    """whether the distance from its target is measured at last: its chain aims elsewhere, on the way or at
+    the edge of a cone, or there are chains that hang
+    """
     length: Annotated[NDArray[np.float64], "solver"]
     """metres: of the chain at rest"""
     joints: Annotated[NDArray[np.int32], "joint"]
-    """the starts and ends of the chains of force solvers, the ends of look-at solvers with a cone, and all
-    above them, parents first
+    """the starts and ends of the chains that travel, the ends of look-at solvers with a cone, and all above
+    them, parents first
     """
     parents: Annotated[NDArray[np.int32], "joint"]
     """the index of each joint's parent in `joints`, -1 a root"""
     start: Annotated[NDArray[np.int32], "solver"]
-    """the index in `joints` of a chain's start, 0 if it is not there"""
+    """the index in `joints` of a chain's anchor, 0 if it is not there"""
     end: Annotated[NDArray[np.int32], "solver"]
+    """of the joint that comes to the target"""
     covers: Annotated[NDArray[np.bool_], "solver, layer"]
     """whether a layer moves joints of the chain"""
     memory: Annotated[NDArray[np.int32], "solver"]
     """a solver's first column in the solvers' memory"""
+    turned: Annotated[NDArray[np.int32], "solver"]
+    """joints whose turns a force solver carries from tick to tick, x y z w each after its other numbers"""
 
 
 REACH = columns(ReachTables, readonly=True)
@@ -57,5 +64,5 @@ OF_SOLVER = 13
 ) = range(OF_SOLVER)  # fmt: skip
 """0 in a new actor; the weight by state, and its rate; the weight that was shown; the part of it that is in
 the pose offset of a transition when it began, and the layer of that transition; metres from the end to the
-target; where the end of a force solver travels to, and its velocity (in the space of the target)
+target; where the end of a chain that travels is on its way, and its velocity (in the space of the target)
 """

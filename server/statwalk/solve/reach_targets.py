@@ -23,7 +23,7 @@ def write_inputs(
     r: Any, chains: Any, smoothed: Any, joints: Any, keep: Any, rows: Any, row: int, k: int, root: Any,
     weight: float, dt: float,
 ) -> None:  # fmt: skip
-    """Writes target and pole of a solver's chain for one actor; the end of a force solver travels on."""
+    """Writes target and pole of a solver's chain for one actor; an end that travels goes on."""
     _, lane = place_of(row)
     x, y, z = _target(r, smoothed, row, k, root)
     if r.travel[k] >= 0.0:
@@ -35,14 +35,6 @@ def write_inputs(
     rows[POLE, lane], rows[POLE + 1, lane], rows[POLE + 2, lane] = x, y, z
 
 
-@inlined
-def is_measured(r: Any, k: int) -> Any:
-    """Returns whether the chain of a solver aims elsewhere than at the solver's target: on the way, or at the
-    edge of a cone.
-    """
-    return r.travel[k] >= 0.0 or r.cone[k, 0] > -1.0
-
-
 @called
 def distance_left(r: Any, chains: Any, smoothed: Any, joints: Any, row: int, k: int, root: Any) -> Any:
     """Returns the metres from the end of a solver's chain to its target; look-at: by which the line of sight
@@ -52,7 +44,7 @@ def distance_left(r: Any, chains: Any, smoothed: Any, joints: Any, row: int, k: 
     a, b, c = _joint(joints, row, r.end[k])
     x, y, z = x - a, y - b, z - c
     square, along = x * x + y * y + z * z, 0.0
-    if r.travel[k] < 0.0:
+    if r.cone[k, 0] > -1.0:
         a, b, c = _sight(chains, joints, row, r.end[k], r.first_chain[0] + k)
         along = max((x * a + y * b + z * c) / math.sqrt(max(a * a + b * b + c * c, 1e-12)), 0.0)
     return math.sqrt(max(square - along * along, 0.0))
@@ -111,7 +103,7 @@ def _joint(joints: Any, row: int, place: int) -> Any:
 def _travelled(
     r: Any, joints: Any, keep: Any, row: int, k: int, root: Any, target: Any, weight: float, dt: float
 ) -> Any:
-    """Where the end of a force solver has got to on its way to the target; without weight: where it is."""
+    """Where the end of a chain has got to on its way to the target; without weight: where it is."""
     start, at = _joint(joints, row, r.start[k]), r.memory[k]
     if weight <= 0.0:
         end = _joint(joints, row, r.end[k])

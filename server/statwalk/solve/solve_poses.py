@@ -25,6 +25,7 @@ from statwalk.solve.chains import (
     WEIGHT,
     Chain,
     chain_tables,
+    cut_angle,
     input_rows,
 )
 
@@ -51,22 +52,25 @@ class Solved:
     """(N,) metres from the end to the target"""
     iterations: NDArray[np.int64]
     """(N,)"""
+    cut: Floats
+    """(N, n) radians by which limits cut the last turn of each joint of the chain"""
 
 
 def solve_poses(poses: PoseBuffer, parent: Ints, limits: ClampTable, chain: Chain, goal: Goal) -> Solved:
     """Turns the joints of the chain, within their limits, in all poses of the buffer, whose skeleton has
     these parents (J,).
     """
-    tables = packed(chain_tables(parent, [chain], limits), CHAINS)
+    notes = {joint: place for place, joint in enumerate(chain.joints)}
+    tables = packed(chain_tables(parent, [chain], limits, notes), CHAINS)
     clamps = packed(limits, CLAMP_TABLE)
     rows = input_rows(len(poses.values), 1)
     for row, values in ((TARGET, goal.target), (POLE, goal.pole), (ROTATION, goal.rotation)):
         _fill(rows, row, values, poses.count)
     _fill(rows, WEIGHT, np.asarray(goal.weight)[..., None], poses.count)
-    _kernels.solve(
-        tables.argument, clamps.argument, 0, poses.values, rows, zeros(scratch_floats(len(chain.joints)))
-    )
-    return Solved(_row(rows, DISTANCE, poses.count), _row(rows, ITERATIONS, poses.count).astype(np.int64))
+    scratch, keep = zeros(scratch_floats(len(chain.joints))), np.zeros((poses.count, len(chain.joints)))
+    _kernels.solve(tables.argument, clamps.argument, 0, poses.values, rows, scratch, keep)
+    iterations = _row(rows, ITERATIONS, poses.count).astype(np.int64)
+    return Solved(_row(rows, DISTANCE, poses.count), iterations, cut_angle(keep))
 
 
 def _fill(rows: NDArray[np.float32], first: int, values: Floats, count: int) -> None:

@@ -8,20 +8,33 @@ import numpy as np
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.simd.lane_elementary import of
-from statwalk.maths.simd.lane_functions import any_above, least, most, root, size, where_below
-from statwalk.maths.simd.lane_quat import conjugate, minus, mul, rotated, scaled, vector_square
-from statwalk.maths.simd.lane_turns import between, between_frames
-from statwalk.maths.simd.lane_vector import added, cross, dot, length, perpendicular, unit, where3_below
+from statwalk.maths.simd.lane_functions import any_above, least, most, root, size
+from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, rotated, scaled, vector_square
+from statwalk.maths.simd.lane_turns import between, between_frames, half_turn
+from statwalk.maths.simd.lane_vector import (
+    added,
+    cross,
+    dot,
+    length,
+    per_root,
+    perpendicular,
+    unit,
+    where3_below,
+)
 from statwalk.maths.simd.lanes import broadcast
 from statwalk.maths.simd.pose_lanes import load3, load4, store4
-from statwalk.solve.chain_lanes import JOINT, LOCAL, POINT, TURN, place_joints, softened
-from statwalk.solve.iterate import limited
+from statwalk.solve.chain_lanes import JOINT, LOCAL, OFFSET, softened
+from statwalk.solve.iterate import limited, note_cuts
 
 ZERO, ONE, HALF = np.float32(0), np.float32(1), np.float32(0.5)
 STRAIGHT = 1.2e-7
 """the squared sine of the largest angle that counts as zero"""
 NEAREST = 1e-5
 """the least distance from start to end, as a part of the length of both bones"""
+SHORTEST = 1e-12
+"""metres: a shorter bone counts as so long"""
+NO_POLE = 1e-30
+"""the squared length below which a pole counts as none"""
 
 
 @inlined
@@ -35,103 +48,135 @@ def solve_two_bone(
     reach the limb is straight and points at it; for a target that is too near it is folded. A knee keeps the
     axis about which it is bent now, or bends about `hinge_of_start` in the frame of the first joint if that
     is not zero; then a knee that is bent backwards is bent forwards again.
+
+    All is computed in the frame of the first joint.
     """
-    place_joints(scratch, count, LOCAL)
-    at = middle * JOINT
-    start, mid = load3(scratch, POINT), load3(scratch, at + POINT)
-    end = load3(scratch, (count - 1) * JOINT + POINT)
-    upper, lower = minus(mid, start), minus(end, mid)
-    smallest = of(1e-12)
-    upper_length, lower_length = most(length(upper), smallest), most(length(lower), smallest)
+    start, first = load3(scratch, OFFSET), load4(scratch, LOCAL)
+    upper, lower, above = _bones(scratch, count, middle)
+    smallest, into = of(SHORTEST * SHORTEST), conjugate(first)
+    upper_square, lower_square = most(vector_square(upper), smallest), most(vector_square(lower), smallest)
+    per_upper, per_lower = per_root(upper_square), per_root(lower_square)
+    upper_length, lower_length = upper_square * per_upper, lower_square * per_lower
     whole = upper_length + lower_length
     target = softened(target, start, whole, softening)
-    aim = minus(target, start)
-    onward = _onward(aim, minus(end, start), upper, whole)
-    sideways = _sideways(pole, upper, onward, upper_length)
+    aim, per_lengths = rotated(into, minus(target, start)), per_upper * per_lower
 
-    distance = length(aim)
+    onward = _onward(aim, upper, lower, whole)
+    sideways = _sideways(rotated(into, pole), upper, onward, upper_square)
     apart = size(upper_length - lower_length)
-    reach = least(most(most(distance, apart), whole * of(NEAREST)), whole)
-    # twice the area of the triangle (Heron): exact where it is flat
-    area = root(most((whole + reach) * (whole - reach) * (reach + apart) * (reach - apart), broadcast(ZERO)))
-    area = area * broadcast(HALF)
-    per_reach = broadcast(ONE) / reach
-    along = ((upper_length - lower_length) * whole * per_reach + reach) * broadcast(HALF)
-    new_x = scaled(added(scaled(onward, along), sideways, area * per_reach), broadcast(ONE) / upper_length)
-
-    hinge = cross(upper, lower)
+    reach = least(most(most(length(aim), apart), whole * of(NEAREST)), whole)
+    along, aside = _corner(upper_length - lower_length, apart, whole, reach)
+    old_x = scaled(upper, per_upper)
+    new_x = scaled(added(scaled(onward, along), sideways, aside), per_upper)
     new_hinge = cross(sideways, onward)
-    per_lengths = broadcast(ONE) / (upper_length * lower_length)
-    old_x = scaled(upper, broadcast(ONE) / upper_length)
-    raw, hinge_length = hinge, root(most(vector_square(hinge), of(1e-30)))
-    bent = hinge_length * per_lengths
-    hinge = _old_hinge(scaled(hinge, broadcast(ONE) / hinge_length), bent, old_x, new_x, new_hinge)
-    if any_above(vector_square(hinge_of_start), broadcast(ZERO)):
-        given = rotated(load4(scratch, LOCAL), hinge_of_start)
-        given = unit(added(given, old_x, -dot(given, old_x)))
-        hinge = where3_below(broadcast(ZERO), vector_square(hinge_of_start), given, hinge)
-    old_cosine, old_sine = dot(upper, lower) * per_lengths, dot(raw, hinge) * per_lengths
-    new_cosine = (reach * reach - upper_length * upper_length - lower_length * lower_length) * (
-        broadcast(HALF) * per_lengths
-    )
-    new_sine = area * per_lengths
-    bend = _half_turn(
-        new_cosine * old_cosine + new_sine * old_sine, new_sine * old_cosine - new_cosine * old_sine
-    )
-
-    store4(scratch, LOCAL, mul(between_frames(old_x, hinge, new_x, new_hinge), load4(scratch, LOCAL)))
-    axis = rotated(conjugate(load4(scratch, at + TURN)), hinge)
-    turn = axis[0] * bend[0], axis[1] * bend[0], axis[2] * bend[0], bend[1]
-    store4(scratch, at + LOCAL, mul(turn, load4(scratch, at + LOCAL)))
+    raw = cross(upper, lower)
+    hinge = _old_hinge(raw, per_lengths, old_x, new_x, new_hinge, hinge_of_start)
+    store4(scratch, LOCAL, mul(first, between_frames(old_x, hinge, new_x, new_hinge)))
+    old = dot(upper, lower) * per_lengths, dot(raw, hinge) * per_lengths
+    new_cosine = (reach * reach - upper_square - lower_square) * (broadcast(HALF) * per_lengths)
+    if middle > 1:
+        hinge = rotated(conjugate(above), hinge)
+    turn, at = _bend(hinge, old, (new_cosine, aside * reach * per_lengths)), middle * JOINT + LOCAL
+    store4(scratch, at, mul(turn, load4(scratch, at)))
     return target
+
+
+@inlined
+def _bones(scratch: Any, count: int, middle: int) -> Any:
+    """The vectors from the first joint to the middle one, and from there to the last, and the rotation of the
+    middle joint's parent, in the frame of the first joint.
+    """
+    zero = broadcast(ZERO)
+    above = zero, zero, zero, broadcast(ONE)
+    upper, lower = load3(scratch, middle * JOINT + OFFSET), load3(scratch, (count - 1) * JOINT + OFFSET)
+    for step in range(count - 1 - middle):
+        place = count - 2 - step
+        lower = rotated(load4(scratch, place * JOINT + LOCAL), lower)
+        if place > middle:
+            lower = plus(load3(scratch, place * JOINT + OFFSET), lower)
+    for step in range(middle - 1):  # joints that stay, such as twist bones
+        q, offset = (
+            load4(scratch, (middle - 1 - step) * JOINT + LOCAL),
+            load3(scratch, (middle - 1 - step) * JOINT + OFFSET),
+        )
+        upper, lower, above = plus(offset, rotated(q, upper)), rotated(q, lower), mul(q, above)
+    return upper, lower, above
+
+
+@inlined
+def _corner(difference: Any, apart: Any, whole: Any, reach: Any) -> Any:
+    """How far the middle joint is from the first one along the line to the target, and from that line; of
+    the sides' difference (with and without sign), their sum, and the third side of the triangle.
+    """
+    # four times the area (Heron): exact where the triangle is flat
+    area = root(most((whole + reach) * (whole - reach) * (reach + apart) * (reach - apart), broadcast(ZERO)))
+    half, per_reach = broadcast(HALF), broadcast(ONE) / reach
+    return (difference * whole * per_reach + reach) * half, area * (half * per_reach)
+
+
+@inlined
+def _bend(hinge: Any, old: Any, new: Any) -> Any:
+    """The turn about the hinge from an angle to another; of their cosines and sines."""
+    sine, cosine = half_turn(new[0] * old[0] + new[1] * old[1], new[1] * old[0] - new[0] * old[1])
+    return hinge[0] * sine, hinge[1] * sine, hinge[2] * sine, cosine
 
 
 @inlined
 def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any) -> None:
     """Brings the first and the middle joint within their limits."""
     first = chains.first[number]
-    store4(scratch, LOCAL, limited(chains, clamps, first, load4(scratch, LOCAL)))
+    store4(scratch, LOCAL, limited(chains, clamps, first, load4(scratch, LOCAL), scratch, 0))
     at = middle * JOINT
-    store4(scratch, at + LOCAL, limited(chains, clamps, first + middle, load4(scratch, at + LOCAL)))
+    bent = limited(chains, clamps, first + middle, load4(scratch, at + LOCAL), scratch, at)
+    store4(scratch, at + LOCAL, bent)
+    note_cuts(chains, number, broadcast(ONE), scratch)
 
 
 @inlined
-def _onward(aim: Any, reached: Any, upper: Any, whole: Any) -> Any:
+def _onward(aim: Any, upper: Any, lower: Any, whole: Any) -> Any:
     """The unit vector to the target; for a target at the start, to the end as it is; for an end at the start,
     along the first bone.
     """
-    nothing = whole * whole * of(NEAREST * NEAREST)
-    reached = where3_below(vector_square(reached), nothing, upper, reached)
-    return unit(where3_below(vector_square(aim), nothing, reached, aim))
+    nothing, square = whole * whole * of(NEAREST * NEAREST), vector_square(aim)
+    if any_above(nothing, square):
+        reached = plus(upper, lower)
+        reached = where3_below(vector_square(reached), nothing, upper, reached)
+        aim = where3_below(square, nothing, reached, aim)
+    return unit(aim)
 
 
 @inlined
-def _sideways(pole: Any, upper: Any, onward: Any, upper_length: Any) -> Any:
+def _sideways(pole: Any, upper: Any, onward: Any, upper_square: Any) -> Any:
     """The unit vector at right angles to `onward` on the side of the pole; of the present bend if the pole is
     parallel to `onward`; any if that is parallel too.
     """
     aside = added(pole, onward, -dot(pole, onward))
-    present = added(upper, onward, -dot(upper, onward))
-    is_bent = of(STRAIGHT) * upper_length * upper_length
-    if any_above(is_bent, vector_square(present)):
+    square, nothing = vector_square(aside), most(of(STRAIGHT) * vector_square(pole), of(NO_POLE))
+    if any_above(nothing, square):
+        present = added(upper, onward, -dot(upper, onward))
+        is_bent = of(STRAIGHT) * upper_square
         present = where3_below(is_bent, vector_square(present), present, perpendicular(onward))
-    return unit(where3_below(of(STRAIGHT) * vector_square(pole), vector_square(aside), aside, present))
+        aside = where3_below(square, nothing, present, aside)
+    return unit(aside)
 
 
 @inlined
-def _old_hinge(axis: Any, sine: Any, old_x: Any, new_x: Any, new_hinge: Any) -> Any:
-    """The unit axis about which the limb is bent; for a straight limb the axis with which it turns least."""
-    square, straight = sine * sine, of(STRAIGHT)
+def _old_hinge(
+    raw: Any, per_lengths: Any, old_x: Any, new_x: Any, new_hinge: Any, hinge_of_start: Any
+) -> Any:
+    """The unit axis about which the limb is bent: `hinge_of_start`, if there is one; else along `raw`; for a
+    straight limb the axis with which it turns least.
+    """
+    raw_square = most(vector_square(raw), of(1e-30))
+    hinge, square, straight = (
+        scaled(raw, per_root(raw_square)),
+        raw_square * per_lengths * per_lengths,
+        of(STRAIGHT),
+    )
     if any_above(straight, square):
-        axis = where3_below(square, straight, rotated(between(new_x, old_x), new_hinge), axis)
-    return axis
-
-
-@inlined
-def _half_turn(cosine: Any, sine: Any) -> Any:
-    """Sine and cosine of half the angle."""
-    zero, one = broadcast(ZERO), broadcast(ONE)
-    half_sine = where_below(cosine, zero, one - cosine, sine)
-    half_cosine = where_below(cosine, zero, sine, one + cosine)
-    factor = one / root(half_sine * half_sine + half_cosine * half_cosine)
-    return half_sine * factor, half_cosine * factor
+        hinge = where3_below(square, straight, rotated(between(new_x, old_x), new_hinge), hinge)
+    given = vector_square(hinge_of_start)
+    if any_above(given, broadcast(ZERO)):
+        across = unit(added(hinge_of_start, old_x, -dot(hinge_of_start, old_x)))
+        hinge = where3_below(broadcast(ZERO), given, across, hinge)
+    return hinge

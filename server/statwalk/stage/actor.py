@@ -7,7 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from statwalk.character.expressions import ExpressionValues, values_by_name
 from statwalk.character.role import Role
+from statwalk.machine.settings import values_of
 from statwalk.maths import quat, transform
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
@@ -15,7 +17,7 @@ from statwalk.rig.limits import ClampedJoint
 from statwalk.skin.primitive import Part
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.hashing import text
-from statwalk.stage.steps.expression_values import free_values
+from statwalk.stage.steps.expression_values import expression_values
 from statwalk.stage.steps.limit_excess import clamped_joints
 from statwalk.stage.steps.reached import ReachedTarget, reached_targets
 
@@ -97,10 +99,26 @@ class Actor:
 
     @property
     def variables(self) -> dict[str, float]:
-        """The free variables of the machine's expressions, by name."""
+        """The free variables of the expressions of the machine and its character, by name."""
+        return self._expressed().variables
+
+    @property
+    def channels(self) -> dict[str, float]:
+        """The channels that expressions set, by name: degrees, metres and scales."""
+        return self._expressed().channels
+
+    def _expressed(self) -> ExpressionValues:
         cast, row, _, tick, dt = self._find(self.id)
-        (values,) = free_values(cast, np.array([row]), tick, dt).tolist()
-        return dict(zip(cast.role.expressions.slots, values, strict=True))
+        (values,) = expression_values(cast, np.array([row]), tick, dt).tolist()
+        return values_by_name(cast.role.expressions, values)
+
+    @property
+    def parameters(self) -> dict[str, float | tuple[float, ...]]:
+        """The parameters of the machine as they are set, by name; points, directions and rotations as
+        tuples.
+        """
+        cast, row = self._find(self.id)[:2]
+        return values_of(cast.role.machine, cast.machine.parameters[row].tolist())
 
     @property
     def pose(self) -> Pose:
@@ -135,7 +153,7 @@ class Actor:
 
     @property
     def clamped(self) -> tuple[ClampedJoint, ...]:
-        """The joints that their limits changed in this tick, after sampling and blending, and by how much."""
+        """The joints that their limits changed in this tick, after blending or in solvers; by how much."""
         cast, row, _, tick, dt = self._find(self.id)
         return clamped_joints(cast, np.array([row]), (tick, dt))[0]
 

@@ -30,7 +30,9 @@ from statwalk.rig.hierarchy import model_block
 from statwalk.rig.limit_lanes import limit_block
 from statwalk.solve.chains import CHAINS
 from statwalk.solve.foot_tables import FEET
+from statwalk.solve.hanging import HANGING
 from statwalk.solve.reach_tables import REACH
+from statwalk.solve.solve_block import forget_notes
 from statwalk.solve.spring_lanes import swing_block
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.pose_offsets import OFFSETS
@@ -43,6 +45,7 @@ from statwalk.stage.steps._kernels import (
     root_motion,
     sample_layers,
 )
+from statwalk.stage.steps.hang import hang
 from statwalk.stage.steps.hash_lanes import hash_block
 from statwalk.stage.steps.memory import MEMORY, Memory, memory_of
 from statwalk.stage.steps.offset_apart import begin_transitions
@@ -51,7 +54,7 @@ from statwalk.stage.steps.offset_clocks import advance_clocks, blend_root_delta,
 from statwalk.stage.steps.offset_cuts import cuts_here, forget_cuts
 from statwalk.stage.steps.offset_lanes import add_block
 from statwalk.stage.steps.plant_feet import plant_feet
-from statwalk.stage.steps.reach import reach
+from statwalk.stage.steps.reach import measure_reached, reach
 from statwalk.stage.steps.step_machines import NOT_MEASURED, MeasuredFrom, step_machines
 
 DOUBLE = types.float64
@@ -63,7 +66,7 @@ _program, _motions, _poses, _masks, _state = (
     opened(STATE),
 )
 _feet, _chains, _clamps = opened(FEET), opened(CHAINS), opened(CLAMP_TABLE)
-_reach = opened(REACH)
+_reach, _hanging = opened(REACH), opened(HANGING)
 _offsets, _effects, _memory = opened(OFFSETS), opened(EFFECTS), opened(MEMORY)
 
 
@@ -125,14 +128,14 @@ def pose(cast: Cast, memory: Memory, changed: Ints, dt: float, is_looked_at: boo
 
 @kernel(
     ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES,
-    ADDRESSES, ADDRESSES, ADDRESSES, write(FLOAT, 3),
+    ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, write(FLOAT, 3),
     write(FLOAT, 3), write(DOUBLE, 2), write(DOUBLE, 1), write(DOUBLE, 2), write(DOUBLE, 2),
     write(types.uint64, 1), LONG,
     DOUBLE, types.boolean,
 )  # fmt: skip
 def _pose_blocks(
     program: Any, motions: Any, poses: Any, moved: Any, feet: Any, links: Any, limits: Any, reached: Any,
-    machine: Any,
+    falling: Any, machine: Any,
     offsets: Any, effects: Any, memory: Any,
     previous: Any, shown: Any, position: Any, heading: Any, root_delta: Any, solver_memory: Any,
     hashes: Any, used: int, dt: float, is_looked_at: bool,
@@ -140,7 +143,7 @@ def _pose_blocks(
     """Writes the poses of all blocks into `previous`; `offsets` has room for all transitions that begin."""
     p, m, t, masks = _program(program), _motions(motions), _poses(poses), _masks(moved)
     f, chains, clamps = _feet(feet), _chains(links), _clamps(limits)
-    r = _reach(reached)
+    r, h = _reach(reached), _hanging(falling)
     s, o, done, mem = _state(machine), _offsets(offsets), _effects(effects), _memory(memory)
     note_transitions(t, s, done, mem)
     for block in range(shown.shape[0]):
@@ -171,11 +174,15 @@ def _pose_blocks(
         limit_block(clamps, mem.coming, 0)
         keep_block(mem.coming, previous, block)
         # 8 reach: planted feet stay where they stand
+        forget_notes(chains, solver_memory, block)
         if f.hip.shape[0] > 0:
             plant_feet(f, chains, clamps, m, s, o, mem, previous, position, heading, solver_memory, block, dt)
         # and the chains of the machine file reach for their targets
         if r.memory.shape[0] > 0:
             reach(r, chains, clamps, s, o, mem, previous, position, heading, solver_memory, block, dt)
+        # chains hang between their anchors
+        hang(h, r, chains, clamps, mem, previous, position, heading, root_delta, solver_memory, block, dt)
+        measure_reached(r, chains, s, mem, previous, position, heading, solver_memory, block)
         # 7 world: the joints that colliders ride on, in model space, once for all readers
         # (`Cast.model`: touches, flocks); the matrices of all joints are computed when they are read
         # (`Actor.world`, the server's frames)

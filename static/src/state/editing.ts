@@ -83,6 +83,15 @@ export class Editing {
     }
   }
 
+  /** Replaces the machine's expressions. Throws if they are refused, or the machine is newer. */
+  async expressions(text: string): Promise<void> {
+    const machine = this.session.machine.value;
+    if (!machine) return;
+    const edited = await api.patchExpressions(machine.name, machine.version, text);
+    if (edited.result === "refused") throw new api.ApiError(422, edited.detail);
+    this.take(edited);
+  }
+
   /** Goes back to the version before; a refusal is shown as a notice. */
   async undo(): Promise<void> {
     const machine = this.session.machine.value;

@@ -44,6 +44,8 @@ const CAPS: Record<string, string> = {
   Shift: "⇧",
   Control: "ctrl",
   Backspace: "⌫",
+  PageUp: "PgUp",
+  PageDown: "PgDn",
   Tab: "⇥",
 };
 

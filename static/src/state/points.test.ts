@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MachineInfo } from "../net/protocol";
-import { pointsOf } from "./points";
+import { pointsOf, reachedIn } from "./points";
 
 const part = (name: string, kind: string, vector: string, standard: number): object => ({
   ...{ name, kind, vector, default: standard, minimum: -9, maximum: 9, smooth: 0, driven: false },
@@ -18,4 +18,22 @@ describe("the points of a machine", () => {
     expect([...pointsOf({ parameters } as unknown as MachineInfo)]).toEqual([["grip", [1, 2, 3]]]);
     expect(pointsOf(null).size).toBe(0);
   });
+});
+
+describe("the points that a state reaches for", () => {
+  const states = [
+    { name: "STAY", outer: "" },
+    { name: "FIGHT.HIT", outer: "FIGHT" },
+  ];
+  const solvers = [
+    { name: "one", solver: "force", target: "grip", weight: { FIGHT: "pull", STAY: 0 } },
+    { name: "two", solver: "ccd", target: "gaze", weight: "look" },
+  ];
+  const machine = { states, solvers } as unknown as MachineInfo;
+
+  it.each([
+    ["STAY", []],
+    ["FIGHT.HIT", ["grip"]],
+    ["", []],
+  ])("%s: %j", (state, points) => expect([...reachedIn(machine, state)]).toEqual(points));
 });

@@ -18,6 +18,35 @@ export function pointsOf(machine: MachineInfo | null): Map<string, Point> {
   return points;
 }
 
+/** Where the handle of a point waits: at the free end of the chain that takes hold when you drag it. */
+export interface Grip {
+  joint: string;
+  /** The parameter that is 1 while the handle is dragged, else 0. */
+  weight: string;
+}
+
+/** The grips of a machine, by point. */
+export function gripsOf(machine: MachineInfo | null): Map<string, Grip> {
+  return new Map(
+    (machine?.solvers ?? []).flatMap(({ grab, target, weight, start, end, anchor }) =>
+      grab && typeof weight === "string" ? [[target, { joint: anchor === end ? start : end, weight }]] : [],
+    ),
+  );
+}
+
+/** The points that solvers with a weight by state reach for in a state of the base. */
+export function reachedIn(machine: MachineInfo | null, state: string): Set<string> {
+  const solvers = machine?.solvers ?? [];
+  const outer = new Map((machine?.states ?? []).map(({ name, outer }) => [name, outer]));
+  const isReached = (weight: (typeof solvers)[number]["weight"]): boolean => {
+    if (typeof weight !== "object") return false;
+    let name: string | undefined = state;
+    while (name && !(name in weight)) name = outer.get(name);
+    return !!name && weight[name] !== 0;
+  };
+  return new Set(solvers.filter(({ weight }) => isReached(weight)).map(({ target }) => target));
+}
+
 /** Whether a machine's character can look at the pointer: it has a point `gaze` and a weight `look`. */
 export function canLook(machine: MachineInfo | null): boolean {
   return pointsOf(machine).has(GAZE) && machine!.parameters.some(({ name }) => name === LOOK);

@@ -29,7 +29,7 @@ export class ActorView {
   ) {
     this.view = new PosedModel(id, cast, model, scene.quality === "high");
     this.bones = new BoneOverlay(this.view, scene.renderer.getPixelRatio());
-    this.limits = new LimitOverlay(this.view);
+    this.limits = new LimitOverlay(this.view, scene.renderer.getPixelRatio());
     // Hidden until the first frame: the bind pose is not shown.
     this.view.root.visible = this.spot.visible = false;
     scene.world.add(this.view.root, this.bones.object, this.limits.object, this.spot);
@@ -69,7 +69,7 @@ export class ActorView {
     this.bones.update();
     this.limits.update();
     this.spot.visible = this.scene.quality === "low";
-    this.spot.position.set(root.position.x, 0.002, root.position.z);
+    this.spot.position.copy(root.position).y += 0.002;
   }
 
   show(look: SkinLook, lines: boolean, solids: boolean): void {
@@ -80,7 +80,7 @@ export class ActorView {
 
   colour({ ink, accent, bone }: ActorColours): void {
     this.bones.colour(ink, accent, bone);
-    this.limits.colour(accent);
+    this.limits.colour(ink, accent);
   }
 
   /** Sets the radius of the shadow, metres. */

@@ -7,6 +7,8 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 const LAG_S = 0.18;
 /** A move of more than this many heights is a cut, as after a scrub. */
 const CUT_HEIGHTS = 0.8;
+/** Of the turntable. */
+const SECONDS_PER_TURN = 12;
 const AZIMUTH = 0.52;
 const ELEVATION = 0.14;
 /** With several actors: from behind and above, so that you see what lies ahead. */
@@ -31,6 +33,12 @@ export class FollowCamera {
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.12;
     this.controls.maxPolarAngle = Math.PI * 0.55;
+    this.controls.autoRotateSpeed = 60 / SECONDS_PER_TURN;
+  }
+
+  /** Turns around the character, or stops. */
+  turn(turning: boolean): void {
+    this.controls.autoRotate = turning;
   }
 
   /** Sets the box to frame: the character around its root, metres. */
@@ -87,7 +95,7 @@ export class FollowCamera {
       this.controls.target.add(step);
       this.camera.position.add(step);
     }
-    return this.controls.update() || way > 1e-5;
+    return this.controls.update(dt) || way > 1e-5;
   }
 
   resize(width: number, height: number): void {

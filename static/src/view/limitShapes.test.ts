@@ -25,6 +25,7 @@ test("a cone passes through its four limits", () => {
     shape: "cone" as const,
     frame: [0, 0, 0, 1],
     rest: [0, 0, 0, 0, 0, 0, 1],
+    pitch: 0,
     freedoms: [
       { name: "swing_x", is_angle: true, minimum: -30, maximum: 60 },
       { name: "swing_z", is_angle: true, minimum: -40, maximum: 40 },

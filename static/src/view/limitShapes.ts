@@ -80,23 +80,54 @@ function rail(shape: Shape, axis: THREE.Vector3, across: THREE.Vector3, low: num
   for (const end of [low, high]) shape.lines.push(...at(end, -0.12), ...at(end, 0.12));
 }
 
+/** The direction from which turns about an axis are measured: of the bone, as far as it is across the axis. */
+function startOf(bone: THREE.Vector3, axis: THREE.Vector3): THREE.Vector3 {
+  const start = bone.clone().addScaledVector(axis, -bone.dot(axis));
+  return start.lengthSq() > 0.05
+    ? start.normalize()
+    : new THREE.Vector3(...(axis.x ? ([0, 1, 0] as const) : ([1, 0, 0] as const)));
+}
+
+/**
+ * Returns where on the shape of a joint's limits it shows that degrees of freedom have these values, by name:
+ * on an arc, at the end of a swing, on a rail. Degrees and metres; `bone` and `metres` as in `limitShape`.
+ */
+export function markAt(
+  limit: JointLimit,
+  values: ReadonlyMap<string, number>,
+  bone: THREE.Vector3,
+  metres: number,
+): THREE.Vector3 {
+  const of = (name: string): number => values.get(name) ?? 0;
+  const [name] = values.keys();
+  if (name?.startsWith("swing")) return swung(of("swing_x") * RADIANS, of("swing_z") * RADIANS);
+  if (name?.startsWith("slide_"))
+    return new THREE.Vector3(of("slide_x"), 0, of("slide_z")).divideScalar(metres);
+  if (name === "slide") return new THREE.Vector3(0, of("slide") / metres, 0);
+  const letter = name?.at(-1);
+  const axis = new THREE.Vector3(+(letter === "x"), 0, +(letter === "z"));
+  if (!axis.lengthSq()) axis.y = 1;
+  if (name?.startsWith("translate")) return axis.multiplyScalar(of(name) / metres);
+  const mark = startOf(bone, axis)
+    .multiplyScalar(name === "twist" ? RADIUS / 2 : RADIUS)
+    .applyAxisAngle(axis, of(name ?? "") * RADIANS);
+  if (limit.type === "helical") mark.y += (limit.pitch * of("angle")) / 360 / metres;
+  return mark;
+}
+
 /** Returns the shape of a joint's limits; `bone`: the direction of bone B at rest, metres a bone length. */
 export function limitShape(limit: JointLimit, bone: THREE.Vector3, metres: number): Shape {
   const shape: Shape = { lines: [], faces: [] };
   const [x, y, z] = [new THREE.Vector3(1, 0, 0), new THREE.Vector3(0, 1, 0), new THREE.Vector3(0, 0, 1)];
   if (limit.shape === "cone" || limit.shape === "range") cone(shape, limit);
-  const flat = (axis: THREE.Vector3, fallback: THREE.Vector3): THREE.Vector3 => {
-    const start = bone.clone().addScaledVector(axis, -bone.dot(axis));
-    return start.lengthSq() > 0.05 ? start.normalize() : fallback;
-  };
   for (const { name, minimum, maximum } of limit.freedoms) {
     const [low, high] = [minimum ?? -180, maximum ?? 180];
-    if (name === "angle") arc(shape, y, flat(y, x), low * RADIANS, high * RADIANS);
+    if (name === "angle") arc(shape, y, startOf(bone, y), low * RADIANS, high * RADIANS);
     if (name === "twist" && high - low < 359.9)
-      arc(shape, y, flat(y, x), low * RADIANS, high * RADIANS, RADIUS / 2);
+      arc(shape, y, startOf(bone, y), low * RADIANS, high * RADIANS, RADIUS / 2);
     if (name.startsWith("rotate") && high > low && high - low < 359.9) {
       const axis = { x, y, z }[name.at(-1) as "x" | "y" | "z"];
-      arc(shape, axis, flat(axis, axis === x ? y : x), low * RADIANS, high * RADIANS);
+      arc(shape, axis, startOf(bone, axis), low * RADIANS, high * RADIANS);
     }
     if (/^(slide|translate)/.test(name) && minimum !== null && maximum !== null && high > low) {
       const axis = name.endsWith("_x") ? x : name.endsWith("_z") ? z : y;

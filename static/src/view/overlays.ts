@@ -31,7 +31,7 @@ const CIRCLE_FRAGMENT = /* glsl */ `
   }`;
 
 /** A point is a square that faces the camera, and so does its circle. */
-function circleMaterial(pixelRatio: number): THREE.ShaderMaterial {
+export function circleMaterial(pixelRatio: number): THREE.ShaderMaterial {
   const uniforms = {
     ink: { value: new THREE.Color() },
     paper: { value: new THREE.Color() },
@@ -107,6 +107,11 @@ export class BoneOverlay {
   show(lines: boolean, solids: boolean): void {
     this.lines.visible = lines;
     this.solids.visible = solids;
+  }
+
+  /** The names of the joints whose circles are shown. */
+  jointNames(): string[] {
+    return this.lines.visible ? this.plan.joints.map((joint) => this.actor.cast.names[joint]!) : [];
   }
 
   get visible(): boolean {

@@ -32,6 +32,7 @@ export class PointHandles {
   constructor(
     private readonly scene: Scene,
     private readonly moved: (name: string, point: Point) => void,
+    private readonly held: (name: string, isHeld: boolean) => void = () => undefined,
   ) {
     const { canvas } = scene;
     canvas.addEventListener("pointerdown", (event) => this.grab(event), { capture: true });
@@ -52,6 +53,11 @@ export class PointHandles {
     ball.position.set(...point);
     ball.scale.setScalar(size);
     this.scene.invalidate();
+  }
+
+  /** The handle that is dragged; null: none. */
+  get dragging(): string | null {
+    return this.dragged;
   }
 
   hide(name: string): void {
@@ -93,6 +99,7 @@ export class PointHandles {
     this.dragged = name;
     this.scene.view.controls.enabled = false;
     this.scene.canvas.setPointerCapture(event.pointerId);
+    this.held(name, true);
   }
 
   private drag(event: PointerEvent): void {
@@ -106,6 +113,7 @@ export class PointHandles {
 
   private drop(): void {
     if (this.dragged === null) return;
+    this.held(this.dragged, false);
     this.dragged = null;
     this.scene.view.controls.enabled = true;
   }

@@ -118,6 +118,20 @@ export class PosedModel {
       : box.translate(this.root.position.clone().negate());
   }
 
+  /** Returns a joint's place and turn from its parent; null: the model has no such joint. */
+  local(joint: number): { position: THREE.Vector3; quaternion: THREE.Quaternion } | null {
+    const object = this.joints[joint];
+    if (!object) return null;
+    if (!this.worlds) return object;
+    const parent = this.joints.indexOf(object.parent);
+    const above = parent < 0 ? this.root.matrixWorld.elements : this.jointWorld(parent);
+    const matrix = new THREE.Matrix4().fromArray(above).invert();
+    matrix.multiply(new THREE.Matrix4().fromArray(this.jointWorld(joint)));
+    const [position, quaternion] = [new THREE.Vector3(), new THREE.Quaternion()];
+    matrix.decompose(position, quaternion, new THREE.Vector3());
+    return { position, quaternion };
+  }
+
   /** Returns the elements of a joint's world matrix; a joint outside the scene is at the root. */
   jointWorld(joint: number): ArrayLike<number> {
     return (

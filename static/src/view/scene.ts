@@ -94,8 +94,8 @@ export class Scene {
     position: THREE.Vector3,
     [x, y, z]: [number, number, number],
   ): void {
-    light.target.position.set(position.x, 0.5 * this.height, position.z);
-    light.position.set(position.x + x * this.height, y * this.height, position.z + z * this.height);
+    light.target.position.set(position.x, position.y + 0.5 * this.height, position.z);
+    light.position.copy(position).add(new THREE.Vector3(x, y, z).multiplyScalar(this.height));
   }
 
   /** Makes the next `draw` draw. */

@@ -9,6 +9,7 @@ import type { PosedModel } from "./posedModel";
 import { ActorView } from "./actorView";
 import { framed, type Framing } from "./framing";
 import { GlbStage } from "./glbStage";
+import type { LimitMark } from "./limitOverlay";
 import { MotionPath } from "./motionPath";
 import { type Model, Models } from "./model";
 import type { Scene } from "./scene";
@@ -23,6 +24,8 @@ export interface Modes {
   limits: boolean;
 }
 
+/** Limits of more joints hide the body: they are drawn on request. */
+const FEW_LIMITS = 6;
 /** Actors within this distance, in sizes of the watched actor, are framed with it. */
 const COMPANY_REACH = 3;
 
@@ -33,9 +36,13 @@ export class StageView {
   readonly loading = new Signal<string>("");
   /** How much the camera shows. */
   readonly framing = new Signal<Framing>("whole");
+  /** Whether the view turns around the character. */
+  readonly turning = new Signal(false);
   /** The joint whose path is drawn; empty: none. */
   readonly traced = new Signal<string>("");
   readonly path = new MotionPath();
+  /** The joint that was clicked; empty: none. */
+  readonly joint = new Signal<string>("");
   private readonly models = new Models();
   private readonly glb: GlbStage;
   private readonly terrain = new Terrain();
@@ -58,12 +65,18 @@ export class StageView {
     this.modes.on(() => this.restyle());
     scene.world.add(this.terrain.mesh);
     session.machine.on((machine) => {
+      this.modes.set({ ...this.modes.value, limits: (machine?.limits.length ?? 0) <= FEW_LIMITS });
       this.limit();
       this.terrain.show(machine?.ground ?? []);
       scene.invalidate();
     });
-    session.actor.on(() => this.limit());
+    session.actor.on(() => {
+      this.joint.set("");
+      this.limit();
+    });
+    this.joint.on(() => this.limit());
     this.framing.on(() => this.frame());
+    this.turning.on((turning) => scene.view.turn(turning));
     this.traced.on(() => {
       this.path.clear();
       scene.invalidate();
@@ -225,6 +238,7 @@ export class StageView {
     const actor = this.actor;
     if (!actor || this.session.cast?.machine !== this.session.machine.value?.name) return;
     actor.limits.take(limits);
+    actor.limits.select(this.joint.value);
     actor.limits.show(this.modes.value.limits);
     this.scene.invalidate();
   }
@@ -248,7 +262,18 @@ export class StageView {
     this.scene.invalidate();
   }
 
-  /** The watched actor's model, for tests. */
+  /** The limits of the watched actor's joints that can be seen. */
+  marks(): LimitMark[] {
+    return this.actor?.limits.marks() ?? [];
+  }
+
+  /** The joints of the watched actor that show a circle. */
+  circles(): ReadonlySet<string> {
+    const { bones, limits } = this.actor ?? {};
+    return new Set([...(bones?.jointNames() ?? []), ...(limits?.jointNames() ?? [])]);
+  }
+
+  /** The watched actor's model. */
   selected(): PosedModel | null {
     return this.actor?.view ?? null;
   }

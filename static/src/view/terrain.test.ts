@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { blockTriangles } from "./terrain";
+import { blockEdges, blockTriangles } from "./terrain";
 
 /** The volume that triangles enclose: the sum of signed tetrahedra to the origin. */
 function volume(positions: number[]): number {
@@ -30,4 +30,13 @@ it("a step encloses width times depth times height, its faces turned outwards", 
 it("a slope encloses half of that", () => {
   const slope = { corner: [0, 0], opposite: [2, 3], heights: [0, 0, 0.5, 0.5] };
   expect(volume(blockTriangles(slope))).toBeCloseTo((2 * 3 * 0.5) / 2, 9);
+});
+
+it("a slope has four edges round its top, and one down from each corner that is above the floor", () => {
+  const edges = blockEdges({ corner: [0, 0], opposite: [2, 3], heights: [0, 0, 0.5, 0.5] });
+  const lengths = Array.from({ length: 8 }, (_, k) => edges.slice(6 * k, 6 * k + 6)).map(
+    ([ax, ay, az, bx, by, bz]) => Math.hypot(ax! - bx!, ay! - by!, az! - bz!),
+  );
+  const side = Math.hypot(3, 0.5);
+  [side, 2, side, 2, 0, 0.5, 0.5, 0].forEach((length, k) => expect(lengths[k]).toBeCloseTo(length, 9));
 });

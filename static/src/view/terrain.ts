@@ -27,15 +27,37 @@ export function blockTriangles({ corner, opposite, heights }: GroundPiece): numb
   return FACES.flatMap(([a, b, c, d]) => [a, b, c, a, c, d].flatMap((k) => corners[k!]!));
 }
 
+/** Returns the edges of a block, two corners of three numbers each; those on the floor are left out. */
+export function blockEdges(piece: GroundPiece): number[] {
+  const triangles = blockTriangles(piece);
+  const corner = (k: number): number[] => triangles.slice(3 * k, 3 * k + 3);
+  const top = [corner(0), corner(1), corner(2), corner(5)];
+  const around = top.flatMap((from, k) => [...from, ...top[(k + 1) % 4]!]);
+  return [...around, ...top.flatMap(([x, y, z]) => [x!, y!, z!, x!, 0, z!])];
+}
+
 export class Terrain {
   readonly mesh = new THREE.Mesh(
     new THREE.BufferGeometry(),
-    new THREE.MeshStandardMaterial({ color: 0x8a8f98, roughness: 0.95, flatShading: true }),
+    new THREE.MeshStandardMaterial({
+      color: 0x8a8f98,
+      roughness: 0.95,
+      flatShading: true,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
+    }),
+  );
+  private readonly edges = new THREE.LineSegments(
+    new THREE.BufferGeometry(),
+    new THREE.LineBasicMaterial({ color: 0x30343a, transparent: true, opacity: 0.55 }),
   );
 
   constructor() {
     this.mesh.receiveShadow = true;
+    this.mesh.castShadow = true;
     this.mesh.visible = false;
+    this.mesh.add(this.edges);
   }
 
   /** Shows the ground of a machine; none for an empty list. */
@@ -44,6 +66,9 @@ export class Terrain {
     const positions = new THREE.Float32BufferAttribute(pieces.flatMap(blockTriangles), 3);
     this.mesh.geometry = new THREE.BufferGeometry().setAttribute("position", positions);
     this.mesh.geometry.computeVertexNormals();
+    const edges = new THREE.Float32BufferAttribute(pieces.flatMap(blockEdges), 3);
+    this.edges.geometry.dispose();
+    this.edges.geometry = new THREE.BufferGeometry().setAttribute("position", edges);
     this.mesh.visible = pieces.length > 0;
   }
 }

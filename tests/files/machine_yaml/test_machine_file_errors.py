@@ -133,7 +133,7 @@ WRONG = {
     "buffer": ("buffer: 0.5", "buffer: nan", "line 6: 'nan' is not a finite number"),
     "speed": ("speed: pace", "speed: -3", "line 9: '-3' is not a finite number from 0 to 100"),
     "truth": ("loop: true", "loop: yes", "line 8: 'yes' is neither true nor false"),
-    "key without down": ("hold: FORWARD, ", "", "line 17: a key needs either"),
+    "key without down": ("hold: FORWARD, ", "", "line 17: a key needs `press: EVENT`"),
     "parameter": ("min: 0.5", "min: 5", "line 19: min 5 is more than max 2"),
     "missing table": ("table: |", "description: |", "the key `table` is missing"),
     "cell text": ("| WALK    |      |", "| WALK to |      |", "line 12: 'WALK to' is no cell"),

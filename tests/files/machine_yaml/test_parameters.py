@@ -43,9 +43,20 @@ def test_a_flag_is_one_number() -> None:
     assert read("{kind: flag, default: 1}") == {"p": ParameterDefinition(1, 0, 1, 10, kind="flag")}
 
 
+def test_a_flag_is_0_by_default() -> None:
+    assert read("{kind: flag}")["p"].default == 0
+
+
+def test_a_number_may_have_a_handle_at_a_joint() -> None:
+    (part,) = read("{default: 0, min: -9, max: 9, handle: {joint: Left.knee, freedom: angle}}").values()
+    assert (part.joint, part.freedom, part.event) == ("Left.knee", "angle", "")
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
+        ("{kind: point, handle: {joint: A, freedom: angle}}", "a handle at a joint is for numbers"),
+        ("{default: 0, min: 0, max: 1, handle: {joint: A}}", "`freedom` is missing"),
         ("{kind: colour}", "colour"),
         ("{kind: point, default: 1}", "list of 3 numbers"),
         ("{kind: point, default: [1, 2]}", "list of 3 numbers"),

@@ -69,10 +69,15 @@ layers:
 keys:
   ArrowUp: {hold: GO, release: STOP}
   a: {press: GO}
+  PageUp: {change: {MOVE: {pace: 0.5}, "*": {side: -1}}}
 parameters:
   pace: {default: 1, min: 0, max: 4, smooth: 0.25}
   side: {default: 0, min: -1, max: 1}
   amount: {default: 1, min: 0, max: 1}
+  bend: {default: 0, min: -90, max: 90, handle: {joint: Knee, freedom: angle, event: GO}}
+chains:
+  rope: {joints: [A, B], anchor: [A, B], gravity: 9.81, half_life: 0.5, mass: 2}
+  tail: {joints: {from: A, to: B}, anchor: B}
 senses:
   RUN: {when: speed > 2.0, release: speed < 1.6}
   HIT: {touch: [body, coin], on: stay}
@@ -126,6 +131,13 @@ WRONG = {
     "mask": ("mask: [Spine]", "mask: Spine"),
     "key without down": ("{press: GO}", "{release: GO}"),
     "key with both": ("{press: GO}", "{press: GO, hold: GO}"),
+    "key that changes and presses": ("{press: GO}", "{press: GO, change: {MOVE: {pace: 1}}}"),
+    "key that changes nothing": ("{press: GO}", "{change: {}}"),
+    "handle without a joint": ("handle: {joint: Knee, ", "handle: {"),
+    "handle with more": ("event: GO}}", "event: GO, key: g}}"),
+    "chain without joints": ("{joints: [A, B], anchor: [A, B], ", "{anchor: [A, B], "),
+    "chain with three anchors": ("anchor: [A, B]", "anchor: [A, B, C]"),
+    "chain without mass": ("mass: 2", "mass: 0"),
     "parameter without bounds": ("amount: {default: 1, min: 0, max: 1}", "amount: {default: 1}"),
     "parameter called as a word": ("  side: {default", "  not: {default"),
     "sense without a condition": ("{when: speed > 2.0, release: speed < 1.6}", "{release: speed < 1.6}"),

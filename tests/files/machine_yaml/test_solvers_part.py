@@ -31,6 +31,14 @@ def test_all_fields():
     assert written.line == 12
 
 
+def test_a_weight_by_state_may_be_a_parameter():
+    written = read("reach: {solver: ccd, chain: [A, B], target: grip, weight: {STAT: 1, WALK: part}}")[
+        "reach"
+    ]
+    assert written.weight == {"STAT": 1, "WALK": "part"}
+    assert written.parameters == ("grip", "part")
+
+
 def test_the_order_is_that_of_the_file():
     assert list(
         read(
@@ -52,8 +60,11 @@ def test_the_order_is_that_of_the_file():
         ("solver: ccd, chain: [A, B], target: grip, weight: 2", "2"),
         ("solver: ccd, chain: [A, B], target: grip, weight: side", "side"),
         ("solver: ccd, chain: [A, B], target: grip, weight: {STAY: 1}", "STAT"),
+        ("solver: ccd, chain: [A, B], target: grip, weight: {STAT: 2}", "2"),
+        ("solver: ccd, chain: [A, B], target: grip, weight: {STAT: side}", "side"),
+        ("solver: ccd, chain: [A, B], target: grip, weight: {STAT: prat}", "part"),
         ("solver: ccd, chain: [A, B], target: grip, ease: 1", "weight by state"),
-        ("solver: ccd, chain: [A, B], target: grip, travel: 1", "for force"),
+        ("solver: look-at, chain: [A], target: grip, travel: 1", "for force, two-bone, ccd, fabrik"),
         ("solver: ccd, chain: [A, B], target: grip, cone_deg: 1", "for look-at"),
         ("solver: ccd, chain: [], target: grip", "1 to 256"),
         ("solver: ccd, chain: [A, B], target: grip, pole: [0, 0, 0]", "length"),

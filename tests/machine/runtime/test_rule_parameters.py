@@ -55,6 +55,18 @@ def test_then_it_arrives_exactly_and_comes_to_rest():
     assert values(actor, 60)[-1] == (3.0, 0.0)
 
 
+def test_without_bounds_it_is_on_its_way_too():
+    actor = Ticking(TABLE, {"walk": 600}, "parameters:\n  aim: {kind: point, smooth: 0.25}\n")
+    for number in (0.5, -0.2):
+        actor.set(**{"aim.x": number})
+        start = float(actor.memory.smoothed[0, 0])
+        for tick, (value, _) in enumerate(values(actor, 12), 1):
+            x = OMEGA * tick * DT
+            wanted = number + (start - number) * (1 + x) * math.exp(-x)
+            assert value == pytest.approx(wanted, abs=1e-9 * abs(start - number))
+        assert values(actor, 60)[-1] == (number, 0.0)
+
+
 def test_neither_value_nor_rate_jumps_when_it_is_set_on_the_way():
     actor = actor_of()
     actor.set(pace=4)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from statwalk.maths.clamp_kinds import EULER
+from statwalk.maths.clamp_kinds import CONE, EULER
 from statwalk.maths.clamp_table import CLAMP_TABLE, JointLimit, clamp_table
 from statwalk.maths.compiling import FLOAT, LONG, kernel, write
 from statwalk.maths.packed import ADDRESSES, opened, packed
@@ -20,11 +20,15 @@ LIMITS = {
     "helical": joint("helical", {"angle": (0.0, 6 * np.pi)}, pitch=0.2),
     "cylindrical": joint("cylindrical", {"angle": (-1.5, 3.5), "slide": (0.0, 0.4)}, axis=(0, 0, 1)),
     "cone": joint("spherical", {"swing_x": (-0.3, 1.0), "swing_z": (-0.7, 0.7), "twist": (-1, 1)}),
+    "round cone": joint("spherical", {"swing_x": (-0.6, 0.6), "swing_z": (-0.6, 0.6), "twist": (-2, 1)}),
+    "wide cone": JointLimit(CONE, twist=(-1, 1), swing=((-2.5, 2.5), (-2.5, 2.5)), type="spherical"),
     "range": joint("spherical", {"swing_x": (0.1, 1.0), "swing_z": (-0.7, 0.7)}),
     "thin cone": joint("spherical", {"swing_x": (-1e-3, 1.0), "swing_z": (-1e-3, 0.01)}),
     "PPR": joint("planar", SLIDES, axis=(0, 1, 1)),
     "PRP": joint("planar", SLIDES, axis=(0, 1, 1), order="PRP"),
     "RPP": joint("planar", SLIDES, axis=(0, 1, 1), order="RPP"),
+    "fixed axes": JointLimit(EULER, angles=((0.3, 0.3), (-0.2, -0.2), (1, 1))),
+    "far axes": JointLimit(EULER, angles=((-0.1, 0.1), (1.8, 3), (2, 3.5))),
     "axes": JointLimit(EULER, angles=((-1, 0.5), (-1.8, 1.8), (-3, 0.4)), slide=((-1, 1), (0, 0), (0, 0.5))),
 }
 COUNT = 1600

@@ -2,12 +2,14 @@
 place.
 """
 
+import re
 from collections.abc import AsyncIterator
 from pathlib import Path
 
 import captures
 import httpx
 import pytest
+from hostile_captures import HOSTILE_CAPTURES
 from uploads import make, names, opened, put
 
 pytestmark = pytest.mark.anyio
@@ -100,16 +102,13 @@ async def test_uploads_of_captures_have_a_scale_and_a_filter(client: httpx.Async
     ).status_code == 422
 
 
-@pytest.mark.parametrize(
-    "data",
-    [
-        b"HIERARCHY\nROOT a\n{\n",
-        b"PathFileType\n",
-        captures.walk().replace(": 31", ": 999999999999").encode(),
-    ],
-)
-async def test_broken_captures_are_refused_with_the_line(client: httpx.AsyncClient, data: bytes) -> None:
+@pytest.mark.parametrize("what", HOSTILE_CAPTURES)
+async def test_broken_captures_are_refused_with_the_line(client: httpx.AsyncClient, what: str) -> None:
+    data, reason = HOSTILE_CAPTURES[what]
     refused = await put(client, "walk", data)
     assert refused.status_code == 422
-    assert "line" in refused.text
+    body = refused.json()
+    assert re.search(r"\b(line|byte) [0-9]+", refused.text) or "a body needs" in body["detail"]
+    assert reason in body["detail"]
+    assert len(body["detail"]) < 1000
     assert "walk" not in await names(client, "characters")

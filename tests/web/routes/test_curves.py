@@ -29,6 +29,16 @@ async def test_slerp_is_scipys_at_constant_speed(client):
     np.testing.assert_allclose(curve["acceleration_deg"][2:55], 0, atol=2)
 
 
+async def test_the_speed_of_slerp_jumps_at_a_key_and_dips_nowhere(client):
+    curve = (await ask(client, ["slerp"])).json()["curves"][0]
+    angles = np.array([[key["x_deg"], key["y_deg"], key["z_deg"]] for key in KEYS])
+    turns = Rotation.from_euler("xyz", angles, degrees=True)
+    ways = [np.degrees((turns[k].inv() * turns[k + 1]).magnitude()) for k in (0, 1)]
+    expected = np.array([ways[0] / 0.5, ways[1] / 1.5])
+    speeds = np.array(curve["speed_deg"])
+    assert np.abs(speeds[:, None] - expected).min(1).max() < 1e-2
+
+
 async def test_every_interpolation_begins_at_the_first_key_and_ends_at_the_last(client):
     names = ["euler linear", "linear", "slerp", "squad", "b-spline", "b-spline through", "nurbs"]
     curves = (await ask(client, names)).json()["curves"]

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import httpx
 import numpy as np
 import pytest
+from hostile_captures import HOSTILE_CAPTURES
 from paths import ASSETS
 from torture.mutate import memory, mutated, sources
 from watcher import Watcher
@@ -37,7 +38,8 @@ def hostile() -> list[bytes]:
     """Malformed files of all kinds, and mutations that may or may not be read."""
     listed = sorted(path for path in ASSETS.glob("invalid/**/*") if path.suffix in (".glb", ".gltf", ".md2"))
     odd = [packed({"a.gltf": b"{" * 100_000}), b"PK\x05\x06", b"glTF" * 1_000, bytes(MIB)]
-    files = [*odd, *(path.read_bytes() for path in listed[:: max(1, len(listed) // 10)])]
+    captured = [data for data, _ in HOSTILE_CAPTURES.values() if len(data) < MIB][::4]
+    files = [*odd, *captured, *(path.read_bytes() for path in listed[:: max(1, len(listed) // 10)])]
     known = sources()
     return [*files, *(mutated(seed, known) for seed in range(FILES))][:FILES]
 

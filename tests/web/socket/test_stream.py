@@ -2,6 +2,8 @@
 alone.
 """
 
+import json
+
 import httpx
 import khronos
 import numpy as np
@@ -189,3 +191,29 @@ def test_the_kind_of_frame_can_be_changed(address: str, stage: str) -> None:
         viewer.say(type="frames", frames="glb")
         assert viewer.text("hello")["frames"] == "glb"
         assert viewer.data()[:4] == b"glTF"
+
+
+def test_targets_over_rest_and_socket_are_logged_and_replayed(
+    address: str, stage: str, rest: httpx.Client
+) -> None:
+    def logged() -> list[tuple[int, float]]:
+        lines = map(json.loads, rest.get(f"{stage}/log").text.splitlines())
+        return [(line["tick"], line["value"]) for line in lines if line.get("parameter") == "gaze.x"]
+
+    rest.post(f"{stage}/parameters", json={"parameter": "look", "value": 1})
+    rest.post(f"{stage}/parameters", json={"parameter": "gaze", "value": [0.5, 1.4, 2]})
+    rest.post(f"{stage}/step", json={"ticks": 90})
+    (actor,) = rest.get(stage).json()["actors"]
+    with Watcher(address, stage) as viewer:
+        viewer.say(type="set", parameter="gaze", value=[-0.5, 1.5, 2])
+        wait_for(lambda: len(logged()) == 2)
+    assert logged() == [(1, 0.5), (91, -0.5)]
+    rest.post(f"{stage}/step", json={"ticks": 90})
+    seen = rest.get(stage).json()
+    assert [found["reached"] for found in (actor["reached"][0], seen["actors"][0]["reached"][0])] == [
+        True
+    ] * 2
+    rest.post(f"{stage}/seek", json={"tick": 40})
+    assert rest.get(stage).json()["hash"] != seen["hash"]
+    rest.post(f"{stage}/seek", json={"tick": 180})
+    assert rest.get(stage).json()["hash"] == seen["hash"]

@@ -18,8 +18,8 @@ from statwalk.character.retarget import Wish
 from statwalk.errors import ContentError, MachineError, UnknownNameError
 from statwalk.files.bvh.bvh_file import POSITIONS, SMALLEST_SCALE
 from statwalk.files.captures import SUFFIXES, Reading, load_capture
+from statwalk.files.clip_changes import read_filter
 from statwalk.files.yaml.yaml_node import Node
-from statwalk.motion.filter_clip import HIGHEST_CUTOFF, Filter
 
 MOST_CAPTURES = 64
 LONGEST = 36_000.0
@@ -75,16 +75,6 @@ def _path(node: Node) -> str:
     if path.is_absolute() or ".." in path.parts or path.suffix.lower() not in SUFFIXES:
         raise node.refuse(f"{node.text()[:80]!r} must name a .bvh or .trc file in the folder of this file")
     return str(path)
-
-
-def read_filter(node: Node | None) -> Filter:
-    """Reads `filter: {low_pass: 6, spikes: true}`; none filters nothing.
-
-    :raises ContentError: when a key is unknown or its value is out of range.
-    """
-    entries = node.entries("low_pass", "spikes") if node is not None else {}
-    low_pass = entries["low_pass"].number(0, HIGHEST_CUTOFF) if "low_pass" in entries else 0.0
-    return Filter(low_pass, "spikes" in entries and entries["spikes"].truth())
 
 
 def _bones(node: Node | None) -> dict[str, str] | None:

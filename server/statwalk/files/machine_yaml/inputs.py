@@ -4,7 +4,7 @@ table.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 
 from statwalk.files.machine_yaml import cell_fields, fields
 from statwalk.files.yaml.yaml_text import Node
@@ -15,8 +15,12 @@ from statwalk.machine.definition.machine_definition import (
     KeyDefinition,
     PropertyDefinition,
 )
+from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
 MOST_EVENTS = 4_096
+ANY_STATE = "*"
+FASTEST = 1e6
+"""units a second"""
 
 
 def events(node: Node | None) -> dict[str, EventDefinition]:
@@ -48,20 +52,57 @@ def defaults(node: Node | None) -> Defaults:
     )
 
 
-def keys(node: Node | None, inputs: Collection[str]) -> dict[str, KeyDefinition]:
-    """Reads `{ArrowUp: {hold: FORWARD, release: STOP}}`."""
-    return {name: key(entry, inputs) for name, entry in fields.mapping(node).items()}
+def keys(
+    node: Node | None,
+    inputs: Collection[str],
+    parameters: Mapping[str, ParameterDefinition],
+    states: Collection[str],
+) -> dict[str, KeyDefinition]:
+    """Reads `{ArrowUp: {hold: FORWARD, release: STOP}}`; `states`: of all layers, with composites."""
+    return {name: key(entry, inputs, parameters, states) for name, entry in fields.mapping(node).items()}
 
 
-def key(node: Node, inputs: Collection[str]) -> KeyDefinition:
+def key(
+    node: Node,
+    inputs: Collection[str],
+    parameters: Mapping[str, ParameterDefinition],
+    states: Collection[str],
+) -> KeyDefinition:
     """Reads `{press: EVENT}` or `{hold: EVENT}` for the key going down, `release: EVENT` for the key coming
-    up.
+    up; or `{change: {STATE: {PARAMETER: 0.5}}}`, units a second while the key is down.
     """
-    entries = node.entries("press", "hold", "release")
+    entries = node.entries("press", "hold", "release", "change")
+    if "change" in entries:
+        if len(entries) > 1:
+            raise node.refuse("a key that changes parameters sends no events: leave `change` alone")
+        change = _change(entries["change"], parameters, states)
+        return KeyDefinition(None, None, False, node.line, change)
     sent = {kind: fields.chosen(event, "event", inputs) for kind, event in entries.items()}
     if ("press" in sent) == ("hold" in sent):
-        raise node.refuse("a key needs either `press: EVENT` (once) or `hold: EVENT` (as long as it is down)")
+        raise node.refuse(
+            "a key needs `press: EVENT` (once), `hold: EVENT` (as long as it is down) or `change: …`"
+        )
     return KeyDefinition(sent.get("hold") or sent["press"], sent.get("release"), "hold" in sent, node.line)
+
+
+def _change(
+    node: Node, parameters: Mapping[str, ParameterDefinition], states: Collection[str]
+) -> dict[str, dict[str, float]]:
+    entries = fields.mapping(node)
+    if not entries:
+        raise node.refuse("`change` needs a state, or '*', and the parameters that move: {REACH: {aim.x: 1}}")
+    for state, entry in entries.items():
+        if state not in states and state != ANY_STATE:
+            raise entry.unknown("state", state, states)
+    return {state: _rates(entry, parameters) for state, entry in entries.items()}
+
+
+def _rates(node: Node, parameters: Mapping[str, ParameterDefinition]) -> dict[str, float]:
+    movable = {name: known for name, known in parameters.items() if known.kind in ("number", "point")}
+    for name, entry in fields.mapping(node).items():
+        if name not in movable:
+            raise entry.unknown("number, or component of a point,", name, movable)
+    return {name: entry.number(-FASTEST, FASTEST) for name, entry in fields.mapping(node).items()}
 
 
 def properties(node: Node | None) -> Iterator[PropertyDefinition]:

@@ -13,9 +13,11 @@ from pathlib import Path
 
 from statwalk.errors import MachineError
 from statwalk.files import clip_changes
+from statwalk.files.expressions import expressions as read_expressions
 from statwalk.files.joint_limits import joint_limits
 from statwalk.files.machine_yaml import (
     budgets,
+    chains_part,
     feet,
     fields,
     flock_part,
@@ -29,7 +31,6 @@ from statwalk.files.machine_yaml import (
 )
 from statwalk.files.machine_yaml.all_events import all_events
 from statwalk.files.machine_yaml.capture_lines import CaptureLine, read_captures
-from statwalk.files.machine_yaml.expressions import expressions as read_expressions
 from statwalk.files.machine_yaml.ground import foot_lock as read_foot_lock
 from statwalk.files.machine_yaml.ground import ground as read_ground
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
@@ -54,7 +55,7 @@ KEYS = (
     *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
     *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
     *("colliders", "flock", "springs", "captures", "expressions", "joints", "limits", "properties"),
-    *("feet", "contacts", "budgets", "foot_lock", "ground", "solvers"),
+    *("feet", "contacts", "budgets", "foot_lock", "ground", "solvers", "chains"),
 )
 
 
@@ -147,7 +148,12 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         fallback=base.start(fields.chosen(entries["fallback"], "state", (*base.states, *base.composites)))
         if "fallback" in entries
         else "",
-        keys=inputs.keys(entries.get("keys"), events),
+        keys=inputs.keys(
+            entries.get("keys"),
+            events,
+            parameters,
+            _states_of(base, *(part.flat for part in layer_parts.values())),
+        ),
         parameters=parameters,
         senses=sense_events,
         colliders=colliders,
@@ -158,6 +164,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         clips=clip_changes.clips(entries.get("clips")),
         springs=springs_part.springs(entries.get("springs")),
         solvers=solvers_part.solvers(entries.get("solvers"), parameters, (*base.states, *base.composites)),
+        chains=chains_part.chains(entries.get("chains")),
         expressions=read_expressions(entries.get("expressions"), parameters),
         properties=tuple(inputs.properties(entries.get("properties"))),
         feet=feet.feet(entries.get("feet")),
@@ -169,6 +176,11 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         file=root.file,
     )
     return definition, base.top.text
+
+
+def _states_of(*tables: levels.FlatStates) -> tuple[str, ...]:
+    """The names of all states, and of composites."""
+    return tuple(name for table in tables for name in (*table.states, *table.composites))
 
 
 def _layer_of(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from statwalk.files.machine_yaml import fields
 from statwalk.files.yaml.yaml_text import Node
@@ -25,8 +26,8 @@ RANGES: Mapping[Kind, tuple[float, float]] = {
     "rotation": (-1.0, 1.0),
 }
 """of each component as it is stored; a point has `min` and `max` of its own"""
-STANDARD: Mapping[Kind, tuple[float, ...]] = {
-    "flag": (0.0,),
+STANDARD: Mapping[Kind, float | tuple[float, ...]] = {
+    "flag": 0.0,
     "point": (0.0, 0.0, 0.0),
     "direction": (0.0, 0.0, 1.0),
     "rotation": (0.0, 0.0, 0.0, 1.0),
@@ -50,20 +51,35 @@ def parameters(node: Node | None) -> dict[str, ParameterDefinition]:
 
 def parameter(name: str, node: Node) -> dict[str, ParameterDefinition]:
     """Reads `{default: 1, min: 0.5, max: 2}`, and perhaps `smooth`: the seconds in which a new value is
-    reached; of another `kind` than a number, see `_typed`. Returns the numbers that store it, by name.
+    reached, and `handle`: the degree of freedom of a joint that it moves; of another `kind` than a number,
+    see `_typed`. Returns the numbers that store it, by name.
 
     :raises MachineError: when a field is missing, or `min` is more than `max`.
     """
-    entries = node.entries("kind", "default", "min", "max", "smooth")
+    entries = node.entries("kind", "default", "min", "max", "smooth", "handle")
     smooth = fields.seconds(entries["smooth"]) if "smooth" in entries else 0.0
     kind = _kind(entries["kind"]) if "kind" in entries else "number"
+    if kind != "number" and "handle" in entries:
+        raise entries["handle"].refuse(f"a handle at a joint is for numbers, not for a {kind}")
     if kind != "number":
         return _typed(name, kind, node, smooth)
     if not {"default", "min", "max"} <= set(entries):
         raise node.refuse("a parameter needs `default`, `min` and `max`")
     lowest, highest = _range(node, LARGEST)
     default = entries["default"].number(lowest, highest)
-    return {name: ParameterDefinition(default, lowest, highest, node.line, smooth)}
+    standard = ParameterDefinition(default, lowest, highest, node.line, smooth)
+    return {name: _with_handle(standard, entries["handle"]) if "handle" in entries else standard}
+
+
+def _with_handle(parameter: ParameterDefinition, node: Node) -> ParameterDefinition:
+    """Reads `{joint: Knee, freedom: angle}`, and perhaps `event`."""
+    entries = node.entries("joint", "freedom", "event")
+    return replace(
+        parameter,
+        joint=fields.required(node, "joint").text(),
+        freedom=fields.required(node, "freedom").text(),
+        event=entries["event"].text() if "event" in entries else "",
+    )
 
 
 def _kind(node: Node) -> Kind:

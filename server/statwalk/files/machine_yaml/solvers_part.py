@@ -6,7 +6,7 @@ solvers:
     chain: [Arm, Forearm, Hand]      # or {from: Arm, to: Hand}
     target: grip                     # a parameter of kind point
     pole: [0, 0, -1]                 # or a parameter of kind point or direction
-    weight: {STAT: 1, WALK: 0.5}     # or a number 0…1, or a parameter
+    weight: {STAT: 1, WALK: part}    # by state; or a number 0…1 or a parameter for all states
     ease: 0.3
 """
 
@@ -23,11 +23,11 @@ SOLVERS = ("two-bone", "ccd", "fabrik", "force", "look-at")
 ONLY: Mapping[str, tuple[str, ...]] = {
     "forward": ("look-at",),
     "cone_deg": ("look-at",),
-    "travel": ("force",),
+    "travel": ("force", "two-bone", "ccd", "fabrik"),
 }
 KEYS = (
     *("solver", "chain", "target", "space", "pole", "weight", "ease", "travel", "softening", "tolerance"),
-    *("iterations", "sensitivity", "forward", "cone_deg"),
+    *("iterations", "sensitivity", "forward", "cone_deg", "anchor", "grab"),
 )
 MOST_JOINTS, MOST_ITERATIONS, MOST_SOLVERS = 256, 1_000, 32
 SMALLEST, LARGEST = 1e-9, 1e6
@@ -52,20 +52,24 @@ def _solver(
     kind = fields.chosen(fields.required(node, "solver"), "solver", SOLVERS)
     for key, solvers_with_it in ONLY.items():
         if key in entries and kind not in solvers_with_it:
-            raise entries[key].refuse(f"`{key}` is for {solvers_with_it[0]}, not for {kind}")
+            raise entries[key].refuse(f"`{key}` is for {', '.join(solvers_with_it)}, not for {kind}")
+    if "anchor" in entries and kind == "look-at":
+        raise entries["anchor"].refuse("look-at has no `anchor`: its chain turns where it is")
     weight = _weight(entries["weight"], parameters, states) if "weight" in entries else 1.0
     if "ease" in entries and not isinstance(weight, dict):
         raise entries["ease"].refuse("`ease` is for a weight by state; a parameter has `smooth` of its own")
     return SolverDefinition(
         line=node.line,
         solver=kind,
-        chain=_chain(fields.required(node, "chain")),
+        chain=joints_of_chain(fields.required(node, "chain")),
         target=_vector(fields.required(node, "target"), parameters, ("point",)),
         space="model" if "space" in entries and _space(entries["space"]) == "model" else "stage",
         pole=_pole(entries["pole"], parameters) if "pole" in entries else None,
         weight=weight,
         ease=fields.seconds(entries["ease"]) if "ease" in entries else SolverDefinition.ease,
-        travel=fields.seconds(entries["travel"]) if "travel" in entries else SolverDefinition.travel,
+        travel=fields.seconds(entries["travel"]) if "travel" in entries else None,
+        anchor=entries["anchor"].text() if "anchor" in entries else "",
+        grab=_grab(entries["grab"], weight) if "grab" in entries else False,
         softening=entries["softening"].number(0, LARGEST) if "softening" in entries else 0.0,
         tolerance=entries["tolerance"].number(SMALLEST, LARGEST)
         if "tolerance" in entries
@@ -85,8 +89,17 @@ def _space(node: Node) -> str:
     return fields.chosen(node, "space", ("stage", "model"))
 
 
-def _chain(node: Node) -> tuple[str, ...]:
-    """`[a, b, c]` or `{from: a, to: c}`."""
+def _grab(node: Node, weight: object) -> bool:
+    if node.truth() and not isinstance(weight, str):
+        raise node.refuse("`grab` needs a parameter as `weight`: it is 1 while the handle is dragged, else 0")
+    return node.truth()
+
+
+def joints_of_chain(node: Node) -> tuple[str, ...]:
+    """Reads `[a, b, c]` or `{from: a, to: c}`.
+
+    :raises MachineError: when it is neither, or has too many joints.
+    """
     if isinstance(node.value, list):
         joints = node.items()
         if not 0 < len(joints) <= MOST_JOINTS:
@@ -121,16 +134,20 @@ def _direction(node: Node) -> tuple[float, float, float]:
 
 def _weight(
     node: Node, parameters: Mapping[str, ParameterDefinition], states: Collection[str]
-) -> float | str | dict[str, float]:
-    """A number 0…1, a parameter, or numbers by state."""
+) -> float | str | dict[str, float | str]:
+    """A number 0…1 or a parameter, or one of both by state."""
     if isinstance(node.value, str):
-        if node.text() in parameters:
-            return _vector(node, parameters, ("number", "flag"))
-        if not node.text()[:1].isalpha():
-            return node.number(0, 1)
-        raise node.unknown("parameter", node.text(), parameters)
+        return _one_weight(node, parameters)
     entries = node.entries()
     for name, entry in entries.items():
         if name not in states:
             raise entry.unknown("state", name, states)
-    return {name: entry.number(0, 1) for name, entry in entries.items()}
+    return {name: _one_weight(entry, parameters) for name, entry in entries.items()}
+
+
+def _one_weight(node: Node, parameters: Mapping[str, ParameterDefinition]) -> float | str:
+    if node.text() in parameters:
+        return _vector(node, parameters, ("number", "flag"))
+    if not node.text()[:1].isalpha():
+        return node.number(0, 1)
+    raise node.unknown("parameter", node.text(), parameters)

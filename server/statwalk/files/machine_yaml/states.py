@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
+from statwalk.files.expressions import motion_of_expressions
 from statwalk.files.machine_yaml import fields
-from statwalk.files.machine_yaml.expressions import motion_of_expressions
 from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.compile.compile_machine import LARGEST_SPEED
 from statwalk.machine.conditions.variables import ENTRY

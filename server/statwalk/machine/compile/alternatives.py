@@ -57,6 +57,12 @@ class Parameter:
     kind: Kind = "number"
     vector: str = ""
     """the parameter that this number is a component of; empty: none"""
+    joint: str = ""
+    """the joint at which the page has a handle for it; empty: none"""
+    freedom: str = ""
+    """the degree of freedom of that joint that the handle moves"""
+    event: str = ""
+    """the event that the page sends when the handle is taken; empty: none"""
 
 
 @dataclass(frozen=True)

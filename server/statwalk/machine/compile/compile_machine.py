@@ -87,7 +87,18 @@ def build(
         buffer=buffers(definition),
         keys={name: Key(key.press, key.release, key.hold) for name, key in definition.keys.items()},
         parameters=tuple(
-            Parameter(name, put.default, put.minimum, put.maximum, put.smooth, put.kind, put.vector)
+            Parameter(
+                name,
+                put.default,
+                put.minimum,
+                put.maximum,
+                put.smooth,
+                put.kind,
+                put.vector,
+                put.joint,
+                put.freedom,
+                put.event,
+            )
             for name, put in definition.parameters.items()
         ),
         variables=variables,

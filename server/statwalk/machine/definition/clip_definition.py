@@ -61,6 +61,14 @@ class MirrorChange(NamedTuple):
     line: int
 
 
+class FilterChange(NamedTuple):
+    """What moves faster than `low_pass` Hz goes (0: nothing), and single wild samples do if `spikes`."""
+
+    line: int
+    low_pass: float
+    spikes: bool
+
+
 ClipChange = (
     SpeedChange
     | LengthChange
@@ -69,6 +77,7 @@ ClipChange = (
     | AnticipateChange
     | SquashChange
     | MirrorChange
+    | FilterChange
 )
 
 

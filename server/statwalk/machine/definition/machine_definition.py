@@ -10,6 +10,7 @@ from statwalk.errors import MachineError
 from statwalk.errors import nearest as nearest
 from statwalk.machine.definition.budgets_definition import BudgetDefinition
 from statwalk.machine.definition.cell_definition import CellDefinition, Defaults
+from statwalk.machine.definition.chain_definition import ChainDefinition
 from statwalk.machine.definition.clip_definition import ClipDefinition
 from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.feet_definition import ContactDefinition, FootDefinition
@@ -97,13 +98,15 @@ class EventDefinition:
 @dataclass(frozen=True)
 class KeyDefinition:
     """The inputs of a key of the viewer: `press` when it goes down (held down if `hold`), `release` when it
-    comes up.
+    comes up; or `change`: while it is down, parameters move by so many units a second. The first state that
+    a layer of the actor is in counts, or `*`.
     """
 
     press: str | None
     release: str | None
     hold: bool
     line: int
+    change: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -176,6 +179,8 @@ class MachineDefinition:
     """by the joint on which each begins"""
     solvers: Mapping[str, SolverDefinition] = field(default_factory=dict)
     """the chains that reach for targets, by name, in the order in which they work"""
+    chains: Mapping[str, ChainDefinition] = field(default_factory=dict)
+    """the chains that hang under gravity, by name"""
     feet: Mapping[str, FootDefinition] = field(default_factory=dict)
     """the joints of legs, by foot, where the names of the joints do not tell them"""
     contacts: Mapping[str, Mapping[str, ContactDefinition]] = field(default_factory=dict)

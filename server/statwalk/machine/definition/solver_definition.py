@@ -22,12 +22,16 @@ class SolverDefinition:
     """of target and pole parameters"""
     pole: str | tuple[float, float, float] | None = None
     """a parameter of kind point or direction, or a direction in model space"""
-    weight: float | str | Mapping[str, float] = 1.0
-    """0…1, a parameter, or a number for each state of the base; states left out: 0"""
+    weight: float | str | Mapping[str, float | str] = 1.0
+    """0…1, a parameter, or one of both for each state of the base; states left out: 0"""
     ease: float = 0.3
     """seconds in which a weight by state is reached"""
-    travel: float = 0.3
-    """force: seconds in which the end travels to its target"""
+    travel: float | None = None
+    """seconds in which the end travels to its target; None: `force` 0.3, others are there immediately"""
+    anchor: str = ""
+    """the first joint of the chain, or the last: it stays, the other comes to the target; empty: the first"""
+    grab: bool = False
+    """the page has a handle at the chain's free end, and `weight` is 1 while it is dragged"""
     softening: float = 0.0
     tolerance: float = 1e-4
     iterations: int | None = None
@@ -39,4 +43,5 @@ class SolverDefinition:
     @property
     def parameters(self) -> tuple[str, ...]:
         """Returns the parameters that the solver reads."""
-        return tuple(name for name in (self.target, self.pole, self.weight) if isinstance(name, str))
+        weights = self.weight.values() if isinstance(self.weight, Mapping) else (self.weight,)
+        return tuple(name for name in (self.target, self.pole, *weights) if isinstance(name, str))

@@ -9,29 +9,25 @@ from statwalk.machine.runtime.scratch import DT
 from statwalk.machine.runtime.state import MachineState
 from statwalk.machine.runtime.surroundings import Measurements
 from statwalk.maths.reference import inlined
-from statwalk.maths.scalar import exp
+from statwalk.maths.springs import settled
 
-_NEARLY = 1e-6
-"""share of the range from minimum to maximum: a parameter nearer than this to its set value, and slower than
-this per second, has arrived
+_NEARLY, _WIDEST = 1e-6, 100.0
+"""share of the range from minimum to maximum, of at most 100 of it: a parameter nearer than this to its set
+value, and slower than this per second, has arrived
 """
 
 
 @inlined
 def smooth(p: Program, s: MachineState, i: int, dt: float) -> None:
-    """Advances `smoothed` and its rate by `dt` seconds: a critically damped spring, solved exactly over the
-    step.
-    """
+    """Advances `smoothed` and its rate by `dt` seconds: a critically damped spring."""
     for k in range(s.parameters.shape[1]):
         goal = s.parameters[i, k]
         if p.omega[k] == 0 or (s.smoothed[i, k] == goal and s.smoothed_rate[i, k] == 0):
             s.smoothed[i, k], s.smoothed_rate[i, k] = goal, 0.0
             continue
-        left = s.smoothed[i, k] - goal
-        drift = (s.smoothed_rate[i, k] + p.omega[k] * left) * dt
-        decay = exp(-p.omega[k] * dt)
-        value, rate = goal + (left + drift) * decay, (s.smoothed_rate[i, k] - p.omega[k] * drift) * decay
-        near = _NEARLY * (p.maximum[k] - p.minimum[k])
+        left, rate = settled(s.smoothed[i, k] - goal, s.smoothed_rate[i, k], p.omega[k], dt)
+        value = goal + left
+        near = _NEARLY * min(p.maximum[k] - p.minimum[k], _WIDEST)
         if abs(value - goal) <= near and abs(rate) <= near:
             value, rate = goal, 0.0
         else:

@@ -23,6 +23,16 @@ class AssignmentError(Exception):
         self.message, self.line = message, line
 
 
+class CircleError(AssignmentError):
+    """Assignments that depend on each other in a circle; `names`: what they set."""
+
+    def __init__(self, names: Sequence[str], line: int) -> None:
+        super().__init__(
+            f"these expressions form a circle, each reads the next: {' -> '.join(reversed(names))}", line
+        )
+        self.names = tuple(names)
+
+
 @dataclass(frozen=True)
 class Assignment:
     """One line: the name that it sets, and the formula of the value."""
@@ -59,7 +69,7 @@ def read_assignments(
         target: Assignment(target, _formula(line, text, names_set, check), line)
         for target, (line, text) in targets.items()
     }
-    return _in_order(assignments)
+    return in_order(assignments)
 
 
 def _parts(line: int, text: str) -> Iterator[tuple[int, str, str]]:
@@ -113,7 +123,11 @@ def _formula(
     return formula
 
 
-def _in_order(assignments: Mapping[str, Assignment]) -> tuple[Assignment, ...]:
+def in_order(assignments: Mapping[str, Assignment]) -> tuple[Assignment, ...]:
+    """Returns assignments, by the name that each sets, so that each stands after those that it reads.
+
+    :raises CircleError: when names depend on each other in a circle.
+    """
     reads = {
         target: [name for name in assignment.formula.variables if name in assignments]
         for target, assignment in assignments.items()
@@ -123,6 +137,4 @@ def _in_order(assignments: Mapping[str, Assignment]) -> tuple[Assignment, ...]:
     except CycleError as error:
         circle = error.args[1]
         line = min(assignments[name].line for name in circle)
-        raise AssignmentError(
-            f"these expressions form a circle, each reads the next: {' -> '.join(reversed(circle))}", line
-        ) from None
+        raise CircleError(circle, line) from None

@@ -12,7 +12,7 @@ import numpy as np
 from statwalk.maths.clamp_kinds import EULER, FREE, HINGE, RANGE, TOLERANCE
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
-from statwalk.maths.simd.euler_lanes import euler_excess, from_euler
+from statwalk.maths.simd.euler_clamp import clamp_angles
 from statwalk.maths.simd.lane_elementary import angle, of, sine_cosine
 from statwalk.maths.simd.lane_functions import (
     any_above,
@@ -30,6 +30,7 @@ from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import either3, either4
 
 ZERO, ONE = np.float32(0), np.float32(1)
+SMALLEST_SINE = 1e-30
 STEPS = 9
 """of Newton's method, to the nearest point of an ellipse"""
 
@@ -52,17 +53,23 @@ def clamp_rotation(table: Any, row: int, q: Any) -> Any:
     if table.kind[row] == FREE:
         return q
     into, frame = spread4(table.into, 4 * row), spread4(table.frame, 4 * row)
-    relative = mul(mul(into, q), frame)
+    is_turned, is_framed = table.into[row, 3] != ONE, table.frame[row, 3] != ONE
+    relative = q
+    if is_turned:
+        relative = mul(into, relative)
+    if is_framed:
+        relative = mul(relative, frame)
     if table.kind[row] == EULER:
-        excess, angles = euler_excess(
-            relative, spread3(table.angles, 6 * row), spread3(table.angles, 6 * row + 3)
-        )
-        clamped = from_euler(angles)
+        excess, clamped = clamp_angles(table, row, relative)
     else:
         excess, clamped = clamp_swing_twist(table, row, relative)
     if not any_above(excess, of(TOLERANCE)):
         return q
-    back = same_sign(renormalized(mul(mul(conjugate(into), clamped), conjugate(frame))), q)
+    if is_turned:
+        clamped = mul(conjugate(into), clamped)
+    if is_framed:
+        clamped = mul(clamped, conjugate(frame))
+    back = renormalized(same_sign(clamped, q))
     return either4(excess - of(TOLERANCE), back, q)
 
 
@@ -152,6 +159,8 @@ def _clamp_swing(table: Any, row: int, x: Any, z: Any, w: Any) -> Any:
     if table.kind[row] == HINGE:
         zero = broadcast(ZERO)
         return sine * of(2.0), zero, zero, broadcast(ONE)
+    if table.round[row, 1] > ZERO:
+        return _clamp_round(table, row, x, z, w, sine)
     tiny = of(1e-7)
     factor = where_below(sine, tiny, of(2.0), angle(sine, w) * of(2.0) / where_below(sine, tiny, tiny, sine))
     u, v = x * factor, z * factor
@@ -171,6 +180,23 @@ def _clamp_swing(table: Any, row: int, x: Any, z: Any, w: Any) -> Any:
 
 
 @inlined
+def _clamp_round(table: Any, row: int, x: Any, z: Any, w: Any, sine: Any) -> Any:
+    """`_clamp_swing` of a cone as wide along X as along Z: without angles. The excess is twice the sine of
+    half the angle.
+    """
+    end_sine, end_cosine = spread(table.round, 2 * row), spread(table.round, 2 * row + 1)
+    excess = fused(sine, end_cosine, -(w * end_sine))
+    factor = end_sine / most(sine, of(SMALLEST_SINE))
+    inside = of(0.5 * TOLERANCE)
+    return (
+        excess * of(2.0),
+        where_below(inside, excess, x * factor, x),
+        where_below(inside, excess, z * factor, z),
+        where_below(inside, excess, end_cosine, w),
+    )
+
+
+@inlined
 def _nearest_swing(table: Any, row: int, u: Any, v: Any) -> Any:
     """The distance of a swing's rotation vector from the limits, and the nearest vector inside them."""
     low_u, low_v, high_u, high_v = spread4(table.swing, 4 * row)
@@ -179,8 +205,10 @@ def _nearest_swing(table: Any, row: int, u: Any, v: Any) -> Any:
         return most(size(u - new_u), size(v - new_v)), new_u, new_v
     zero, one = broadcast(ZERO), broadcast(ONE)
     a, b = where_below(u, zero, low_u, high_u), where_below(v, zero, low_v, high_v)
-    new_u, new_v = _nearest_of_ellipse(size(u), size(v), a, b)
     is_outside = fused(u / a, u / a, v / b * (v / b))
+    if not any_above(is_outside, one):
+        return zero, u, v
+    new_u, new_v = _nearest_of_ellipse(size(u), size(v), a, b)
     new_u, new_v = with_sign(new_u, u), with_sign(new_v, v)
     far = root(fused(u - new_u, u - new_u, (v - new_v) * (v - new_v)))
     return where_below(one, is_outside, far, zero), new_u, new_v

@@ -72,18 +72,22 @@ def minus(a: Any, b: Any) -> Any:
 def rotated(q: Any, v: Any) -> Any:
     """Returns the vector v rotated by q: v + 2w(u x v) + 2u x (u x v)."""
     x, y, z, w = q
+    twice_x, twice_y, twice_z = x + x, y + y, z + z  # q is often known before v: then nothing waits for it
     across = (
-        fused(y, v[2], -(z * v[1])),
-        fused(z, v[0], -(x * v[2])),
-        fused(x, v[1], -(y * v[0])),
+        fused(twice_y, v[2], -(twice_z * v[1])),
+        fused(twice_z, v[0], -(twice_x * v[2])),
+        fused(twice_x, v[1], -(twice_y * v[0])),
     )
-    across = plus(across, across)
     again = (
         fused(y, across[2], -(z * across[1])),
         fused(z, across[0], -(x * across[2])),
         fused(x, across[1], -(y * across[0])),
     )
-    return plus(plus(v, again), scaled(across, w))
+    return (
+        fused(across[0], w, v[0]) + again[0],
+        fused(across[1], w, v[1]) + again[1],
+        fused(across[2], w, v[2]) + again[2],
+    )
 
 
 @inlined

@@ -53,9 +53,15 @@ def length(a: Any) -> Any:
 
 
 @inlined
+def per_root(x: Any) -> Any:
+    """Returns 1 / √x."""
+    return broadcast(ONE) / root(x)
+
+
+@inlined
 def unit(a: Any) -> Any:
     """Returns a / |a|; vectors shorter than 1e-15 shrink towards zero instead."""
-    return scaled(a, broadcast(ONE) / root(most(vector_square(a), broadcast(SMALLEST))))
+    return scaled(a, per_root(most(vector_square(a), broadcast(SMALLEST))))
 
 
 @inlined

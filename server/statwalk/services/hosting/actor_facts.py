@@ -8,7 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from statwalk.character.expressions import values_by_name
 from statwalk.character.role import Role
+from statwalk.machine.settings import values_of
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.random import Words
 from statwalk.rig.limits import ClampedJoint
@@ -16,7 +18,7 @@ from statwalk.services.hosting.stage_replies import ActorFacts
 from statwalk.stage.stage import Stage
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.state.hashing import text
-from statwalk.stage.steps.expression_values import free_values
+from statwalk.stage.steps.expression_values import expression_values
 from statwalk.stage.steps.limit_excess import clamped_joints
 from statwalk.stage.steps.reached import reached_targets
 
@@ -36,8 +38,10 @@ class ActorColumns(NamedTuple):
     """(n, 3)"""
     headings: Floats
     hashes: Words
-    variables: Floats
-    """(n, F) the free variables of expressions"""
+    expressed: Floats
+    """(n, F) what expressions set"""
+    parameters: Floats
+    """(n, P) as they are set"""
     clamped: list[tuple[ClampedJoint, ...]]
     solver_memory: Floats
     """(n, K)"""
@@ -51,7 +55,8 @@ class ActorColumns(NamedTuple):
         clamped = clamped_joints(cast, rows, (tick, dt))
         copies: Any = (
             *(column[rows].copy() for column in columns),
-            free_values(cast, rows, tick, dt),
+            expression_values(cast, rows, tick, dt),
+            machine.parameters[rows],
             clamped,
             cast.solver_memory[rows],
         )
@@ -60,7 +65,7 @@ class ActorColumns(NamedTuple):
     def facts(self) -> Iterator[ActorFacts]:
         """Yields the facts of each actor."""
         machine = self.role.machine
-        for actor, states, time, position, heading, hashed, values, clamped, reached in zip(
+        for actor, states, time, position, heading, hashed, values, numbers, clamped, reached in zip(
             *(column.tolist() for column in self[2:-2]),
             self.clamped,
             reached_targets(self.role, self.solver_memory),
@@ -77,7 +82,8 @@ class ActorColumns(NamedTuple):
                 position=tuple(position),
                 heading=heading,
                 hash=text(hashed),
-                variables=dict(zip(self.role.expressions.slots, values, strict=True)),
+                **values_by_name(self.role.expressions, values)._asdict(),
+                parameters=values_of(machine, numbers),
                 clamped=clamped,
                 reached=reached,
             )

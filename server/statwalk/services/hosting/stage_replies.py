@@ -41,6 +41,10 @@ class ActorFacts:
     hash: str
     variables: Mapping[str, float]
     """the free variables of expressions"""
+    channels: Mapping[str, float]
+    """the channels that expressions set"""
+    parameters: Mapping[str, float | tuple[float, ...]]
+    """as they are set"""
     clamped: tuple[ClampedJoint, ...]
     """the joints that their limits changed, and by how much"""
     reached: tuple[ReachedTarget, ...]

@@ -27,14 +27,23 @@ first visible motion, half way, and arrival
 """
 
 
-def worded(name: str, value: float) -> str:
-    """Returns a figure with its unit, for people: `826 mm`, `1.20 ×`."""
+def unit(name: str) -> str:
+    """Returns the unit in which people read a figure: millimetres where UNITS has metres."""
+    return "mm" if UNITS[name] == "m" else UNITS[name]
+
+
+def number(name: str, value: float) -> str:
+    """Returns a figure in its `unit`, without the unit: `826`, `1.20`, `never`."""
     if not np.isfinite(value):
         return "never" if UNITS[name] == "s" else "–"
     if UNITS[name] == "m":
-        return f"{value * 1000:.0f} mm"
-    digits = 0 if UNITS[name] == "m/s²" else 2
-    return f"{value:.{digits}f} {UNITS[name]}"
+        return f"{value * 1000:.0f}"
+    return f"{value:.{0 if UNITS[name] == 'm/s²' else 2}f}"
+
+
+def worded(name: str, value: float) -> str:
+    """Returns a figure with its unit, for people: `826 mm`, `1.20 ×`."""
+    return f"{number(name, value)} {unit(name)}" if np.isfinite(value) else number(name, value)
 
 
 class Figure(NamedTuple):

@@ -79,7 +79,7 @@ def sample_layers(
     first = first_row(block)
     count = end_row(block, s.state.shape[0]) - first
     sample_block(m, states, times, 0, False, s.smoothed, first, count, mem.weights, mem.rows, out, 0)
-    _express_motions(t.expressions, states, times, 0, False, s.smoothed, mem, out, block)
+    _express_motions(t.expressions, states, times, 0, s.smoothed, mem, out, block)
     for layer in range(1, states.shape[1]):
         lies_over = False
         for row in range(first, first + count):
@@ -91,8 +91,8 @@ def sample_layers(
             sample_block(
                 m, states, times, layer, False, s.smoothed, first, count, mem.weights, mem.rows, mem.over, 0
             )
-            _express_motions(t.expressions, states, times, layer, False, s.smoothed, mem, mem.over, block)
-            if t.is_additive[layer]:
+            _express_motions(t.expressions, states, times, layer, s.smoothed, mem, mem.over, block)
+            if t.is_additive[layer]:  # relative to the motion's first pose; expressions: to the pose at rest
                 sample_block(
                     m,
                     states,
@@ -107,7 +107,6 @@ def sample_layers(
                     mem.first,
                     0,
                 )
-                _express_motions(t.expressions, states, times, layer, True, s.smoothed, mem, mem.first, block)
                 additive_block(out, mem.over, mem.first, 0, mem.layer_weight, masks, layer, block)
             else:
                 override_block(out, mem.over, 0, mem.layer_weight, masks, layer, block)
@@ -115,7 +114,7 @@ def sample_layers(
 
 @called
 def _express_motions(
-    x: Any, states: Any, times: Any, layer: int, at_start: bool, smoothed: Any, mem: Any, out: Any, block: int
+    x: Any, states: Any, times: Any, layer: int, smoothed: Any, mem: Any, out: Any, block: int
 ) -> None:
     """Sets, in block 0 of `out`, the channels of the motions that are driven by expressions."""
     if x.first_assignment.shape[0] == 2:  # no state has an expression
@@ -124,8 +123,8 @@ def _express_motions(
     for row in range(first, end_row(block, states.shape[0])):
         group = x.group[states[row, layer]]
         if group > 0:
-            time = 0.0 if at_start else times[row, layer]
             values, stack = mem.express_values, mem.express_stack
+            time = times[row, layer]
             express(x, group, smoothed, row, 0.0, time, values, stack, out, 0, row - first)
 
 

@@ -1,4 +1,4 @@
-"""The values of the free variables of expressions (EX1), computed from the shown poses when they are read: a
+"""The values that expressions set (EX1), computed from the shown poses when they are read: a
 tick keeps none of them.
 """
 
@@ -20,9 +20,9 @@ from statwalk.stage.state.cast import Cast
 _poses = opened(POSES)
 
 
-def free_values(cast: Cast, rows: Ints, tick: int, dt: float) -> Floats:
-    """Returns the values (n, F) of the free variables, in the order of `Role.expressions.slots`, of some rows
-    of a cast at a tick of `dt` seconds.
+def expression_values(cast: Cast, rows: Ints, tick: int, dt: float) -> Floats:
+    """Returns the values (n, F) of all names that the machine's and the character's expressions set, in the
+    order of `Role.expressions.slots`, of some rows of a cast at a tick of `dt` seconds.
     """
     program = cast.role.expressions
     out = np.zeros((len(rows), len(program.slots)))

@@ -27,6 +27,7 @@ from statwalk.rig.hierarchy import MATRIX
 from statwalk.rig.model_buffer import ModelBuffer
 from statwalk.solve.chain_lanes import scratch_floats
 from statwalk.solve.chains import input_rows
+from statwalk.solve.hanging import hanging_scratch
 from statwalk.solve.spring_lanes import spring_scratch
 from statwalk.stage.state.pose_offsets import OFFSETS, PoseOffsets
 from statwalk.stage.steps.offset_lanes import scratch_size
@@ -64,6 +65,8 @@ class PoseMemory(NamedTuple):
     """inputs and outputs of the chains of a machine file's solvers"""
     reach_joints: Annotated[NDArray[np.float32], "block, joint, number, lane"]
     """the starts and ends of force solvers in model space"""
+    hanging: Annotated[NDArray[np.float32], "number"]
+    """working rows of hanging chains"""
     chain: Annotated[NDArray[np.float32], "number"]
     """memory of the solver of chains"""
     old_state: Annotated[NDArray[np.int64], "actor, layer"]
@@ -150,7 +153,8 @@ def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> Po
         leg_rows=input_rows(1, len(role.solvers.legs.hip))[0],
         reach_rows=input_rows(1, len(role.solvers.reach.memory))[0],
         reach_joints=_matrices(actors, len(role.solvers.reach.joints)),
-        chain=zeros(scratch_floats(int(np.diff(role.solvers.chains.first).max(initial=0)))),
+        hanging=zeros(hanging_scratch(_most_joints(role) if len(role.solvers.hanging.chain) else 0)),
+        chain=zeros(scratch_floats(_most_joints(role))),
         old_state=np.zeros((actors, layers), np.int64),
         mixed_state=np.zeros((actors, layers), np.int64),
         mixed_time=np.zeros((actors, layers)),
@@ -161,6 +165,11 @@ def _pose_memory(role: Role, actors: int, layers: int, model: ModelBuffer) -> Po
         express_values=np.zeros(role.expressions.values),
         express_stack=np.zeros(role.expressions.deepest),
     )
+
+
+def _most_joints(role: Role) -> int:
+    """The most joints of a chain."""
+    return int(np.diff(role.solvers.chains.first).max(initial=0))
 
 
 def _matrices(actors: int, joints: int) -> NDArray[np.float32]:

@@ -12,10 +12,13 @@ from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.motion.sampling.blend import member_phase, weigh
 from statwalk.rig.hierarchy import model_block
 from statwalk.solve.chains import ROWS
+from statwalk.solve.foot_fit import begin_fit, fit_foot, slow_rise
 from statwalk.solve.foot_lock import begin_blend, step_foot
-from statwalk.solve.foot_tables import OF_ACTOR, OF_FOOT
+from statwalk.solve.foot_tables import OF_ACTOR, OF_FIT, OF_FOOT, OF_GROUND, Y
 from statwalk.solve.foot_targets import aim_leg, begin_pelvis, follow_ground, lower_pelvis, move_pelvis
 from statwalk.solve.solve_block import solve_chain_block
+from statwalk.stage.steps.foot_landings import next_landing
+from statwalk.stage.steps.offset_clocks import remaining
 
 
 @called
@@ -26,11 +29,14 @@ def plant_feet(
     """Moves the pelvis and the legs of a block's actors in `values`; chain k is the leg of foot k."""
     model_block(f.joints, f.parents, values, mem.legs, block)
     for row in range(first_row(block), end_row(block, s.state.shape[0])):
-        follow_ground(f, keep, position, row, dt)
         sine, cosine = sincos(heading[row])
-        root = position[row, 0], position[row, 1], position[row, 2], sine, cosine
+        follow_ground(f, keep, position, row, sine, cosine, dt)
+        unit = f.unit[0]
+        root = position[row, 0] / unit, position[row, 1] / unit, position[row, 2] / unit, sine, cosine
         if mem.seconds[row, 0] > 0.0:
             _begin_blend(f, keep, row)
+        if f.fit[0] >= 0:
+            _fit_feet(f, m, s, o, mem, position, heading, keep, row, root, dt)
         _step_feet(f, m, s, o, mem, keep, row, root, dt)
         weight = f.weight[0] if f.weight_parameter[0] < 0 else s.smoothed[row, f.weight_parameter[0]]
         weight = min(max(weight, 0.0), 1.0)
@@ -38,7 +44,8 @@ def plant_feet(
         for foot in range(f.hip.shape[0]):
             aim_leg(f, mem.legs, keep, mem.leg_rows, row, foot, root, weight)
     for foot in range(f.hip.shape[0]):
-        solve_chain_block(chains, clamps, foot, values, block, mem.leg_rows, foot * ROWS * LANES, mem.chain)
+        at = foot * ROWS * LANES
+        solve_chain_block(chains, clamps, foot, values, block, mem.leg_rows, at, mem.chain, keep)
 
 
 @inlined
@@ -46,6 +53,21 @@ def _begin_blend(f: Any, keep: Any, row: int) -> None:
     begin_pelvis(f, keep, row)
     for foot in range(f.hip.shape[0]):
         begin_blend(keep, row, f.memory[0] + OF_ACTOR + foot * OF_FOOT)
+        if f.fit[0] >= 0:
+            begin_fit(keep, row, f.fit[0] + OF_GROUND + foot * OF_FIT)
+
+
+@inlined
+def _fit_feet(
+    f: Any, m: Any, s: Any, o: Any, mem: Any, position: Any, heading: Any, keep: Any, row: int, root: Any,
+    dt: float,
+) -> None:  # fmt: skip
+    """Brings an actor's animated feet to uneven ground."""
+    member, left = _member(m, s, mem, row), remaining(o, row, 0, 0.0)[0]
+    for foot in range(f.hip.shape[0]):
+        landing = next_landing(f, m, s, mem, position, heading, row, member, foot)
+        lock, fit = f.memory[0] + OF_ACTOR + foot * OF_FOOT, f.fit[0] + OF_GROUND + foot * OF_FIT
+        fit_foot(f, mem.legs, keep, row, foot, lock, fit, root, landing, left, dt)
 
 
 @inlined
@@ -55,9 +77,12 @@ def _step_feet(f: Any, m: Any, s: Any, o: Any, mem: Any, keep: Any, row: int, ro
     member, blends = _member(m, s, mem, row), o.elapsed[row, 0] < o.duration[row, 0]
     for foot in range(feet):
         at = f.memory[0] + OF_ACTOR + foot * OF_FOOT
-        other = f.memory[0] + OF_ACTOR + ((foot + 1) % feet) * OF_FOOT if feet > 1 else -1
+        other = f.memory[0] + OF_ACTOR + f.other[foot] * OF_FOOT if f.other[foot] >= 0 else -1
         is_down = member >= 0 and _is_planted(f, m, s, row, member, foot)
+        old = keep[row, at + Y]
         step_foot(f, mem.legs, keep, row, foot, at, other, root, is_down, blends, dt)
+        if f.fit[0] >= 0:
+            slow_rise(keep, row, at, old, dt)
 
 
 @inlined

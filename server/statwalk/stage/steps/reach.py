@@ -12,14 +12,15 @@ from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.lanes import LANES
-from statwalk.maths.simd.pose_layout import end_row, first_row
+from statwalk.maths.simd.pose_layout import end_row, first_row, place_of
 from statwalk.maths.springs import settled
 from statwalk.rig.hierarchy import model_block
+from statwalk.solve.carried_turns import forget_turns, keep_turns, no_turns, recall_turns
 from statwalk.solve.chains import DISTANCE as SOLVED_DISTANCE
 from statwalk.solve.chains import ROWS
 from statwalk.solve.chains import WEIGHT as INPUT_WEIGHT
 from statwalk.solve.reach_tables import CARRIED, DISTANCE, LAYER, SHOWN, SINCE, WEIGHT, WEIGHT_RATE
-from statwalk.solve.reach_targets import distance_left, is_measured, write_inputs
+from statwalk.solve.reach_targets import distance_left, write_inputs
 from statwalk.solve.solve_block import solve_chain_block
 from statwalk.stage.steps.offset_clocks import remaining
 
@@ -37,23 +38,48 @@ def reach(
     if r.joints.shape[0] > 0:
         model_block(r.joints, r.parents, values, mem.reach_joints, block)
     for k in range(r.memory.shape[0]):
-        rows = mem.reach_rows[k]
+        rows, number = mem.reach_rows[k], r.first_chain[0] + k
+        if k > 0 and chains.is_moored[number] and r.travel[k] >= 0.0:
+            model_block(r.joints, r.parents, values, mem.reach_joints, block)  # where its anchor is now
         for lane in range(LANES):
             rows[INPUT_WEIGHT, lane] = 0.0
+            if lane >= end - first:
+                no_turns(r, mem.chain, lane, k)
         for row in range(first, end):
-            weight = _weight(r, s, keep, row, k, dt)
-            root = _root(position, heading, row)
-            write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
-            rows[INPUT_WEIGHT, row - first] = _missing(r, o, mem, keep, row, k, weight)
-        number = r.first_chain[0] + k
-        solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, k * ROWS * LANES, mem.chain)
+            _aim(r, chains, s, o, mem, position, heading, keep, rows, row, k, dt)
+        at = k * ROWS * LANES
+        solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, at, mem.chain, keep)
         for row in range(first, end):
             keep[row, r.memory[k] + DISTANCE] = rows[SOLVED_DISTANCE, row - first]
+            keep_turns(r, keep, mem.chain, row, row - first, k, rows[INPUT_WEIGHT, row - first])
+
+
+@inlined
+def _aim(
+    r: Any, chains: Any, s: Any, o: Any, mem: Any, position: Any, heading: Any, keep: Any, rows: Any,
+    row: int, k: int, dt: float,
+) -> None:  # fmt: skip
+    """Writes the inputs of a solver's chain for one actor."""
+    weight, (_, lane) = _weight(r, s, keep, row, k, dt), place_of(row)
+    root = _root(position, heading, row)
+    write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
+    rows[INPUT_WEIGHT, lane] = _missing(r, o, mem, keep, row, k, weight)
+    if weight <= 0.0:
+        forget_turns(r, keep, row, k)
+    recall_turns(r, keep, mem.chain, row, lane, k, dt)
+
+
+@called
+def measure_reached(
+    r: Any, chains: Any, s: Any, mem: Any, values: Any, position: Any, heading: Any, keep: Any, block: int
+) -> None:
+    """Writes the distances that are left, where they are measured at last."""
+    first, end = first_row(block), end_row(block, s.state.shape[0])
     if r.joints.shape[0] > 0:
         model_block(r.joints, r.parents, values, mem.reach_joints, block)
         for k in range(r.memory.shape[0]):
             for row in range(first, end):
-                if is_measured(r, k) and keep[row, r.memory[k] + SHOWN] > 0.0:
+                if r.is_measured[k] and keep[row, r.memory[k] + SHOWN] > 0.0:
                     root = _root(position, heading, row)
                     distance = distance_left(r, chains, s.smoothed, mem.reach_joints, row, k, root)
                     keep[row, r.memory[k] + DISTANCE] = distance
@@ -69,8 +95,9 @@ def _root(position: Any, heading: Any, row: int) -> Any:
 @inlined
 def _weight(r: Any, s: Any, keep: Any, row: int, k: int, dt: float) -> Any:
     """The weight of a solver in this tick; by state: eased."""
-    at, parameter = r.memory[k], r.weight_parameter[k]
-    goal = s.smoothed[row, parameter] if parameter >= 0 else r.weight[k, s.state[row, 0]]
+    at, state = r.memory[k], s.state[row, 0]
+    parameter = r.weight_parameter[k, state]
+    goal = s.smoothed[row, parameter] if parameter >= 0 else r.weight[k, state]
     goal = min(max(goal, 0.0), 1.0)
     weight, rate = goal, 0.0
     if keep[row, at + SINCE] > 0.0 and r.eagerness[k] > 0.0:
@@ -90,6 +117,7 @@ def _missing(r: Any, o: Any, mem: Any, keep: Any, row: int, k: int, weight: floa
     for layer in range(r.covers.shape[1]):
         if mem.seconds[row, layer] > 0.0 and r.covers[k, layer]:
             keep[row, at + CARRIED], keep[row, at + LAYER] = keep[row, at + SHOWN], layer
+            forget_turns(r, keep, row, k)
     carried = keep[row, at + CARRIED]
     if carried > 0.0:
         layer = min(int(keep[row, at + LAYER]), r.covers.shape[1] - 1)  # an edit may have removed its layer

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 import numpy as np
@@ -11,11 +12,14 @@ from statwalk.character.chain_of_names import chain_joints
 from statwalk.character.character import Character
 from statwalk.character.feet import feet_of
 from statwalk.character.foot_contacts import contacts_of
+from statwalk.character.role import Role
 from statwalk.files.machine_yaml.state_names import MEANINGS, proposed
 from statwalk.maths import quat
+from statwalk.maths.clamp_table import JointLimit
 from statwalk.maths.pose import Pose
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import UploadedCharacter
+from statwalk.solve.chains import top_of
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import catalogue_of
 from statwalk.web.schemas.character import (
@@ -73,6 +77,7 @@ def get_character(name: str, catalogue: CatalogueDep) -> CharacterView:
             for part in character.parts
         ],
         notes=list(character.notes),
+        expressions=[line.text for line in character.expressions],
         model=f"/api/characters/{name}/model.glb",
     )
 
@@ -105,6 +110,7 @@ def get_mapping(name: str, catalogue: CatalogueDep) -> MappingView:
 def solve(name: str, body: NewSolve, catalogue: CatalogueDep) -> SolveView:
     """Returns the joints of a chain after its end was brought to the target; nothing on a stage changes."""
     character = catalogue.character(name)
+    limits = {} if body.machine is None else {"limits": _limits(character, catalogue.role(body.machine))}
     answer = character.solve(
         _pose(character, body.pose),
         body.chain,
@@ -119,6 +125,8 @@ def solve(name: str, body: NewSolve, catalogue: CatalogueDep) -> SolveView:
         iterations=body.iterations,
         sensitivity=body.sensitivity,
         forward=body.forward,
+        anchor=body.anchor,
+        **limits,
     )
     joints, _middle = chain_joints(character.skeleton, body.chain, body.solver)
     places = character.world(answer.pose)
@@ -134,7 +142,15 @@ def solve(name: str, body: NewSolve, catalogue: CatalogueDep) -> SolveView:
         reached=bool(answer.reached),
         distance=float(answer.distance),
         iterations=int(answer.iterations),
+        clamped={joint: math.degrees(float(angle)) for joint, angle in answer.clamped.items()},
+        root=tuple(answer.pose.translation[top_of(character.skeleton.parent, joints[0])].tolist()),
     )
+
+
+def _limits(character: Character, role: Role) -> dict[str, JointLimit]:
+    """The limits of a machine's joints that the character has too."""
+    names = role.character.skeleton.names
+    return {names[row]: limit for row, limit in role.limits.items() if names[row] in character.skeleton.names}
 
 
 def _pose(character: Character, source: PoseSource) -> Pose:
@@ -146,4 +162,6 @@ def _pose(character: Character, source: PoseSource) -> Pose:
     pose = pose.copy()
     for joint, rotation in source.rotations.items():
         pose.rotation[character.skeleton.index(joint)] = quat.normalize(np.array(rotation))
+    for joint, translation in source.translations.items():
+        pose.translation[character.skeleton.index(joint)] = translation
     return pose

@@ -12,6 +12,7 @@ from fastapi import APIRouter, Depends, Header, Request, Response
 
 from statwalk.errors import ContentError, RefusedEditError
 from statwalk.files.machine_yaml.cell_text import CellPlace, with_cell
+from statwalk.files.machine_yaml.expression_text import with_expressions
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, SCHEMA_PATH
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting.machine_versions import CurrentMachine, Edited, MachineVersion, MachineVersions
@@ -20,7 +21,14 @@ from statwalk.web.dependencies import LongWorkToken, registry_of
 from statwalk.web.errors import Problem, from_error
 from statwalk.web.routes.machines import encoded, machine_members
 from statwalk.web.schemas.finding import FindingView, finding_views
-from statwalk.web.schemas.machine import EditedMachine, NewCell, NewText, RefusedTrial, VersionView
+from statwalk.web.schemas.machine import (
+    EditedMachine,
+    NewCell,
+    NewExpressions,
+    NewText,
+    RefusedTrial,
+    VersionView,
+)
 from statwalk.web.schemas.problem import FieldError
 
 SCHEMA: dict[int | str, dict[str, Any]] = {
@@ -131,6 +139,28 @@ def patch_cell(
         text = with_cell(current.version.text, place=place, new=new.text, file=FILE_NAME)
         edited = _edit(versions, current, text, f"{new.state}/{new.event}: {new_text}", dry, token)
         return _answer(versions, name, edited)
+
+    return _answered(edit, dry)
+
+
+@router.patch("/machines/{name}/expressions", response_model=EditedMachine | RefusedTrial)
+def patch_expressions(
+    name: str,
+    new: NewExpressions,
+    versions: Versions,
+    seen: SeenVersion,
+    token: LongWorkToken,
+    dry: bool = False,
+) -> Response:
+    """Replaces the machine's expressions, and leaves the rest of the file as it is; like PUT otherwise.
+
+    `dry`: only verifies, and changes nothing.
+    """
+    current = versions.based_on(name, seen)
+
+    def edit() -> Response:
+        text = with_expressions(current.version.text, new.text, FILE_NAME)
+        return _answer(versions, name, _edit(versions, current, text, "expressions", dry, token))
 
     return _answered(edit, dry)
 

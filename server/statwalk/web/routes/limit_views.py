@@ -30,6 +30,7 @@ def _view(role: Role, joint: int, limit: JointLimit) -> LimitView:
         shape=_SHAPES.get(limit.kind, "free"),
         frame=list(limit.frame),
         rest=[*rest.translation[joint].tolist(), *rest.rotation[joint].tolist()],
+        pitch=2 * math.pi * limit.pitch,
         freedoms=[_freedom(freedom) for freedom in freedoms(limit)],
     )
 

@@ -11,7 +11,9 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Depends, Response
 from pydantic import TypeAdapter
 
+from statwalk.character.expressions import OWN
 from statwalk.character.role import Role
+from statwalk.files.machine_yaml.expression_text import expression_text
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.resolved_table import ResolvedTable
 from statwalk.machine.definition.expression_definition import ExpressionMotion
@@ -30,9 +32,10 @@ from statwalk.stage.measure.over_budget import over_budget
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, catalogue_of, registry_of
 from statwalk.web.routes.limit_views import limit_views
+from statwalk.web.routes.solver_views import chain_views, solver_views
 from statwalk.web.schemas.base import ResponseModel
 from statwalk.web.schemas.finding import FindingsView, finding_views
-from statwalk.web.schemas.machine import MachineSummary, MachineView
+from statwalk.web.schemas.machine import ExpressionView, MachineSummary, MachineView
 from statwalk.web.schemas.measured import FeetView, MeasurementsView, feet_view, measured_view
 from statwalk.web.schemas.table import (
     CellView,
@@ -132,6 +135,19 @@ def _parameter_views(role: Role) -> list[ParameterView]:
     ]
 
 
+def _expression_views(role: Role) -> list[ExpressionView]:
+    machines = {line.target for line in role.definition.expressions}
+    return [
+        ExpressionView(
+            line=line.line,
+            name=line.target.removeprefix(OWN),
+            formula=line.formula.text.strip(),
+            source="machine" if line.target in machines else "character",
+        )
+        for line in role.expressions.lines
+    ]
+
+
 def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[str, Any]:
     """Returns the members of `MachineView`."""
     definition, layers = role.definition, _layer_views(role)
@@ -154,8 +170,11 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
             for piece in definition.ground
         ],
         "limits": limit_views(role),
+        "solvers": solver_views(definition),
+        "chains": chain_views(definition),
         "layers": layers,
-        "expressions": [line.text for line in definition.expressions],
+        "expressions": _expression_views(role),
+        "expression_text": expression_text(version.text),
         "text": version.text,
         **{name: getattr(layers[0], name) for name in ("states", "table", "rows", "edges")},
     }

@@ -46,9 +46,19 @@ def view_actor(actor: ActorFacts) -> ActorView:
         heading_deg=math.degrees(actor.heading),
         hash=actor.hash,
         variables=dict(actor.variables),
+        channels=dict(actor.channels),
+        parameters={
+            name: list(value) if isinstance(value, tuple) else value
+            for name, value in actor.parameters.items()
+        },
         clamped=[
-            ClampedView(joint=one.joint, angle_deg=math.degrees(one.angle), distance=one.distance)
-            for one in actor.clamped
+            ClampedView(
+                joint=clamped.joint,
+                angle_deg=math.degrees(clamped.angle),
+                distance=clamped.distance,
+                by=clamped.by,
+            )
+            for clamped in actor.clamped
         ],
         reached=[ReachedView(**found._asdict()) for found in actor.reached],
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -52,11 +52,14 @@ class NewParameter(RequestModel):
 
 
 class ClampedView(ResponseModel):
-    """A joint that its limits changed in this tick: by how many degrees and metres."""
+    """A joint that its limits changed in this tick: by how many degrees and metres, after blending (`motion`)
+    or in inverse kinematics (`solver`: the last turn of the joint).
+    """
 
     joint: str
     angle_deg: float
     distance: float
+    by: Literal["motion", "solver"]
 
 
 class ReachedView(ResponseModel):
@@ -83,7 +86,11 @@ class ActorView(ResponseModel):
     heading_deg: float
     hash: str
     variables: dict[str, float]
-    """the free variables of the machine's expressions"""
+    """the free variables of the expressions of the machine and its character"""
+    channels: dict[str, float]
+    """the channels of joints that expressions set: degrees, metres, scales"""
+    parameters: dict[str, float | list[float]]
+    """as they are set; points, directions and rotations as lists"""
     clamped: list[ClampedView]
     reached: list[ReachedView]
 

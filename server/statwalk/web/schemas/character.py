@@ -63,6 +63,8 @@ class CharacterView(ResponseModel):
     skins: int
     parts: list[PartView]
     notes: list[str]
+    expressions: list[str]
+    """what moves with what, whichever machine plays it"""
     model: str
 
 

@@ -53,6 +53,12 @@ class NewCell(RequestModel):
     layer: Name = BASE
 
 
+class NewExpressions(RequestModel):
+    """New expressions for a machine, a line each; blank: none."""
+
+    text: Annotated[str, StringConstraints(max_length=LONGEST_TEXT)]
+
+
 class MachineSummary(ResponseModel):
     """A machine in the list; `scene` is the scene whose folder holds it, or empty."""
 
@@ -76,7 +82,8 @@ class FreedomView(ResponseModel):
 
 class LimitView(ResponseModel):
     """The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
-    into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+    into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose; `pitch`: metres a
+    turn of a helical joint, else 0.
     """
 
     joint: str
@@ -86,7 +93,42 @@ class LimitView(ResponseModel):
     shape: Literal["free", "hinge", "cone", "range", "axes"]
     frame: list[float]
     rest: list[float]
+    pitch: float
     freedoms: list[FreedomView]
+
+
+class ExpressionView(ResponseModel):
+    """An expression: the line of its file, what it sets, the formula, and whose file it is."""
+
+    line: int
+    name: str
+    formula: str
+    source: Literal["machine", "character"]
+
+
+class SolverView(ResponseModel):
+    """A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
+    parameter of its target, and its weight: a number 0…1 or a parameter, or one of both by state of the base;
+    `grab`: while the page drags its handle, the weight is 1.
+    """
+
+    name: str
+    solver: str
+    start: str
+    end: str
+    anchor: str
+    target: str
+    weight: float | str | dict[str, float | str]
+    grab: bool
+
+
+class ChainView(ResponseModel):
+    """A chain that hangs under gravity, from `start` to `end`, and its anchors."""
+
+    name: str
+    start: str
+    end: str
+    anchors: list[str]
 
 
 class MachineView(ResponseModel):
@@ -115,9 +157,13 @@ class MachineView(ResponseModel):
     colliders: dict[str, ColliderView]
     ground: list[GroundView]
     limits: list[LimitView]
+    solvers: list[SolverView]
+    chains: list[ChainView]
     layers: list[LayerView]
-    expressions: list[str]
+    expressions: list[ExpressionView]
     """assignments to channels and variables, in the order in which they run"""
+    expression_text: str
+    """the machine's own expressions as the file has them, with comments"""
     text: str
     """the machine file"""
 

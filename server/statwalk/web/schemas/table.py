@@ -95,17 +95,20 @@ class LayerView(ResponseModel):
 
 class KeyView(ResponseModel):
     """The events of a key: `press` when it goes down (`hold`: held until it comes up), `release` when it
-    comes up.
+    comes up. `change`: by state, the parameters that move while it is down, units a second; the first state
+    that a layer of the actor is in counts, or `*`.
     """
 
     press: str | None
     release: str | None
     hold: bool
+    change: dict[str, dict[str, float]]
 
 
 class ParameterView(ResponseModel):
     """A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
-    direction or rotation that it is a component of (empty: none).
+    direction or rotation that it is a component of (empty: none); `joint`, `freedom`: the degree of freedom
+    at which the page has a handle for it, and the event that the page sends when you take it (empty: none).
     """
 
     name: str
@@ -115,6 +118,9 @@ class ParameterView(ResponseModel):
     smooth: float
     kind: Kind
     vector: str
+    joint: str
+    freedom: str
+    event: str
     driven: bool
 
 

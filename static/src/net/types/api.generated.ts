@@ -308,6 +308,28 @@ export interface paths {
         patch: operations["patch_cell_api_machines__name__cells_patch"];
         trace?: never;
     };
+    "/api/machines/{name}/expressions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        /**
+         * Patch Expressions
+         * @description Replaces the machine's expressions, and leaves the rest of the file as it is; like PUT otherwise.
+         *
+         *     `dry`: only verifies, and changes nothing.
+         */
+        patch: operations["patch_expressions_api_machines__name__expressions_patch"];
+        trace?: never;
+    };
     "/api/machines/{name}/undo": {
         parameters: {
             query?: never;
@@ -921,9 +943,17 @@ export interface components {
             position: number[];
             heading_deg: number;
             hash: string;
-            /** @description the free variables of the machine's expressions */
+            /** @description the free variables of the expressions of the machine and its character */
             variables: {
                 [key: string]: number;
+            };
+            /** @description the channels of joints that expressions set: degrees, metres, scales */
+            channels: {
+                [key: string]: number;
+            };
+            /** @description as they are set; points, directions and rotations as lists */
+            parameters: {
+                [key: string]: number | number[];
             };
             clamped: components["schemas"]["ClampedView"][];
             reached: components["schemas"]["ReachedView"][];
@@ -1010,6 +1040,13 @@ export interface components {
             ];
             alternatives: components["schemas"]["AlternativeView"][];
         };
+        /** @description A chain that hangs under gravity, from `start` to `end`, and its anchors. */
+        ChainView: {
+            name: string;
+            start: string;
+            end: string;
+            anchors: string[];
+        };
         /**
          * @description A character: its joints (parents first), clips and skins, notes on what the server repaired in the
          *     file, and the address of its model.
@@ -1021,13 +1058,20 @@ export interface components {
             skins: number;
             parts: components["schemas"]["PartView"][];
             notes: string[];
+            /** @description what moves with what, whichever machine plays it */
+            expressions: string[];
             model: string;
         };
-        /** @description A joint that its limits changed in this tick: by how many degrees and metres. */
+        /**
+         * @description A joint that its limits changed in this tick: by how many degrees and metres, after blending (`motion`)
+         *     or in inverse kinematics (`solver`: the last turn of the joint).
+         */
         ClampedView: {
             joint: string;
             angle_deg: number;
             distance: number;
+            /** @enum {string} */
+            by: "motion" | "solver";
         };
         /** @description The contacts of all feet in a clip. */
         ClipContactsView: {
@@ -1161,9 +1205,13 @@ export interface components {
             };
             ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
+            solvers: components["schemas"]["SolverView"][];
+            chains: components["schemas"]["ChainView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
-            expressions: string[];
+            expressions: components["schemas"]["ExpressionView"][];
+            /** @description the machine's own expressions as the file has them, with comments */
+            expression_text: string;
             /** @description the machine file */
             text: string;
             /**
@@ -1198,6 +1246,14 @@ export interface components {
             blend_seconds: number | null;
             curve: string;
             joints: components["schemas"]["MovedView"][];
+        };
+        /** @description An expression: the line of its file, what it sets, the formula, and whose file it is. */
+        ExpressionView: {
+            line: number;
+            name: string;
+            formula: string;
+            /** @enum {string} */
+            source: "machine" | "character";
         };
         /** @description The feet of a character and their contacts in its clips. */
         FeetView: {
@@ -1328,12 +1384,18 @@ export interface components {
         };
         /**
          * @description The events of a key: `press` when it goes down (`hold`: held until it comes up), `release` when it
-         *     comes up.
+         *     comes up. `change`: by state, the parameters that move while it is down, units a second; the first state
+         *     that a layer of the actor is in counts, or `*`.
          */
         KeyView: {
             press: string | null;
             release: string | null;
             hold: boolean;
+            change: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            };
         };
         /** @description What is known of a bone; null takes a value of the bones away. */
         KnownBody: {
@@ -1428,7 +1490,8 @@ export interface components {
         };
         /**
          * @description The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
-         *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose.
+         *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose; `pitch`: metres a
+         *     turn of a helical joint, else 0.
          */
         LimitView: {
             joint: string;
@@ -1439,6 +1502,7 @@ export interface components {
             shape: "free" | "hinge" | "cone" | "range" | "axes";
             frame: number[];
             rest: number[];
+            pitch: number;
             freedoms: components["schemas"]["FreedomView"][];
         };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
@@ -1489,9 +1553,13 @@ export interface components {
             };
             ground: components["schemas"]["GroundView"][];
             limits: components["schemas"]["LimitView"][];
+            solvers: components["schemas"]["SolverView"][];
+            chains: components["schemas"]["ChainView"][];
             layers: components["schemas"]["LayerView"][];
             /** @description assignments to channels and variables, in the order in which they run */
-            expressions: string[];
+            expressions: components["schemas"]["ExpressionView"][];
+            /** @description the machine's own expressions as the file has them, with comments */
+            expression_text: string;
             /** @description the machine file */
             text: string;
         };
@@ -1688,6 +1756,10 @@ export interface components {
              */
             kind?: "press" | "hold" | "release";
         };
+        /** @description New expressions for a machine, a line each; blank: none. */
+        NewExpressions: {
+            text: string;
+        };
         /** @description A key: `time` in seconds, angles about X, then Y, then Z in degrees, and its weight in a NURBS. */
         NewKey: {
             time: number;
@@ -1724,7 +1796,9 @@ export interface components {
          *     `Character.solve`.
          */
         NewSolve: {
+            /** @description joints from start to end, or the two alone */
             chain: string[];
+            /** @description model space, metres, each within ±1,000,000 */
             target: [
                 number,
                 number,
@@ -1738,37 +1812,53 @@ export interface components {
             /**
              * @default {
              *       "time": 0,
-             *       "rotations": {}
+             *       "rotations": {},
+             *       "translations": {}
              *     }
              */
             pose?: components["schemas"]["PoseSource"];
-            /** @default 1 */
+            /**
+             * @description 0: the pose stays; 1: the solution
+             * @default 1
+             */
             weight?: number;
+            /** @description model space, a direction: where the middle joint goes; null: as it bends now */
             pole?: [
                 number,
                 number,
                 number
             ] | null;
+            /** @description model space, metres: the same as a point; null: none */
             pole_point?: [
                 number,
                 number,
                 number
             ] | null;
+            /** @description model space, x y z w, above 0 long: the end's; null: it keeps that from its parent */
             rotation?: [
                 number,
                 number,
                 number,
                 number
             ] | null;
-            /** @default 0 */
+            /**
+             * @description metres before full stretch from which the chain eases
+             * @default 0
+             */
             softening?: number;
-            /** @default 0.0001 */
+            /**
+             * @description metres: nearer counts as reached, and ends the iterations
+             * @default 0.0001
+             */
             tolerance?: number;
+            /** @description at most; null: 16, of force 64, of look-at 8 */
             iterations?: number | null;
+            /** @description 0…1 by joint: the part of a turn that it makes, else 1; not for two-bone */
             sensitivity?: {
                 [key: string]: number;
             };
             /**
+             * @description look-at: the line of sight in the frame of the last joint, above 0 long
              * @default [
              *       0,
              *       0,
@@ -1780,6 +1870,13 @@ export interface components {
                 number,
                 number
             ];
+            /**
+             * @description the first joint of the chain, which stays, or the last: then the first comes to the target, and the root moves; empty: the first
+             * @default
+             */
+            anchor?: string;
+            /** @description the machine whose limits count; null: the limits of the character */
+            machine?: string | null;
         };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
         NewStage: {
@@ -1806,7 +1903,8 @@ export interface components {
         };
         /**
          * @description A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
-         *     direction or rotation that it is a component of (empty: none).
+         *     direction or rotation that it is a component of (empty: none); `joint`, `freedom`: the degree of freedom
+         *     at which the page has a handle for it, and the event that the page sends when you take it (empty: none).
          */
         ParameterView: {
             name: string;
@@ -1817,6 +1915,9 @@ export interface components {
             /** @enum {string} */
             kind: "number" | "flag" | "point" | "direction" | "rotation";
             vector: string;
+            joint: string;
+            freedom: string;
+            event: string;
             driven: boolean;
         };
         /** @description A mesh primitive of the model; `vertices` is their number. */
@@ -1857,8 +1958,8 @@ export interface components {
             root: components["schemas"]["RootView"];
         };
         /**
-         * @description The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations on
-         *     top.
+         * @description The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations and
+         *     translations of joints on top.
          */
         PoseSource: {
             clip?: string | null;
@@ -1867,6 +1968,13 @@ export interface components {
             rotations?: {
                 [key: string]: [
                     number,
+                    number,
+                    number,
+                    number
+                ];
+            };
+            translations?: {
+                [key: string]: [
                     number,
                     number,
                     number
@@ -1954,12 +2062,24 @@ export interface components {
              */
             uploaded: false;
         };
-        /** @description The solved chain, from start to end; `distance`: metres from the end to the target. */
+        /**
+         * @description The solved chain, from start to end; `distance`: metres from the end to the target; `clamped`: the
+         *     degrees by which limits cut the last turns of its joints; `root`: the translation of the skeleton's root,
+         *     which moves if the chain's end is the anchor.
+         */
         SolveView: {
             joints: components["schemas"]["SolvedJointView"][];
             reached: boolean;
             distance: number;
             iterations: number;
+            clamped: {
+                [key: string]: number;
+            };
+            root: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description A joint of the chain afterwards: its local rotation x y z w, its place in model space, metres. */
         SolvedJointView: {
@@ -1975,6 +2095,23 @@ export interface components {
                 number,
                 number
             ];
+        };
+        /**
+         * @description A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
+         *     parameter of its target, and its weight: a number 0…1 or a parameter, or one of both by state of the base;
+         *     `grab`: while the page drags its handle, the weight is 1.
+         */
+        SolverView: {
+            name: string;
+            solver: string;
+            start: string;
+            end: string;
+            anchor: string;
+            target: string;
+            weight: number | string | {
+                [key: string]: number | string;
+            };
+            grab: boolean;
         };
         /** @description The speed of the clock; 1 is real time. */
         Speed: {
@@ -2551,6 +2688,7 @@ export type BonesView = components['schemas']['BonesView'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
 export type CellView = components['schemas']['CellView'];
+export type ChainView = components['schemas']['ChainView'];
 export type CharacterView = components['schemas']['CharacterView'];
 export type ClampedView = components['schemas']['ClampedView'];
 export type ClipContactsView = components['schemas']['ClipContactsView'];
@@ -2563,6 +2701,7 @@ export type DeductionView = components['schemas']['DeductionView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
+export type ExpressionView = components['schemas']['ExpressionView'];
 export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FigureView = components['schemas']['FigureView'];
@@ -2598,6 +2737,7 @@ export type NewClipView = components['schemas']['NewClipView'];
 export type NewCurves = components['schemas']['NewCurves'];
 export type NewDeduction = components['schemas']['NewDeduction'];
 export type NewEvent = components['schemas']['NewEvent'];
+export type NewExpressions = components['schemas']['NewExpressions'];
 export type NewKey = components['schemas']['NewKey'];
 export type NewMachine = components['schemas']['NewMachine'];
 export type NewParameter = components['schemas']['NewParameter'];
@@ -2622,6 +2762,7 @@ export type SetChange = components['schemas']['SetChange'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
 export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
+export type SolverView = components['schemas']['SolverView'];
 export type Speed = components['schemas']['Speed'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];
@@ -3161,6 +3302,40 @@ export interface operations {
         requestBody: {
             content: {
                 "application/json": components["schemas"]["NewCell"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"] | components["schemas"]["RefusedTrial"];
+                };
+            };
+            /** @description Client Error */
+            "4XX": components["responses"]["Problem"];
+            /** @description Server Error */
+            "5XX": components["responses"]["Problem"];
+        };
+    };
+    patch_expressions_api_machines__name__expressions_patch: {
+        parameters: {
+            query?: {
+                dry?: boolean;
+            };
+            header?: {
+                "If-Match"?: string | null;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewExpressions"];
             };
         };
         responses: {

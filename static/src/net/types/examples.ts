@@ -63,7 +63,7 @@ export function finding(members: Partial<Finding>): Finding {
 }
 
 export function keyBinding(members: Partial<KeyBinding>): KeyBinding {
-  return { press: null, release: null, hold: false, ...members };
+  return { press: null, release: null, hold: false, change: {}, ...members };
 }
 
 export function verdict(members: Partial<Verdict>): Verdict {

@@ -12,6 +12,8 @@ export type {
   DeducedBoneView as DeducedBone,
   LimitView as JointLimit,
   MachineView as MachineInfo,
+  SolverView as Solver,
+  SolveView as Solved,
   ParameterView as Parameter,
   StateView as StateInfo,
   VersionView as MachineVersion,

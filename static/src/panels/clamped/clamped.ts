@@ -11,12 +11,12 @@ const READ_MS = 400;
 /** Returns the sentence about clamped joints. */
 export function clampedWords(clamped: readonly ClampedJoint[]): string {
   if (!clamped.length) return "limits: all joints inside";
-  const parts = clamped.map(({ joint, angle_deg, distance }) => {
+  const parts = clamped.map(({ joint, angle_deg, distance, by: cause }) => {
     const by = [
       ...(angle_deg >= 0.01 ? [`${angle_deg.toFixed(1)}°`] : []),
       ...(distance >= 1e-4 ? [`${(100 * distance).toFixed(1)} cm`] : []),
     ];
-    return `${joint} by ${by.join(", ") || "a trace"}`;
+    return `${joint} by ${by.join(", ") || "a trace"}${cause === "solver" ? " (reaching)" : ""}`;
   });
   return `clamped: ${parts.join("; ")}`;
 }

@@ -7,6 +7,8 @@ import { token } from "../../ui/dom";
 import { METHODS } from "./methods";
 
 const WIDTH = 2.15;
+const HEIGHT = 2.7;
+const NARROW = 600;
 const HAND = new THREE.Vector3(0, 1, 0);
 
 function arm(colour: string): THREE.Group {
@@ -52,7 +54,7 @@ export class Figures {
       this.stands.push(stand);
       this.scene.add(stand);
     }
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement ?? canvas);
+    new ResizeObserver(() => this.resize()).observe(canvas);
   }
 
   /** Takes new samples; a curve that was refused shows no figure. */
@@ -79,13 +81,17 @@ export class Figures {
   }
 
   private resize(): void {
-    const box = (this.canvas.parentElement ?? this.canvas).getBoundingClientRect();
+    const box = this.canvas.getBoundingClientRect();
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
-    const half = (METHODS.length * WIDTH) / 2;
-    const high = Math.max(1.45, (half * box.height) / Math.max(1, box.width));
+    const rows = box.width < NARROW ? 2 : 1;
+    const columns = Math.ceil(METHODS.length / rows);
+    const half = (columns * WIDTH) / 2;
+    const high = Math.max(1.45 * rows, (half * box.height) / Math.max(1, box.width));
     const wide = Math.max(half, (high * box.width) / Math.max(1, box.height));
-    for (const [at, stand] of this.stands.entries())
-      stand.position.x = ((at + 0.5) / METHODS.length - 0.5) * 2 * wide;
+    for (const [at, stand] of this.stands.entries()) {
+      stand.position.x = (((at % columns) + 0.5) / columns - 0.5) * 2 * wide;
+      stand.position.y = rows === 1 ? 0 : HEIGHT * (0.5 - Math.floor(at / columns));
+    }
     this.camera.left = -wide;
     this.camera.right = wide;
     this.camera.top = high;

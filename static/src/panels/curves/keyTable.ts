@@ -82,6 +82,13 @@ export class KeyTable {
     this.fill();
   }
 
+  /** Gives a key another time. */
+  move(row: number, time: number): void {
+    const one = this.keys[row];
+    if (one) one.time = time;
+    this.fill();
+  }
+
   private fill(): void {
     const head = el("tr", {}, ...FIELDS.map(({ words }) => el("th", { scope: "col" }, words)), el("th"));
     const rows = this.keys.map((one, row) => this.row(one, row));

@@ -14,7 +14,12 @@ const LONG_PRESS_MS = 300;
 const MANY = 8;
 
 /** Returns the binding that a button without a key stands for. */
-const keyFor = (event: string, hold: boolean): KeyBinding => ({ press: event, hold, release: null });
+const keyFor = (event: string, hold: boolean): KeyBinding => ({
+  press: event,
+  hold,
+  release: null,
+  change: {},
+});
 
 interface Keyed {
   key: string;

@@ -2,6 +2,7 @@
 
 import { HeldKeys, bindingOf, mainEvent } from "../../state/keyBindings";
 import type { Shortcut } from "../../ui/shortcut";
+import type { KeyChanges } from "../../state/keyChanges";
 import type { Session } from "../../state/session";
 
 /** Returns whether the focused element uses this key itself. */
@@ -9,7 +10,7 @@ function wanted(target: EventTarget | null, key: string): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.closest("dialog[open]")) return true;
   if (target instanceof HTMLSelectElement || target instanceof HTMLInputElement)
-    return key.startsWith("Arrow") || key === "Home" || key === "End" || key === " ";
+    return /^(Arrow|Page|Home$|End$| $)/.test(key);
   return target instanceof HTMLButtonElement && (key === " " || key === "Enter");
 }
 
@@ -19,6 +20,7 @@ export class Keyboard {
   constructor(
     private readonly session: Session,
     private readonly shortcuts: readonly Shortcut[],
+    private readonly changes: KeyChanges,
     private readonly shown: (event: string, down: boolean) => void,
   ) {
     this.held = new HeldKeys(({ kind, event }) => session.event(kind, event));
@@ -36,6 +38,7 @@ export class Keyboard {
     const name = bindingOf(keys, press.key, press.code);
     if (name !== null) {
       press.preventDefault();
+      if (this.changes.press(name, keys[name]!)) return;
       this.held.press(name, keys[name]!);
       this.show(name, true);
       return;
@@ -49,7 +52,9 @@ export class Keyboard {
 
   private up(press: KeyboardEvent): void {
     const name = bindingOf(this.session.machine.value?.keys ?? {}, press.key, press.code);
-    if (name !== null && this.held.release(name)) this.show(name, false);
+    if (name === null) return;
+    this.changes.release(name);
+    if (this.held.release(name)) this.show(name, false);
   }
 
   private show(name: string, down: boolean): void {
@@ -62,5 +67,6 @@ export class Keyboard {
     for (const name of Object.keys(this.session.machine.value?.keys ?? {}))
       if (this.held.has(name)) this.show(name, false);
     this.held.releaseAll();
+    this.changes.releaseAll();
   }
 }

@@ -2,7 +2,8 @@
 
 import "./help.css";
 import type { Shortcut } from "../../ui/shortcut";
-import { cap, onDown, onUp } from "../../state/keyBindings";
+import { bindingOf, cap, onDown, onUp } from "../../state/keyBindings";
+import { changedBy } from "../../state/keyChanges";
 import type { KeyBinding } from "../../net/protocol";
 import type { Session } from "../../state/session";
 import { el } from "../../ui/dom";
@@ -13,7 +14,14 @@ export function bindingWords(binding: KeyBinding): string {
   const up = onUp(binding)
     .filter(({ kind }) => kind === "press")
     .map(({ event }) => event);
-  return [down.join(", "), up.length ? `released: ${up.join(", ")}` : ""].filter(Boolean).join(" · ");
+  const changed = changedBy(binding);
+  return [
+    down.join(", "),
+    up.length ? `released: ${up.join(", ")}` : "",
+    changed.length ? `changes ${changed.join(", ")}` : "",
+  ]
+    .filter(Boolean)
+    .join(" · ");
 }
 
 function row(keys: string[], text: string): HTMLElement {
@@ -62,7 +70,11 @@ export class HelpDialog {
     close.addEventListener("click", () => this.dialog.close());
     const section = (title: string, rows: HTMLElement[]): HTMLElement =>
       el("section", {}, el("h2", {}, title), el("dl", {}, ...rows));
-    const own = this.viewerKeys.map(({ keys: [key], words }) => row([cap(key)], words));
+    // A key of the machine comes before the same key of the viewer.
+    const own = this.viewerKeys.flatMap(({ keys, words }) => {
+      const free = keys.filter((key) => bindingOf(machine?.keys ?? {}, key, key) === null);
+      return free.length ? [row(free.map(cap), words)] : [];
+    });
     const pointer = POINTER.map(([how, words]) => row([how], words));
     const title = machine?.title ?? machine?.name ?? "machine";
     const about = machine?.description ? el("p", { class: "about" }, machine.description) : null;

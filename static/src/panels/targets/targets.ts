@@ -1,19 +1,19 @@
 /**
  * Buttons for the point parameters of the watched machine: a handle to drag in the scene for each, and, for a
- * machine with `gaze` and `look`, a character that looks at the pointer.
+ * machine with `gaze` and `look`, a character that looks at the pointer. The handle of a target shows by itself in
+ * states in which a solver reaches for it; the handle of a chain that you take hold of is at the chain's free end.
  */
 
 import "./targets.css";
 import * as THREE from "three";
-import { Latest } from "../../net/latest";
 import type { MachineInfo } from "../../net/protocol";
-import { canLook, GAZE, LOOK, type Point, pointsOf } from "../../state/points";
+import type { ParameterValues } from "../../state/parameterValues";
+import { canLook, GAZE, type Grip, gripsOf, LOOK, type Point, pointsOf, reachedIn } from "../../state/points";
 import type { Session } from "../../state/session";
 import { el } from "../../ui/dom";
 import { onFacingPlane, PointHandles } from "../../view/pointHandles";
 import type { StageView } from "../../view/stageView";
 
-const PER_SECOND = 30;
 /** Metres in front of the character at which the pointer's plane stands. */
 const IN_FRONT = 1.2;
 /** Metres: the size of a handle, as a part of the character's height. */
@@ -21,20 +21,30 @@ const SIZE = 0.035;
 
 export class TargetsPanel {
   private readonly handles: PointHandles;
-  private readonly points = new Map<string, Point>();
-  private readonly senders = new Map<string, Latest<Point>>();
+  private readonly buttons = new Map<string, HTMLButtonElement>();
   private shown = new Set<string>();
+  private reached = new Set<string>();
+  private grips = new Map<string, Grip>();
+  /** The free ends of the grips' chains, as they are drawn. */
+  private readonly ends = new Map<string, Point>();
   private looks = false;
 
   constructor(
     private readonly host: HTMLElement,
     private readonly session: Session,
     private readonly stageView: StageView,
+    private readonly values: ParameterValues,
   ) {
-    this.handles = new PointHandles(stageView.scene, (name, point) => this.send(name, point));
+    this.handles = new PointHandles(
+      stageView.scene,
+      (name, point) => values.setPoint(name, point),
+      (name, isHeld) => this.hold(name, isHeld),
+    );
     const begin = (): void => this.begin(session.machine.value);
     session.machine.on(begin);
     session.actor.on(begin);
+    session.layerStates.on(([base]) => this.enter(base ?? ""));
+    values.changed.on(() => this.place());
     stageView.scene.canvas.addEventListener("pointermove", (event) => this.follow(event));
   }
 
@@ -43,19 +53,52 @@ export class TargetsPanel {
     return this.handles.places();
   }
 
+  /** Lets the handles of chains that nobody holds follow the chains' ends; called once per drawn frame. */
+  update(): void {
+    const actor = this.grips.size ? this.stageView.selected() : null;
+    if (!actor || !this.stageView.ready.value) return;
+    const places = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
+    for (const [name, { joint }] of this.grips) {
+      const row = actor.cast.names.indexOf(joint);
+      if (row < 0 || !this.shown.has(name) || this.handles.dragging === name) continue;
+      const end: Point = [places[3 * row]!, places[3 * row + 1]!, places[3 * row + 2]!];
+      const before = this.ends.get(name);
+      this.ends.set(name, end);
+      if (!before || before.some((value, k) => value !== end[k])) this.handles.show(name, end, this.size());
+    }
+  }
+
+  /** Takes hold of a chain, or lets it go. */
+  private hold(name: string, isHeld: boolean): void {
+    const grip = this.grips.get(name);
+    if (!grip) return;
+    const end = this.ends.get(name);
+    if (isHeld && end) this.values.setPoint(name, end);
+    this.values.set(grip.weight, isHeld ? 1 : 0);
+  }
+
   private begin(machine: MachineInfo | null): void {
     this.handles.clear();
-    this.shown = new Set();
+    this.grips = gripsOf(machine);
+    this.ends.clear();
+    this.shown = new Set(this.grips.keys());
+    this.reached = new Set();
     this.looks = false;
-    this.points.clear();
-    for (const [name, point] of pointsOf(machine)) this.points.set(name, point);
     this.draw(machine);
+    this.enter(this.session.layerStates.value[0] ?? "");
   }
 
   private draw(machine: MachineInfo | null): void {
-    const buttons = [...this.points.keys()].map((name) =>
-      this.button(`drag ${name}`, `shows a handle that moves the point ${name}`, () => this.toggle(name)),
-    );
+    this.buttons.clear();
+    for (const name of pointsOf(machine).keys()) {
+      const title = `shows a handle that moves the point ${name}`;
+      this.buttons.set(
+        name,
+        this.button(`drag ${name}`, title, () => this.show(name, !this.shown.has(name))),
+      );
+      this.buttons.get(name)!.setAttribute("aria-pressed", String(this.shown.has(name)));
+    }
+    const buttons = [...this.buttons.values()];
     if (canLook(machine))
       buttons.push(this.button("look at the pointer", "he looks where you point", () => this.stare()));
     this.host.hidden = !buttons.length;
@@ -68,14 +111,34 @@ export class TargetsPanel {
     return made;
   }
 
+  /** Shows the handles of the points that the base state begins to reach for, hides those it no longer does. */
+  private enter(state: string): void {
+    const reached = reachedIn(this.session.machine.value, state);
+    for (const name of this.buttons.keys())
+      if (reached.has(name) !== this.reached.has(name)) {
+        this.show(name, reached.has(name));
+        this.buttons.get(name)?.setAttribute("aria-pressed", String(reached.has(name)));
+      }
+    this.reached = reached;
+  }
+
   /** Shows or hides the handle of a point; returns whether it is shown. */
-  private toggle(name: string): boolean {
-    if (this.shown.delete(name)) this.handles.hide(name);
+  private show(name: string, isShown: boolean): boolean {
+    if (isShown) this.shown.add(name);
     else {
-      this.shown.add(name);
-      this.handles.show(name, this.points.get(name)!, this.size());
+      this.shown.delete(name);
+      this.ends.delete(name);
+      this.handles.hide(name);
     }
-    return this.shown.has(name);
+    this.place();
+    return isShown;
+  }
+
+  /** Puts the handles where their points are; those of chains that nobody holds are where the chains end. */
+  private place(): void {
+    for (const name of this.shown)
+      if (!this.grips.has(name) || this.handles.dragging === name)
+        this.handles.show(name, this.values.point(name), this.size());
   }
 
   private size(): number {
@@ -86,7 +149,7 @@ export class TargetsPanel {
   /** Makes the character look at the pointer, or no more; returns whether it does. */
   private stare(): boolean {
     this.looks = !this.looks;
-    this.set(LOOK, this.looks ? 1 : 0);
+    this.values.set(LOOK, this.looks ? 1 : 0);
     return this.looks;
   }
 
@@ -98,23 +161,6 @@ export class TargetsPanel {
     const centre = actor.box().getCenter(new THREE.Vector3());
     const before = camera.getWorldDirection(new THREE.Vector3()).multiplyScalar(-IN_FRONT).add(centre);
     const place = onFacingPlane(this.handles.ray(event), camera, before);
-    if (place) this.send(GAZE, place.toArray());
-  }
-
-  /** Sets a parameter of the watched actor. */
-  private set(parameter: string, value: number | Point): void {
-    const actor = this.session.actor.value;
-    if (actor !== null) this.session.connection.send({ type: "set", parameter, value, actor });
-  }
-
-  private send(name: string, point: Point): void {
-    this.points.set(name, point);
-    if (this.shown.has(name)) this.handles.show(name, point, this.size());
-    let sender = this.senders.get(name);
-    if (!sender) {
-      sender = new Latest<Point>((newest) => this.set(name, newest), PER_SECOND);
-      this.senders.set(name, sender);
-    }
-    sender.put(point);
+    if (place) this.values.setPoint(GAZE, place.toArray());
   }
 }

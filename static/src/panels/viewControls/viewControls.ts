@@ -20,6 +20,24 @@ export function toggleMode(stageView: StageView, mode: keyof Modes): void {
   stageView.modes.set({ ...stageView.modes.value, [mode]: !stageView.modes.value[mode] });
 }
 
+/** Shows wire instead of the smooth skin, or the smooth skin instead of wire. */
+export function wireOrSkin(stageView: StageView): void {
+  const { wire } = stageView.modes.value;
+  stageView.modes.set({ ...stageView.modes.value, wire: !wire, skin: wire });
+}
+
+/** Makes the button that turns the view around the character. */
+function turntable(stageView: StageView): HTMLButtonElement {
+  const made = el(
+    "button",
+    { type: "button", title: "the view turns around the character (R)" },
+    "turntable",
+  );
+  made.addEventListener("click", () => stageView.turning.set(!stageView.turning.value));
+  stageView.turning.on((turning) => made.setAttribute("aria-pressed", String(turning)));
+  return made;
+}
+
 function modeButton(stageView: StageView, [mode, key, title]: (typeof MODES)[number]): HTMLButtonElement {
   const made = el("button", { type: "button", title: `${title} (${key})` }, mode);
   made.addEventListener("click", () => toggleMode(stageView, mode));
@@ -86,6 +104,7 @@ export function modeBar(host: HTMLElement, session: Session, stageView: StageVie
     { class: "group staging" },
     pathChoice(stageView),
     framingChoice(stageView),
+    turntable(stageView),
     frame,
   );
   host.append(skin, el("span", { class: "space" }), stream, staging);

@@ -1,0 +1,210 @@
+"""Fits the animated feet of an actor to uneven ground, before the foot lock looks at them: a foot lies on the
+slope below it, lands on a tread, and is carried over what is in its way.
+
+A foot's fit is five numbers: x, z (metres from its motion), the slope along x and z (metres a metre), and how
+much higher than the root's floor it is (metres). A pose offset that begins takes the fit over: as long as it
+lasts, the animated foot has its share of it already.
+
+`f`, `legs`, `root`, `keep`, `row` as in `foot_lock`; `at` the column of the foot's first number for uneven
+ground, `lock` of its first number for the foot lock; `landing` whether the motion says where the foot lands,
+x, z, yaw, and the seconds until then (below 0: it should stand already, where it is in its motion); `left`
+the share of the pose offset that is left.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from statwalk.maths.compiling import inlined
+from statwalk.maths.reference import called
+from statwalk.maths.scalar import sincos
+from statwalk.maths.simd.pose_layout import place_of
+from statwalk.maths.springs import settled
+from statwalk.solve.foot_flight import fly, foremost, go_over, is_new, look_ahead, set_off
+from statwalk.solve.foot_points import ankle_of, stage_point
+from statwalk.solve.foot_tables import (
+    ACROSS,
+    ALONG,
+    AT_X,
+    AT_Z,
+    FIT,
+    FLIES,
+    HEIGHT,
+    LIFT,
+    PLAN,
+    PLANTED,
+    SHIFT_X,
+    SHIFT_Z,
+    SHIFTED,
+    SINCE,
+    SLIP,
+    SLIP_RATE,
+    SLOPE_X,
+    SLOPE_Z,
+    STANDING,
+    STANDS,
+    TILT_X,
+    TILT_X_RATE,
+    TILT_Z,
+    TILT_Z_RATE,
+    TO_X,
+    TO_Z,
+    TOOK,
+    TURN,
+    Y_RATE,
+    X,
+    Y,
+    Z,
+)  # fmt: skip
+from statwalk.solve.footing import height_over, slope_under
+
+NEAR, FAR = 0.03, 0.12
+"""metres above the ground: a foot that is nearer lies on the slope; one that is farther is as in its motion
+"""
+LEAN = 18.0
+"""1/s: how eagerly a foot leans to a slope"""
+SETTLE = 14.0
+"""1/s: how eagerly a foot comes to another height than it was going to"""
+FASTEST_RISE = 0.6
+"""m/s"""
+
+
+@called
+def fit_foot(
+    f: Any, legs: Any, keep: Any, row: int, foot: int, lock: int, at: int, root: Any, landing: Any,
+    left: float, dt: float,
+) -> None:  # fmt: skip
+    """Moves the matrices of an animated foot in `legs` to the ground of the stage."""
+    ankle = ankle_of(f, legs, row, foot, root)
+    sine, cosine = sincos(ankle[3])
+    along, across = f.print[foot, ALONG], f.print[foot, ACROSS]
+    x, z = ankle[0] + along * sine + across * cosine, ankle[2] + along * cosine - across * sine
+    here_x = x + keep[row, at + SHIFT_X] - left * keep[row, at + TOOK + SHIFT_X] + keep[row, lock + X]
+    here_z = z + keep[row, at + SHIFT_Z] - left * keep[row, at + TOOK + SHIFT_Z] + keep[row, lock + Z]
+    yaw = ankle[3] + keep[row, lock + TURN]
+    taken = left * keep[row, at + TOOK + LIFT]
+    if keep[row, lock + SINCE] < 0.0:
+        _begin(f, keep, row, foot, at, here_x, here_z, yaw)
+    elif keep[row, lock + PLANTED] == STANDING:
+        _stand(f, keep, row, foot, at, here_x, here_z, yaw)
+    elif landing[0]:
+        to_x, to_z = (landing[1], landing[2]) if landing[4] >= 0.0 else (x, z)
+        if is_new(keep, row, at, to_x, to_z):
+            front = foremost(f, legs, row, foot, root, x, z, sine, cosine)
+            set_off(f, keep, row, foot, at, here_x, here_z, to_x, to_z, landing[3], front)
+        fly(keep, row, at, here_x, here_z, to_x, to_z, landing[4], dt)
+    else:
+        look_ahead(f, keep, row, foot, at, here_x, here_z, yaw, dt)
+    if keep[row, at + PLAN] != STANDS:
+        near = _nearness(f, legs, row, foot, root, taken)
+        sine, cosine = sincos(yaw)
+        slope_x, slope_z = slope_under(f, foot, here_x, here_z, sine, cosine)
+        if keep[row, at + PLAN] == FLIES:
+            there_x, there_z = slope_under(f, foot, keep[row, at + TO_X], keep[row, at + TO_Z], sine, cosine)
+            part = keep[row, at + SHIFTED] * keep[row, at + SHIFTED]
+            slope_x, slope_z = slope_x + (there_x - slope_x) * part, slope_z + (there_z - slope_z) * part
+        keep[row, at + SLOPE_X], keep[row, at + SLOPE_Z] = slope_x * near, slope_z * near
+    keep[row, at + AT_X], keep[row, at + AT_Z] = here_x, here_z
+    _settle(keep, row, at, root, dt)
+    _move(f, legs, keep, row, foot, at, x, root[1] + taken, z, root, left)
+
+
+@inlined
+def begin_fit(keep: Any, row: int, at: int) -> None:
+    """A new motion begins in the pose that is shown: its offset takes the fit over."""
+    for number in range(FIT):
+        keep[row, at + TOOK + number] = keep[row, at + number]
+
+
+@inlined
+def slow_rise(keep: Any, row: int, lock: int, old: float, dt: float) -> None:
+    """Keeps the foot lock from throwing up a foot whose toes touch the front of a step; `old`: by how much it
+    had raised the foot.
+    """
+    most = max(old, 0.0) + FASTEST_RISE * dt
+    if keep[row, lock + Y] > most:
+        keep[row, lock + Y], keep[row, lock + Y_RATE] = most, FASTEST_RISE
+
+
+@inlined
+def _begin(f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, yaw: float) -> None:
+    """A new actor: its feet are on the ground at once."""
+    _stand(f, keep, row, foot, at, x, z, yaw)
+    keep[row, at + SLIP] = 0.0
+    keep[row, at + TILT_X], keep[row, at + TILT_Z] = keep[row, at + SLOPE_X], keep[row, at + SLOPE_Z]
+
+
+@inlined
+def _stand(f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, yaw: float) -> None:
+    """A foot that stands: the ground below it is looked at once."""
+    if keep[row, at + PLAN] != STANDS:
+        sine, cosine = sincos(yaw)
+        slope_x, slope_z = slope_under(f, foot, x, z, sine, cosine)
+        height = height_over(f, foot, x, z, sine, cosine, slope_x, slope_z, 0.0, 0.0, 0.0)
+        go_over(keep, row, at, height)
+        keep[row, at + SLOPE_X], keep[row, at + SLOPE_Z] = slope_x, slope_z
+        keep[row, at + PLAN] = STANDS
+
+
+@inlined
+def _nearness(f: Any, legs: Any, row: int, foot: int, root: Any, taken: float) -> Any:
+    """1 for a foot that is near the ground in its motion, 0 for one that is far above it."""
+    least = 1e9
+    for point in range(f.first_point[foot], f.first_point[foot + 1]):
+        _, y, _ = stage_point(f, legs, row, point, root)
+        least = min(least, y)
+    part = min(max((FAR - (least - root[1] - taken)) / (FAR - NEAR), 0.0), 1.0)
+    return part * part * (3.0 - 2.0 * part)
+
+
+@inlined
+def _settle(keep: Any, row: int, at: int, root: Any, dt: float) -> None:
+    """The fit comes to what is wanted."""
+    slope_x, slope_z = keep[row, at + SLOPE_X], keep[row, at + SLOPE_Z]
+    tilt, rate = settled(keep[row, at + TILT_X] - slope_x, keep[row, at + TILT_X_RATE], LEAN, dt)
+    keep[row, at + TILT_X], keep[row, at + TILT_X_RATE] = slope_x + tilt, rate
+    tilt, rate = settled(keep[row, at + TILT_Z] - slope_z, keep[row, at + TILT_Z_RATE], LEAN, dt)
+    keep[row, at + TILT_Z], keep[row, at + TILT_Z_RATE] = slope_z + tilt, rate
+    slip, rate = settled(keep[row, at + SLIP], keep[row, at + SLIP_RATE], SETTLE, dt)
+    keep[row, at + SLIP], keep[row, at + SLIP_RATE] = slip, rate
+    keep[row, at + LIFT] = keep[row, at + HEIGHT] + slip - root[1]
+
+
+@inlined
+def _move(
+    f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, x: float, y: float, z: float, root: Any,
+    left: float,
+) -> None:  # fmt: skip
+    """Turns the joints of a foot about the point x, y, z below the middle of its sole, and moves them."""
+    block, lane = place_of(row)
+    fit_x = keep[row, at + SHIFT_X] - left * keep[row, at + TOOK + SHIFT_X]
+    fit_z = keep[row, at + SHIFT_Z] - left * keep[row, at + TOOK + SHIFT_Z]
+    lift = keep[row, at + LIFT] - left * keep[row, at + TOOK + LIFT]
+    tilt_x = keep[row, at + TILT_X] - left * keep[row, at + TOOK + TILT_X]
+    tilt_z = keep[row, at + TILT_Z] - left * keep[row, at + TOOK + TILT_Z]
+    to_x, to_z = fit_x * root[4] - fit_z * root[3], fit_z * root[4] + fit_x * root[3]  # in model space
+    a, c = tilt_z * root[3] - tilt_x * root[4], -tilt_z * root[4] - tilt_x * root[3]
+    size = 1.0 / math.sqrt(1.0 + a * a + c * c)
+    a, b, c = a * size, size, c * size  # the normal of the slope
+    px, pz = x - root[0], z - root[2]
+    px, py, pz = px * root[4] - pz * root[3], y - root[1], pz * root[4] + px * root[3]
+    part, unit = 1.0 / (1.0 + b), f.unit[0]
+    px, py, pz, to_x, to_z, lift = px * unit, py * unit, pz * unit, to_x * unit, to_z * unit, lift * unit
+    for number in range(f.first_below[foot], f.first_below[foot + 1]):
+        place = f.below[number]
+        for column in range(4):
+            u, v, w = (
+                legs[block, place, column, lane],
+                legs[block, place, 4 + column, lane],
+                legs[block, place, 8 + column, lane],
+            )
+            if column == 3:
+                u, v, w = u - px, v - py, w - pz
+            along = (a * u + c * w) * part
+            new_u, new_v, new_w = u + a * v - a * along, b * v - a * u - c * w, w + c * v - c * along
+            if column == 3:
+                new_u, new_v, new_w = new_u + px + to_x, new_v + py + lift, new_w + pz + to_z
+            legs[block, place, column, lane] = new_u
+            legs[block, place, 4 + column, lane] = new_v
+            legs[block, place, 8 + column, lane] = new_w

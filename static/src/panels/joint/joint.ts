@@ -1,0 +1,166 @@
+/**
+ * The joint that you click in the scene: its degrees of freedom, their values and limits; and the handles at joints
+ * whose degrees of freedom parameters move.
+ */
+
+import "./joint.css";
+import * as THREE from "three";
+import type { JointLimit, MachineInfo } from "../../net/protocol";
+import type { ParameterValues } from "../../state/parameterValues";
+import type { Session } from "../../state/session";
+import { el, say } from "../../ui/dom";
+import { type Handle, handlesOf, JointHandles } from "../../view/jointHandles";
+import { freedomValues, type Local, valueWords } from "../../view/jointValues";
+import type { LimitMark } from "../../view/limitOverlay";
+import type { StageView } from "../../view/stageView";
+
+/** Pixels from a circle within which a click chooses its joint, and by which a click may move. */
+const [NEAR, STILL] = [14, 4];
+
+/** Returns a degree of freedom in words: `angle 34.2° (-80.0° … 80.0°)`. */
+export function freedomWords(freedom: JointLimit["freedoms"][number], value: number): string {
+  const { name, is_angle, minimum, maximum } = freedom;
+  const end = (at: number | null): string => (at === null ? "free" : valueWords(at, is_angle));
+  const range = minimum === null && maximum === null ? "free" : `${end(minimum)} … ${end(maximum)}`;
+  return `${name.replace("_", " ")} ${valueWords(value, is_angle)} (${range})`;
+}
+
+export class JointPanel {
+  private readonly handles: JointHandles;
+  private readonly label = el("div", { class: "joint-value", hidden: true });
+  private down: [number, number] | null = null;
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly session: Session,
+    private readonly stageView: StageView,
+    private readonly values: ParameterValues,
+  ) {
+    const { canvas } = stageView.scene;
+    this.handles = new JointHandles(
+      stageView.scene,
+      (handle) => this.take(handle),
+      (handle, values) => this.move(handle, values),
+    );
+    canvas.after(this.label);
+    canvas.addEventListener("pointerdown", (event) => {
+      this.down = event.button === 0 && !this.handles.busy ? [event.clientX, event.clientY] : null;
+    });
+    canvas.addEventListener("pointerup", (event) => this.click(event));
+  }
+
+  /** Where each handle is drawn, in pixels; for tests. */
+  places(): Record<string, [number, number]> {
+    return this.handles.places();
+  }
+
+  /** Follows the pose; called once per drawn frame. */
+  update(): void {
+    const machine = this.session.machine.value;
+    const marks = this.stageView.marks();
+    const wanted = marks.flatMap((mark) => this.wanted(mark, machine));
+    this.handles.show(wanted);
+    const values = wanted.flatMap(({ handle, values }) =>
+      handle.parameters.map(({ name }, k) => [name, values[k]!] as const),
+    );
+    this.tell(marks, new Map([...values, ...this.handles.held()]), machine);
+  }
+
+  private wanted(
+    mark: LimitMark,
+    machine: MachineInfo | null,
+  ): { handle: Handle; mark: LimitMark; values: number[] }[] {
+    const now = freedomValues(mark.limit, mark.local);
+    return handlesOf(mark.limit, machine?.parameters ?? []).map((handle) => ({
+      handle,
+      mark,
+      values: handle.parameters.map(({ freedom }) => now.get(freedom) ?? 0),
+    }));
+  }
+
+  /** Says the values of the chosen joint, or of the only one with limits. */
+  private tell(
+    marks: readonly LimitMark[],
+    held: ReadonlyMap<string, number>,
+    machine: MachineInfo | null,
+  ): void {
+    const chosen = this.stageView.joint.value;
+    const mark = marks.length === 1 ? marks[0] : undefined;
+    this.host.hidden = !chosen && !mark;
+    if (this.host.hidden) return this.hideLabel();
+    const words = mark ? this.words(mark.limit, mark.local, held, machine) : ["no limits"];
+    const name = `${chosen || mark!.limit.joint}${mark?.limit.symbol ? ` · ${mark.limit.symbol}` : ""}`;
+    const parts = [name, ...words];
+    if (this.host.children.length !== parts.length)
+      this.host.replaceChildren(...parts.map((_, k) => el(k ? "span" : "strong")));
+    parts.forEach((part, k) => say(this.host.children[k]!, part));
+    this.follow(words);
+  }
+
+  private words(
+    limit: JointLimit,
+    local: Local,
+    held: ReadonlyMap<string, number>,
+    machine: MachineInfo | null,
+  ): string[] {
+    const now = freedomValues(limit, local);
+    return limit.freedoms.map((freedom) => {
+      const parameter = machine?.parameters.find(
+        ({ joint, freedom: moved }) => joint === limit.joint && moved === freedom.name,
+      );
+      return freedomWords(freedom, (parameter && held.get(parameter.name)) ?? now.get(freedom.name) ?? 0);
+    });
+  }
+
+  /** Puts the values of the handle that is dragged beside it. */
+  private follow(words: readonly string[]): void {
+    const held = this.handles.heldKey();
+    const place = held === null ? undefined : this.handles.places()[held];
+    if (!place) return this.hideLabel();
+    const box = this.stageView.scene.canvas.getBoundingClientRect();
+    const moved = this.handles.heldFreedoms();
+    say(this.label, words.filter((part) => moved.some((name) => part.startsWith(`${name} `))).join(", "));
+    this.label.hidden = false;
+    this.label.style.transform = `translate(${Math.round(place[0] - box.left + 16)}px, ${Math.round(place[1] - box.top - 30)}px)`;
+  }
+
+  private hideLabel(): void {
+    this.label.hidden = true;
+  }
+
+  /** Chooses the joint whose circle is under the pointer; beside all circles, none. */
+  private click(event: PointerEvent): void {
+    const { down } = this;
+    this.down = null;
+    if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > STILL) return;
+    const found = this.nearest(event);
+    if (found === null && !this.stageView.joint.value) return;
+    this.stageView.joint.set(found === this.stageView.joint.value ? "" : (found ?? ""));
+  }
+
+  private nearest(event: PointerEvent): string | null {
+    const { scene } = this.stageView;
+    const actor = this.stageView.selected();
+    if (!actor) return null;
+    const box = scene.canvas.getBoundingClientRect();
+    const places = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
+    let [best, away]: [string | null, number] = [null, NEAR];
+    for (const name of this.stageView.circles()) {
+      const joint = actor.cast.names.indexOf(name);
+      const { x, y } = new THREE.Vector3().fromArray(places, joint * 3).project(scene.view.camera);
+      const left = box.left + ((x + 1) / 2) * box.width - event.clientX;
+      const far = Math.hypot(left, box.top + ((1 - y) / 2) * box.height - event.clientY);
+      if (far < away) [best, away] = [name, far];
+    }
+    return best;
+  }
+
+  private take({ parameters }: Handle): void {
+    const events = new Set(parameters.map(({ event }) => event).filter(Boolean));
+    for (const event of events) this.session.event("press", event);
+  }
+
+  private move({ parameters }: Handle, values: readonly number[]): void {
+    parameters.forEach(({ name }, k) => this.values.set(name, values[k]!));
+  }
+}

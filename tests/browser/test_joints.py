@@ -1,0 +1,133 @@
+"""The free end of a chain, and handles at joints, dragged with the mouse; joints chosen by a click."""
+
+from collections.abc import Callable
+from typing import Any
+
+import httpx
+import pytest
+from browser.conftest import Server, until
+from playwright.sync_api import Page
+from serving import wait_for
+
+Open = Callable[[str], Page]
+
+
+def opening(server: Server, opened: Open, machine: str) -> Page:
+    """The page with one actor of a machine."""
+    body = {"clock": "real", "actors": [{"machine": machine}]}
+    stage = httpx.post(f"{server.url}/api/stages", json=body).json()["id"]
+    return opened(f"{server.url}/?stage={stage}")
+
+
+def actor(server: Server, page: Page) -> dict[str, Any]:
+    stage = page.evaluate("__viewer.stage()")
+    (found,) = httpx.get(f"{server.url}/api/stages/{stage}").json()["actors"]
+    return found
+
+
+def dragged(page: Page, handle: str, x: float, y: float, steps: int = 8) -> tuple[float, float]:
+    """Drags a handle by (x, y) pixels, and keeps the button down; returns the place of the pointer."""
+    until(page, "arg in __viewer.handles()", handle)
+    at = page.evaluate("arg => __viewer.handles()[arg]", handle)
+    page.mouse.move(*at)
+    page.mouse.down()
+    for step in range(1, steps + 1):
+        page.mouse.move(at[0] + x * step / steps, at[1] + y * step / steps)
+    return at[0] + x, at[1] + y
+
+
+@pytest.fixture
+def ship(server: Server, opened: Open) -> Page:
+    return opening(server, opened, "anchor-chain")
+
+
+def test_the_end_of_the_chain_is_dragged_and_falls_when_it_is_let_go(server: Server, ship: Page) -> None:
+    before = ship.evaluate("__viewer.joints()")
+    x, y = dragged(ship, "anchor", 90, -80)
+    wait_for(lambda: actor(server, ship)["reached"][0]["reached"])
+    held = ship.evaluate("__viewer.handles().anchor")
+    assert abs(held[0] - x) + abs(held[1] - y) < 3
+    now = ship.evaluate("__viewer.joints()")
+    assert now["Link01"] == before["Link01"]  # the fixed end
+    high = now["Crown"][1]
+    assert high > before["Crown"][1] + 0.3
+    ship.mouse.up()
+    until(ship, "__viewer.joints().Crown[1] < arg", high - 0.3)
+    assert actor(server, ship)["reached"][0]["weight"] == 0
+    until(ship, "Math.abs(__viewer.handles().anchor[0] - arg) > 5", x)  # the handle swings with it
+
+
+def test_moored_the_ship_is_dragged_and_the_anchor_stays(server: Server, ship: Page) -> None:
+    ship.keyboard.press("m")
+    wait_for(lambda: actor(server, ship)["reached"][1]["reached"])
+    moored = ship.evaluate("__viewer.joints()")
+    dragged(ship, "ship", -30, -10)
+    until(ship, "Math.abs(__viewer.joints().Ship[0] - arg) > 0.1", moored["Ship"][0])
+    now = ship.evaluate("__viewer.joints()")
+    assert max(abs(a - b) for a, b in zip(now["Crown"], moored["Crown"], strict=True)) < 5e-3
+    ship.mouse.up()
+
+
+def test_a_handle_turns_its_joint_up_to_its_limit(server: Server, opened: Open) -> None:
+    page = opening(server, opened, "joints.hinge")
+    dragged(page, "B angle", 60, 10)
+    until(page, "__viewer.state() === 'TRY'")
+    page.mouse.move(*dragged_far(page))
+    label = page.locator(".joint-value")
+    label.wait_for()
+    assert "80.0°" in (label.text_content() or "")
+    text = page.locator("#joint").text_content() or ""
+    assert "R1" in text
+    assert "(-80.0° … 80.0°)" in text
+    page.mouse.up()
+    label.wait_for(state="hidden")
+    stage, number = page.evaluate("__viewer.stage()"), actor(server, page)["id"]
+
+    def turn() -> float:
+        pose = httpx.get(f"{server.url}/api/stages/{stage}/actors/{number}/pose").json()
+        return float(abs(pose["rotation"][pose["names"].index("B")][2]))
+
+    wait_for(lambda: abs(turn() - 0.6428) < 2e-3)  # the sine of half of 80 degrees
+
+
+def dragged_far(page: Page) -> tuple[float, float]:
+    """A place far on the other side of the limit."""
+    box = page.locator("#stage-view").bounding_box()
+    assert box
+    return box["x"] + 0.8 * box["width"], box["y"] + 0.95 * box["height"]
+
+
+def test_a_joint_without_a_handle_is_tried(server: Server, viewer: Page) -> None:
+    viewer.keyboard.press("3")  # bones
+    viewer.keyboard.press("p")
+    wait_for(lambda: viewer.evaluate("__viewer.stats().hz") == 0)
+    before = viewer.evaluate("__viewer.hash()")
+    viewer.mouse.click(*viewer.evaluate("__viewer.circle('Right.hand')"))
+    until(viewer, "__viewer.joint() === 'Right.hand'")
+    dragged(viewer, "joint", -40, -60)
+    trial = viewer.locator("#trial")
+    trial.wait_for()
+    wait_for(lambda: trial.text_content() == "trial: Right.hand reaches")
+    viewer.mouse.move(*dragged_far(viewer))
+    wait_for(lambda: "cm away" in (trial.text_content() or ""))
+    viewer.mouse.up()
+    assert viewer.evaluate("__viewer.hash()") == before  # nothing on the stage has changed
+    viewer.keyboard.press("p")
+
+
+def test_a_click_chooses_a_joint_and_another_beside_all_chooses_none(server: Server, opened: Open) -> None:
+    page = opening(server, opened, "joints.spherical")
+    page.keyboard.press("3")  # bones
+    box = page.locator("#stage-view").bounding_box()
+    assert box
+    at = page.evaluate("__viewer.circle('A')")
+    page.mouse.click(*at)
+    until(page, "__viewer.joint() === 'A'")
+    assert "no limits" in (page.locator("#joint").text_content() or "")
+    until(page, "!('B swing' in __viewer.handles())")
+    page.mouse.click(box["x"] + 5, box["y"] + 0.5 * box["height"])
+    until(page, "__viewer.joint() === ''")
+    until(page, "'B swing' in __viewer.handles()")
+    page.mouse.click(*page.evaluate("__viewer.circle('B')"))
+    until(page, "__viewer.joint() === 'B'")
+    until(page, "'B swing' in __viewer.handles()")
