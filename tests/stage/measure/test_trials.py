@@ -5,7 +5,8 @@ import pytest
 from paths import MACHINES
 from statwalk.errors import CancelledError
 from statwalk.services.library.load import load_role
-from statwalk.stage.measure.trials import NEVER, WARM_UP, CellTrial, entries_of, motion_alone, placed, record
+from statwalk.stage.measure.alone import motion_alone
+from statwalk.stage.measure.trials import NEVER, WARM_UP, CellTrial, placed, record
 from statwalk.stage.stage import Stage
 
 WALKER = load_role(MACHINES / "faq-walker")
@@ -55,19 +56,6 @@ def test_a_motion_goes_on_as_it_is_by_itself():
     steps = np.linalg.norm(np.diff(still, axis=0), axis=-1)
     alone = np.linalg.norm(np.diff(motion_alone(WALKER, WALK, 0.0), axis=0), axis=-1)
     assert steps.max() == pytest.approx(alone.max(), rel=0.1)
-
-
-def test_a_blend_by_itself_goes_at_the_pace_of_its_clip():
-    """CRCH after a landing is the clip `absorb`: 5 ticks, where `crouch` takes 27."""
-    row = STATES.index("CRCH")
-    for axes, clip in zip(entries_of(WALKER, row), WALKER.motions[row].motions, strict=True):
-        seconds = clip.clip.duration
-        for offset in (0.0, 0.01):
-            track = motion_alone(WALKER, row, offset, axes)
-            poses = WALKER.character.clips[clip.clip.name].sample(offset + np.arange(len(track)) / 60)
-            heights = WALKER.character.world(poses)[:, 0, 1, 3]
-            assert len(track) == pytest.approx((seconds - offset) * 60, abs=1)
-            assert track[:, 0, 1] == pytest.approx(heights, abs=1e-5)
 
 
 def test_a_trial_is_the_same_in_a_crowd():
