@@ -2,7 +2,8 @@
 FABRIK against NumPy over all chains: `python benchmarks/ik.py`.
 
 statwalk's time includes reading the poses, the hierarchy of the chain, and writing local rotations and
-distances; three.js's the update of its bones; NumPy's the joints' places alone, without rotations.
+distances, but no notes of what limits cut; three.js's the update of its bones; NumPy's the joints' places
+alone, without rotations.
 """
 
 from __future__ import annotations
@@ -70,13 +71,13 @@ class Crowd:
         rows[:, 0, POLE + 2] = 1
         rows[:, 0, WEIGHT] = (np.arange(len(lanes)) < CHAINS_SOLVED).reshape(-1, 16)
         start, scratch = buffer.values.copy(), zeros(scratch_floats(self.joints))
-        keep = np.zeros((CHAINS_SOLVED, 1))
+        notes = np.zeros((CHAINS_SOLVED, 0))
         aligned = copy(rows).reshape(rows.shape)
 
         def run() -> float:
             np.copyto(buffer.values, start)
             begin = perf_counter()
-            _kernels.solve(tables.argument, clamps.argument, 0, buffer.values, aligned, scratch, keep)
+            _kernels.solve(tables.argument, clamps.argument, 0, buffer.values, aligned, scratch, notes)
             return perf_counter() - begin
 
         return run

@@ -118,14 +118,15 @@ def _ship(model: Model) -> None:
     """A boat whose bow looks along +Z; the chain hangs from the roller at its bow."""
     rim, keel = _rim(), _sections()
     model.part("Ship", smooth(keel.reshape(-1, 3), _net(*keel.shape[:2])[:, ::-1]), HULL)
-    band = np.stack([rim * [1.02, 1, 1] + [0, 0.005, 0], rim * [1.02, 1, 1] - [0, 0.05, 0]], 1)
-    edge = np.stack([rim * [1.02, 1, 1] + [0, 0.005, 0], rim * [0.9, 1, 1] + [0, 0.005, 0]], 1)
+    outer, inner = _about_middle(rim, 1.02, 1.01), _about_middle(rim, 0.9, 0.95)
+    up = np.array([0, 0.005, 0])
+    band, edge = np.stack([outer + up, outer - 10 * up], 1), np.stack([outer + up, inner + up], 1)
     model.part("Ship", smooth(band.reshape(-1, 3), _net(len(rim), 2)[:, ::-1]), STRIPE)
     model.part("Ship", smooth(edge.reshape(-1, 3), _net(len(rim), 2)), STRIPE)
-    inner = rim * [0.9, 1, 1] - [0, 0.03, 0]
+    inner = inner - 6 * up
     half = len(inner) // 2 + 1
-    deck = np.stack([inner[:half], inner[half - 1 :][::-1]], 1)
-    model.part("Ship", smooth(deck.reshape(-1, 3), _net(half, 2)), DECK)
+    deck = np.stack([inner[1:half], inner[half - 1 : -1][::-1]], 1)
+    model.part("Ship", smooth(deck.reshape(-1, 3), _net(len(deck), 2)), DECK)
     house = box((0.5, 0.36, 0.6), 0.03).moved(0, TOP + 0.16, -1.5)
     roof = box((0.58, 0.05, 0.68), 0.02).moved(0, TOP + 0.36, -1.5)
     model.part("Ship", joined(house), STRIPE)
@@ -136,6 +137,12 @@ def _ship(model: Model) -> None:
     roller = lathe([(0.0, -0.07), (0.05, -0.07), (0.036, 0.0), (0.05, 0.07), (0.0, 0.07)], 16)
     model.part("Ship", joined(*cheeks), BLACK)
     model.part("Ship", roller.turned(about_z(90)).moved(0, HAWSE[1] + 0.04, -0.04), BRASS)
+
+
+def _about_middle(line: Array, wide: float, long: float) -> Array:
+    """Points of the ship, spread from its middle."""
+    middle = np.array([0, 0, -0.1 - LENGTH / 2])
+    return (line - middle) * [wide, 1, long] + middle
 
 
 def _rim() -> Array:

@@ -13,6 +13,7 @@ import { Picker } from "./panels/picker/picker";
 import { byId, el, onTheme, reducedMotion } from "./ui/dom";
 import { dropZone } from "./panels/importDialog/dropZone";
 import { JointPanel } from "./panels/joint/joint";
+import { PoseTrial } from "./panels/joint/poseTrial";
 import { clampedPanel } from "./panels/clamped/clamped";
 import { EventsPanel } from "./panels/events/events";
 import { FeetStrip } from "./panels/feet/feet";
@@ -180,6 +181,7 @@ function start(name: string): void {
   new ExpressionsPanel(byId("expressions"), session, editing);
   clampedPanel(byId("clamped"), session);
   const joint = new JointPanel(byId("joint"), session, stageView, values);
+  const trial = new PoseTrial(byId("trial"), session, stageView);
   const targets = new TargetsPanel(byId("targets"), session, stageView, values);
   const events = new EventsPanel(byId("events"), session);
   new GraphPanel(byId("graph"), session, (state) => void travel.go(state));
@@ -205,6 +207,7 @@ function start(name: string): void {
   exposeForTests(session, stageView, drawn, () => ({
     ...targets.places(),
     ...joint.places(),
+    ...trial.places(),
   }));
   let last = performance.now();
   const loop = (now: number): void => {
@@ -217,6 +220,7 @@ function start(name: string): void {
     stageView.update();
     joint.update();
     targets.update();
+    trial.update(Object.keys(joint.places()).length > 0);
     if (scene.draw(dt)) drawn.add(now);
     badge.update(phase);
     feet.update(phase);

@@ -97,6 +97,24 @@ def dragged_far(page: Page) -> tuple[float, float]:
     return box["x"] + 0.8 * box["width"], box["y"] + 0.95 * box["height"]
 
 
+def test_a_joint_without_a_handle_is_tried(server: Server, viewer: Page) -> None:
+    viewer.keyboard.press("3")  # bones
+    viewer.keyboard.press("p")
+    wait_for(lambda: viewer.evaluate("__viewer.stats().hz") == 0)
+    before = viewer.evaluate("__viewer.hash()")
+    viewer.mouse.click(*viewer.evaluate("__viewer.circle('Right.hand')"))
+    until(viewer, "__viewer.joint() === 'Right.hand'")
+    dragged(viewer, "joint", -40, -60)
+    trial = viewer.locator("#trial")
+    trial.wait_for()
+    wait_for(lambda: trial.text_content() == "trial: Right.hand reaches")
+    viewer.mouse.move(*dragged_far(viewer))
+    wait_for(lambda: "cm away" in (trial.text_content() or ""))
+    viewer.mouse.up()
+    assert viewer.evaluate("__viewer.hash()") == before  # nothing on the stage has changed
+    viewer.keyboard.press("p")
+
+
 def test_a_click_chooses_a_joint_and_another_beside_all_chooses_none(server: Server, opened: Open) -> None:
     page = opening(server, opened, "joints.spherical")
     page.keyboard.press("3")  # bones

@@ -12,9 +12,10 @@ import numpy as np
 import pytest
 from paths import MACHINES
 from statwalk.services.library.load import load_role
+from statwalk.stage.measure.alone import motion_alone
 from statwalk.stage.measure.jump import jump_of
 from statwalk.stage.measure.subject import Subject
-from statwalk.stage.measure.trials import motion_alone, placed
+from statwalk.stage.measure.trials import placed
 from statwalk.stage.stage import Stage
 
 ROOM_OF_THE_BODY = 1.2

@@ -5,6 +5,7 @@ import locked_arrays
 import numpy as np
 import pytest
 from scipy.interpolate import interp1d
+from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 from statwalk.errors import ContentError
 from statwalk.motion.blend_space import BlendSpace, check_places
@@ -91,6 +92,27 @@ def test_weights_over_the_plane_are_those_of_johansens_formula():
 
 def test_beyond_the_places_the_ends_hold():
     assert SPACE.weights(np.array([[-1e308], [1e308]])).tolist() == [[1, 0], [0, 1]]
+
+
+@pytest.mark.parametrize("speed", [1.2, 1.7, 2.6, 3.9])
+def test_a_lap_ends_when_the_mean_of_the_clips_says_to_the_tick(speed):
+    """Through all markers: where the phase is after the whole ticks of a lap, by SciPy's root finder."""
+    weight = (speed - 1.2) / 2.8
+    lap = (1 - weight) * gaits.WALK.duration + weight * gaits.RUN.duration
+    ticks, time, axes = int(lap / TICK), 0.0, at(speed)
+    for _ in range(ticks):
+        time += TICK * float(SPACE.rate(np.array([time]), np.array([TICK]), axes)[0])
+    walk, run = (
+        np.array([*downs, downs[0] + 1, downs[1] + 1]) for downs in (gaits.WALK_DOWN, gaits.RUN_DOWN)
+    )
+    lifted = interp1d(np.concatenate([walk - 1, walk[1:]]), np.concatenate([run - 1, run[1:]]))
+
+    def mean(phase):
+        return (1 - weight) * phase + weight * float(lifted(phase))
+
+    gone = ticks * TICK / lap
+    wanted = brentq(lambda phase: mean(phase) - mean(0.0) - gone, 0.0, 1.0 + 1e-9, xtol=1e-14)
+    assert time / SPACE.duration == pytest.approx(wanted, abs=1e-9)
 
 
 def test_a_lap_takes_the_weighted_mean_of_the_clips():

@@ -17,8 +17,13 @@ STEP = (-1.0, 1.0, 1.0, 2.0, 0.1, 0.0, 0.0)
 """from z = 1, 0.1 high"""
 
 
+def _locked(array: np.ndarray) -> np.ndarray:
+    array.flags.writeable = False
+    return array
+
+
 def on(*pieces: tuple[float, ...]) -> FootTables:
-    return LEGS._replace(ground=np.array(pieces, np.float64).reshape(-1, 7))
+    return LEGS._replace(ground=_locked(np.array(pieces, np.float64).reshape(-1, 7)))
 
 
 def lying(feet: FootTables, x: float, z: float, yaw: float = 0.0) -> np.ndarray:

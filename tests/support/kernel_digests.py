@@ -195,6 +195,24 @@ def hung():
 
 
 @case
+def pulled():
+    """Tentacles on the way to their targets and back to their sway, with half of the weight and with all."""
+    stage = Stage(seed=1)
+    actors = stage.add_many(load("tentacle"), [((place, 0, 0), place) for place in range(20)])
+    for number, actor in enumerate(actors):
+        stage.set(actor, "target", (number + 0.5, 0.2 + 0.1 * number, 0.4))
+        stage.set(actor, "pull", 0.5 + number % 2 / 2)
+        stage.set(actor, "middle_bend", 6.0 * number)
+        stage.send(actor, "INVERSE" if number % 5 else "MIDDLE")
+    stage.step(30)
+    for actor in actors[::3]:
+        stage.send(actor, "INVERSE")
+    stage.step(20)
+    (cast,) = stage.casts
+    return cast.shown.rows(), cast.solver_memory, cast.hash
+
+
+@case
 def walked():
     """Walkers with locked feet, springs and gazes, on the way from state to state."""
     with tempfile.TemporaryDirectory() as temporary:
@@ -211,6 +229,17 @@ def walked():
         for walker in walkers[tick % 7 :: 7]:
             (stage.hold if tick % 40 < 25 else stage.release)(walker, "FORWARD")
         stage.step()
+    (cast,) = stage.casts
+    return cast.shown.rows(), cast.position, cast.solver_memory, cast.hash
+
+
+@case
+def climbed():
+    """Walkers on stairs and a slope, from all sides."""
+    stage, role = Stage(seed=3), load(MACHINES / "terrain")
+    for walker in stage.add_many(role, [((0.2 * k - 1.6, 0, 0.5 * k), 0.7 * k) for k in range(17)]):
+        stage.hold(walker, "FORWARD")
+    stage.step(150)
     (cast,) = stage.casts
     return cast.shown.rows(), cast.position, cast.solver_memory, cast.hash
 

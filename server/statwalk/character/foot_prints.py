@@ -19,6 +19,8 @@ from statwalk.motion.single import Single
 from statwalk.rig.evaluate import world_from_local
 from statwalk.solve.foot_tables import ACROSS, ALONG
 
+DECIMALS = 6
+"""sums over the skin differ in their last bits from processor to processor; a tick needs the same bits"""
 Contacts = tuple[Single, int, Sequence[tuple[float, float]]]
 """a motion of one clip, the number of a foot, and the spans of phase in which the foot stands"""
 USUAL_LEG = 0.85
@@ -33,7 +35,7 @@ def foot_print(foot: Foot, rest: Floats, ahead: Floats) -> Floats:
     along = arms[:, 0] * ahead[0] + arms[:, 2] * ahead[2]
     across = arms[:, 0] * ahead[2] - arms[:, 2] * ahead[0]
     ends = np.array([[along.min(), along.max()], [across.min(), across.max()]])
-    return np.concatenate([ends.mean(1), np.diff(ends)[:, 0] / 2])
+    return np.concatenate([ends.mean(1), np.diff(ends)[:, 0] / 2]).round(DECIMALS)
 
 
 def unit_of(lengths: Sequence[float]) -> float:
@@ -87,4 +89,4 @@ def landings(
             x = ankle[:, 0, 3] + along * sine + across * cosine
             z = ankle[:, 2, 3] + along * cosine - across * sine
             rows.append(np.stack([x, z, yaw], -1))
-    return np.concatenate(rows, dtype=np.float64)
+    return np.concatenate(rows, dtype=np.float64).round(DECIMALS)

@@ -28,6 +28,7 @@ from statwalk.solve.foot_tables import (
     DROP_RATE,
     FIT,
     LOWEST_X,
+    LOWEST_Y,
     LOWEST_Z,
     OF_ACTOR,
     OF_FIT,
@@ -37,6 +38,7 @@ from statwalk.solve.foot_tables import (
     Y_RATE,
     FootTables,
     X,
+    Y,
     Z,
 )
 from statwalk.solve.hanging import HangingTables, hanging_tables
@@ -143,6 +145,7 @@ def forget_feet(solvers: Solvers, values: Floats, rows: Ints) -> Floats:
     for foot in range(len(solvers.legs.hip)):
         at = first + OF_ACTOR + foot * OF_FOOT
         kept[rows, at + LOWEST_X] += kept[rows, at + X]
+        kept[rows, at + LOWEST_Y] += kept[rows, at + Y]
         kept[rows, at + LOWEST_Z] += kept[rows, at + Z]
         kept[rows, at + X : at + Y_RATE + 1] = 0.0
         kept[rows, first + DROP] = kept[rows, first + DROP_RATE] = 0.0

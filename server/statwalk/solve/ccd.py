@@ -40,7 +40,7 @@ def solve_ccd(
             break
         distance = _sweep(chains, clamps, number, goal, scratch)
         if chains.solver[number] != TWO_BONE:  # a limb's cuts are those of the exact solution
-            note_cuts(chains, clamps, number, active, scratch)
+            note_cuts(chains, number, active, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
         best = keep_better(scratch, count - 1, better, distance, best)

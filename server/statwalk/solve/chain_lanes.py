@@ -142,7 +142,6 @@ def write_joint(values: Any, at: int, solved: Any, weight: Any) -> Any:
     )
     if any_above(one, weight):
         partly = normalized(slerp(old, solved, least(most(weight, zero), one)))
-        solved = either4(one - weight, partly, solved)
-    solved = either4(weight, solved, old)
+        solved = either4(weight, either4(one - weight, partly, solved), old)
     store4(values, at + ROTATION, solved)
     return solved

@@ -47,7 +47,7 @@ def solve_fabrik(
             distance = length(minus(goal, pull_forth(scratch, count, active)))
         else:
             distance = length(minus(goal, turn_to_points(chains, clamps, number, AIM, scratch)))
-            note_cuts(chains, clamps, number, active, scratch)
+            note_cuts(chains, number, active, scratch)
             better = where_below(distance, best, active, zero)
             best = keep_better(scratch, count - 1, better, distance, best)
         active, last = goes_on(active, distance, last, tolerance, whole), distance

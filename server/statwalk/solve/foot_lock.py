@@ -17,12 +17,12 @@ from typing import Any
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.springs import settled
-from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, size_of, stage_point
+from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, size_of, speeds_of, stage_point
 from statwalk.solve.foot_tables import (
     EAGER,
     LEAVING,
-    LOWEST,
     LOWEST_X,
+    LOWEST_Y,
     LOWEST_Z,
     PIVOT,
     PIVOT_X,
@@ -45,13 +45,15 @@ from statwalk.solve.ground import ground_at
 
 LOW, SLOW = 0.012, 0.35
 """a foot is planted when its lowest point is this near to the ground (metres), and slower than this (m/s)"""
+NOT_FAST, TOUCHING = 1.0, 0.005
+"""the same of a foot that its blend brings to the ground: it would drag"""
 STEP, FAR = 0.03, 0.14
 """metres from its motion at which a planted foot takes a step, if the other foot stands; and in any case"""
 TWIST, FAR_TWIST = 0.15, 0.5
 """radians, likewise"""
 SHORTEST_STAND, SHORTEST_STEP = 0.05, 0.1
 """seconds"""
-HARDEST, MOST_EAGER = 28.0, 24.0
+HARDEST, MOST_EAGER = 16.0, 24.0
 """m/s² with which a released foot sets off to its motion at most; 1/s"""
 CLEARANCE, PER_METRE, PER_SPEED = 0.06, 0.3, 0.03
 """metres by which a foot on its way is lifted at most; for each metre from its motion; for each m/s"""
@@ -61,6 +63,8 @@ CLEAR, LONGEST_LEAVE = 0.007, 0.1
 """a released foot keeps its place until it is so high (metres), for so long at most (seconds)"""
 RISE = 24.0
 """1/s: how eagerly a foot comes to its height"""
+LOOK_AHEAD = 2.0 / RISE
+"""seconds by which a foot comes later to its height, so that it looks so far ahead in a blend"""
 ROLL = 0.001
 """metres by which another point of the sole must be lower, for the foot to roll on to it"""
 
@@ -70,6 +74,7 @@ def begin_blend(keep: Any, row: int, at: int) -> None:
     """Forgets how far a shown foot is from its motion: the new motion begins in the pose that is shown."""
     keep[row, at + LOWEST_X] += keep[row, at + X]
     keep[row, at + LOWEST_Z] += keep[row, at + Z]
+    keep[row, at + LOWEST_Y] += keep[row, at + Y]
     for number in range(X, Y_RATE + 1):
         keep[row, at + number] = 0.0
 
@@ -93,7 +98,7 @@ def step_foot(
     """
     ankle = ankle_of(f, legs, row, foot, root)
     low = lowest_point(f, legs, row, foot, root, keep[row, at + X], keep[row, at + Z])
-    speed = _speed(f, legs, keep, row, at, low, root, dt)
+    speed, fall = speeds_of(f, legs, keep, row, at, low, root, dt)
     if keep[row, at + SINCE] < 0.0:
         _begin(f, keep, row, at, low, ankle, root, is_down)
     old = keep[row, at + X], keep[row, at + Z], keep[row, at + TURN], keep[row, at + Y]
@@ -107,22 +112,11 @@ def step_foot(
             _perhaps_release(keep, row, at, other, is_down)
     else:
         _approach(keep, row, at, old, dt)
-    _raise(f, keep, row, at, low, old[3], root, is_down or blends, speed, dt)
-    _perhaps_plant(f, keep, row, at, low, root, is_down, speed)
+    ahead = fall * LOOK_AHEAD if blends else 0.0
+    _raise(f, keep, row, at, low, old[3], root, is_down or blends, speed, ahead, dt)
+    _perhaps_plant(f, keep, row, at, low, root, is_down, blends, speed)
     if keep[row, at + PLANTED] == STANDING:
         _roll(f, legs, keep, row, at, low, ankle, root)
-
-
-@inlined
-def _speed(f: Any, legs: Any, keep: Any, row: int, at: int, low: Any, root: Any, dt: float) -> Any:
-    """The speed over the ground (m/s) of the point that was the lowest in the tick before."""
-    speed = 0.0
-    if keep[row, at + SINCE] >= 0.0:
-        x, _, z = stage_point(f, legs, row, int(keep[row, at + LOWEST]), root)
-        x, z = x - keep[row, at + LOWEST_X], z - keep[row, at + LOWEST_Z]
-        speed = math.sqrt(x * x + z * z) / dt
-    keep[row, at + LOWEST], keep[row, at + LOWEST_X], keep[row, at + LOWEST_Z] = low[0], low[1], low[3]
-    return speed
 
 
 @inlined
@@ -199,9 +193,11 @@ def _approach(keep: Any, row: int, at: int, old: Any, dt: float) -> None:
 @inlined
 def _raise(
     f: Any, keep: Any, row: int, at: int, low: Any, old: float, root: Any, may_drag: bool, speed: float,
-    dt: float,
+    ahead: float, dt: float,
 ) -> None:  # fmt: skip
-    """The height of the shown foot: on the ground if planted; clear of it on its way."""
+    """The height of the shown foot: on the ground if planted; clear of it on its way, and of where it will be
+    `ahead` metres lower.
+    """
     x, z = keep[row, at + X], keep[row, at + Z]
     floor = ground_at(f.ground, low[1] + x, low[3] + z, root[1]) - low[2]
     wanted = 0.0  # as high above the ground as in the motion: on uneven ground `foot_fit` has seen to it
@@ -213,7 +209,7 @@ def _raise(
         away = math.sqrt(x * x + z * z)
         clear = PER_METRE * away + (PER_SPEED * min(speed, 1.0) if may_drag else 0.0)
         if away > NEARLY_THERE or clear > LEAST_CLEARANCE:
-            wanted = max(wanted, floor + min(max(clear, LEAST_CLEARANCE), CLEARANCE))
+            wanted = max(wanted, floor + ahead + min(max(clear, LEAST_CLEARANCE), CLEARANCE))
     height, rate = settled(old - wanted, keep[row, at + Y_RATE], RISE, dt)
     height += wanted
     if height < floor:
@@ -223,14 +219,15 @@ def _raise(
 
 @inlined
 def _perhaps_plant(
-    f: Any, keep: Any, row: int, at: int, low: Any, root: Any, is_down: bool, speed: float
+    f: Any, keep: Any, row: int, at: int, low: Any, root: Any, is_down: bool, blends: bool, speed: float
 ) -> None:
-    """Plants a foot that has come down where its motion plants it."""
-    if keep[row, at + PLANTED] != 0.0 or not is_down or speed > SLOW or keep[row, at + SINCE] < SHORTEST_STEP:
+    """Plants a foot that has come down where its motion plants it, or that touches the ground in a blend."""
+    if keep[row, at + PLANTED] != 0.0 or keep[row, at + SINCE] < SHORTEST_STEP:
         return
     x, z = keep[row, at + X], keep[row, at + Z]
     height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
-    if height < LOW:
+    comes_down = is_down and speed <= SLOW and height < LOW
+    if comes_down or ((is_down or blends) and speed <= NOT_FAST and height < TOUCHING):
         keep[row, at + PLANTED], keep[row, at + SINCE], keep[row, at + PIVOT] = STANDING, 0.0, low[0]
         keep[row, at + EAGER] = keep[row, at + TOO_SHORT] = 0.0
 

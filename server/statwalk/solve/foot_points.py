@@ -12,11 +12,13 @@ from typing import Any
 from statwalk.maths.compiling import inlined
 from statwalk.maths.scalar import atan2, sincos
 from statwalk.maths.simd.pose_layout import place_of
-from statwalk.solve.foot_tables import TURN, X, Z
+from statwalk.solve.foot_tables import LOWEST, LOWEST_X, LOWEST_Y, LOWEST_Z, SINCE, TURN, X, Z
 from statwalk.solve.ground import ground_at
 
 TWIST_LENGTH = 0.2
 """metres that count as one radian, where two feet are compared"""
+FASTEST_FALL = 1.5
+"""m/s"""
 
 
 @inlined
@@ -77,6 +79,21 @@ def _height(f: Any, legs: Any, row: int, point: int) -> Any:
     x, y, z = f.point[point, 0], f.point[point, 1], f.point[point, 2]
     b = legs[block, place, 4, lane] * x + legs[block, place, 5, lane] * y + legs[block, place, 6, lane] * z
     return b + legs[block, place, 7, lane]
+
+
+@inlined
+def speeds_of(f: Any, legs: Any, keep: Any, row: int, at: int, low: Any, root: Any, dt: float) -> Any:
+    """Returns the speed over the ground (m/s) of the point that was the lowest in the tick before, and how
+    fast the sole comes down (m/s); notes the lowest point `low` and where it is.
+    """
+    speed, fall = 0.0, 0.0
+    if keep[row, at + SINCE] >= 0.0:
+        x, _, z = stage_point(f, legs, row, int(keep[row, at + LOWEST]), root)
+        x, z = x - keep[row, at + LOWEST_X], z - keep[row, at + LOWEST_Z]
+        speed, fall = math.sqrt(x * x + z * z) / dt, max((keep[row, at + LOWEST_Y] - low[2]) / dt, 0.0)
+    keep[row, at + LOWEST], keep[row, at + LOWEST_X] = low[0], low[1]
+    keep[row, at + LOWEST_Y], keep[row, at + LOWEST_Z] = low[2], low[3]
+    return speed, min(fall, FASTEST_FALL)
 
 
 @inlined

@@ -74,11 +74,11 @@ OF_ACTOR = 3
 """numbers of an actor in the solvers' memory, before the numbers of the feet"""
 DROP, DROP_RATE, LIFT_RATE = range(OF_ACTOR)
 """metres by which the pelvis is lowered; m/s at which it gives way, and at which the ground lifts the root"""
-OF_FOOT = 19
+OF_FOOT = 20
 """numbers of a foot"""
 (
     PLANTED, PIVOT, PIVOT_X, PIVOT_Z, YAW, SINCE, EAGER, X, Z, TURN, Y, X_RATE, Z_RATE, TURN_RATE, Y_RATE,
-    LOWEST, LOWEST_X, LOWEST_Z, TOO_SHORT,
+    LOWEST, LOWEST_X, LOWEST_Y, LOWEST_Z, TOO_SHORT,
 ) = range(OF_FOOT)  # fmt: skip
 """STANDING, LEAVING or 0, on its way; the point of the sole that it stands on, and where that point is shown
 on the stage; the foot's yaw; seconds since it was planted or released (below 0: a new actor); how fast it

@@ -53,7 +53,7 @@ def solve_force(
         if not any_above(active, zero):
             break
         distance = length(minus(pulled, _step(chains, clamps, number, pulled, gain, per_length, scratch)))
-        note_cuts(chains, clamps, number, active, scratch)
+        note_cuts(chains, number, active, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
         best = keep_better(scratch, count - 1, better, distance, best)

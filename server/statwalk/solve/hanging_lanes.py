@@ -181,7 +181,7 @@ def _turn(
         missed = length(minus(goal, pull_forth(scratch, count, held)))
         held = where_below(tolerance, missed, held, zero)
     turn_to_points(chains, clamps, number, POINT, scratch)
-    note_cuts(chains, clamps, number, one, scratch)
+    note_cuts(chains, number, one, scratch)
 
 
 @inlined

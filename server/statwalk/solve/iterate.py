@@ -33,14 +33,15 @@ FAR = 1e30
 @inlined
 def limited(chains: Any, clamps: Any, row: int, q: Any, scratch: Any, at: int) -> Any:
     """Returns the local rotation of the joint of a row, whose memory is at `at`, clamped to the joint's
-    limits; writes by how much to CUT.
+    limits; writes by how much to CUT, if somebody reads it.
     """
     limit = clamps.row[chains.joint[row]]
     if limit >= 0:
         inside = clamp_rotation(clamps, limit, q)
-        x, y, z, w = inside[0] - q[0], inside[1] - q[1], inside[2] - q[2], inside[3] - q[3]
-        apart = x * x + y * y + z * z + w * w  # twice 1 − cosine of half the angle
-        store(scratch, at + CUT, apart * (broadcast(ONE) - of(0.25) * apart))
+        if chains.note[row] >= 0:
+            x, y, z, w = inside[0] - q[0], inside[1] - q[1], inside[2] - q[2], inside[3] - q[3]
+            apart = x * x + y * y + z * z + w * w  # twice 1 − cosine of half the angle
+            store(scratch, at + CUT, apart * (broadcast(ONE) - of(0.25) * apart))
         return inside
     return q
 
@@ -52,11 +53,11 @@ def is_free_joint(chains: Any, clamps: Any, row: int) -> Any:
 
 
 @inlined
-def note_cuts(chains: Any, clamps: Any, number: int, counts: Any, scratch: Any) -> None:
+def note_cuts(chains: Any, number: int, counts: Any, scratch: Any) -> None:
     """Keeps what limits cut in this iteration, in lanes with `counts` above 0."""
     first = chains.first[number]
     for place in range(chains.first[number + 1] - first):
-        if clamps.row[chains.joint[first + place]] >= 0:
+        if chains.note[first + place] >= 0:
             at = place * JOINT
             store(scratch, at + NOTED, either(counts, load(scratch, at + CUT), load(scratch, at + NOTED)))
 
@@ -102,7 +103,7 @@ def begin(chains: Any, clamps: Any, number: int, goal: Any, pole: Any, whole: An
         is_far = where_below(reach, far, one, zero)
         _stretch(chains, clamps, number, goal, is_far, scratch)
         if chains.solver[number] != TWO_BONE:
-            note_cuts(chains, clamps, number, is_far, scratch)
+            note_cuts(chains, number, is_far, scratch)
         stretched = length(minus(goal, place_joints(scratch, count, LOCAL)))
         better = where_below(stretched, distance, one, zero)
         distance = keep_better(scratch, count - 1, better, stretched, distance)

@@ -40,7 +40,7 @@ def solve_look_at(chains: Any, clamps: Any, number: int, goal: Any, active: Any,
         for place in range(count):
             if chains.sensitivity[first + place] > ZERO:
                 _turn_joint(chains, clamps, number, place, goal, scratch)
-        note_cuts(chains, clamps, number, active, scratch)
+        note_cuts(chains, number, active, scratch)
         distance = missed(chains, number, goal, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)

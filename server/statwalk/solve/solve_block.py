@@ -82,11 +82,13 @@ def solve_chain_block(
         to_base = conjugate(rotation)
         target = rotated(to_base, minus(load3(rows, at + TARGET * LANES), position))
         pole = rotated(to_base, load3(rows, at + POLE * LANES))
-        start, end = load3(scratch, OFFSET), end_of(scratch, _count(chains, number))
+        start = load3(scratch, OFFSET)
+        end = start
         if chains.pole_kind[number] == POLE_POINT:
             base = rotated(to_base, position)
             pole = minus(pole, plus(base, target if chains.is_moored[number] else start))
         if chains.is_moored[number]:  # the end stays: as seen from the start, it goes the other way
+            end = end_of(scratch, _count(chains, number))
             target = minus(plus(start, end), target)
         if chains.is_carried[number]:
             add_turns(chains, clamps, number, scratch)

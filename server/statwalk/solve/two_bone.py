@@ -71,19 +71,13 @@ def solve_two_bone(
     new_hinge = cross(sideways, onward)
     raw = cross(upper, lower)
     hinge = _old_hinge(raw, per_lengths, old_x, new_x, new_hinge, hinge_of_start)
-    new_cosine = (reach * reach - upper_square - lower_square) * (broadcast(HALF) * per_lengths)
-    old, new = (
-        (dot(upper, lower) * per_lengths, dot(raw, hinge) * per_lengths),
-        (new_cosine, aside * reach * per_lengths),
-    )
-    bend = half_turn(new[0] * old[0] + new[1] * old[1], new[1] * old[0] - new[0] * old[1])
-
     store4(scratch, LOCAL, mul(first, between_frames(old_x, hinge, new_x, new_hinge)))
-    at = middle * JOINT
+    old = dot(upper, lower) * per_lengths, dot(raw, hinge) * per_lengths
+    new_cosine = (reach * reach - upper_square - lower_square) * (broadcast(HALF) * per_lengths)
     if middle > 1:
         hinge = rotated(conjugate(above), hinge)
-    turn = hinge[0] * bend[0], hinge[1] * bend[0], hinge[2] * bend[0], bend[1]
-    store4(scratch, at + LOCAL, mul(turn, load4(scratch, at + LOCAL)))
+    turn, at = _bend(hinge, old, (new_cosine, aside * reach * per_lengths)), middle * JOINT + LOCAL
+    store4(scratch, at, mul(turn, load4(scratch, at)))
     return target
 
 
@@ -121,6 +115,13 @@ def _corner(difference: Any, apart: Any, whole: Any, reach: Any) -> Any:
 
 
 @inlined
+def _bend(hinge: Any, old: Any, new: Any) -> Any:
+    """The turn about the hinge from an angle to another; of their cosines and sines."""
+    sine, cosine = half_turn(new[0] * old[0] + new[1] * old[1], new[1] * old[0] - new[0] * old[1])
+    return hinge[0] * sine, hinge[1] * sine, hinge[2] * sine, cosine
+
+
+@inlined
 def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any) -> None:
     """Brings the first and the middle joint within their limits."""
     first = chains.first[number]
@@ -128,7 +129,7 @@ def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any)
     at = middle * JOINT
     bent = limited(chains, clamps, first + middle, load4(scratch, at + LOCAL), scratch, at)
     store4(scratch, at + LOCAL, bent)
-    note_cuts(chains, clamps, number, broadcast(ONE), scratch)
+    note_cuts(chains, number, broadcast(ONE), scratch)
 
 
 @inlined

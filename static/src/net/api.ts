@@ -1,7 +1,7 @@
 /** Calls the REST interface; a refusal becomes an ApiError with the server's words. */
 
 import type { Finding, LogHeader, LogLine, NewCell, NewClip, Problem } from "./protocol";
-import type { NewCurves } from "./types/api.generated";
+import type { NewCurves, NewSolve } from "./types/api.generated";
 import type { Answer, Extras, Method, Places, Route } from "./types/routes";
 
 export class ApiError extends Error {
@@ -103,6 +103,9 @@ export const undo = (name: string, version: number) =>
   ask("post", "/api/machines/{name}/undo", { name }, { version });
 /** Asks the twelve rules of inverse kinematics about the text of a file. */
 export const deduce = (file: string) => ask("post", "/api/deduce", {}, { body: { file } });
+/** Solves a chain of a character's pose; nothing on a stage changes. */
+export const solve = (name: string, body: NewSolve) =>
+  ask("post", "/api/characters/{name}/solve", { name }, { body });
 export const characters = () => ask("get", "/api/characters", {});
 export const mapping = (name: string) => ask("get", "/api/characters/{name}/mapping", { name });
 export const removeCharacter = (name: string) => ask("delete", "/api/characters/{name}", { name });

@@ -46,7 +46,7 @@ export class JointHandles {
   private readonly shown = new Map<string, Shown>();
   private readonly shape = new THREE.SphereGeometry(1, 20, 14);
   private readonly look = new THREE.MeshBasicMaterial({
-    color: "#e9803a",
+    color: "#2f86eb",
     depthTest: false,
     transparent: true,
   });

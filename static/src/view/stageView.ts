@@ -273,7 +273,7 @@ export class StageView {
     return new Set([...(bones?.jointNames() ?? []), ...(limits?.jointNames() ?? [])]);
   }
 
-  /** The watched actor's model, for tests. */
+  /** The watched actor's model. */
   selected(): PosedModel | null {
     return this.actor?.view ?? null;
   }

@@ -5,7 +5,8 @@ import pytest
 from paths import MACHINES
 from statwalk.errors import CancelledError
 from statwalk.services.library.load import load_role
-from statwalk.stage.measure.trials import NEVER, WARM_UP, CellTrial, motion_alone, placed, record
+from statwalk.stage.measure.alone import motion_alone
+from statwalk.stage.measure.trials import NEVER, WARM_UP, CellTrial, placed, record
 from statwalk.stage.stage import Stage
 
 WALKER = load_role(MACHINES / "faq-walker")

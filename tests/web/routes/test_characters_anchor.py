@@ -1,4 +1,4 @@
-"""A chain with its anchor at the end, over REST: the root moves, and the answer says where to."""
+"""A chain with its anchor at the end, and limits of a machine, over REST."""
 
 import httpx
 import numpy as np
@@ -43,3 +43,21 @@ async def test_a_machine_says_what_its_solvers_and_chains_are(client: httpx.Asyn
     hinge = (await client.get("/api/machines/joints.hinge")).json()
     (handle,) = [(one["joint"], one["freedom"], one["event"]) for one in hinge["parameters"]]
     assert handle == ("B", "angle", "TRY")
+
+
+async def test_limits_of_a_machine_count_and_joints_may_be_elsewhere(client: httpx.AsyncClient) -> None:
+    """The hinge of `joints.hinge` turns B about Z up to 80 degrees; its line of sight lies along X."""
+    path = "/api/characters/hinge/solve"
+    body = {
+        "chain": ["B"],
+        "solver": "look-at",
+        "forward": [1, 0, 0],
+        "target": [0.0, 1000.0, 0.0],
+        "pose": {"translations": {"B": [0.0, 0.5, 0.0]}, "rotations": {"B": [0, 0, 0, 1]}},
+    }
+    free = (await client.post(path, json=body)).json()
+    assert (free["reached"], free["clamped"]) == (True, {})
+    held = (await client.post(path, json=body | {"machine": "joints.hinge"})).json()
+    assert held["joints"][0]["rotation"] == pytest.approx([0, 0, 0.6428, 0.766], abs=1e-3)
+    assert held["clamped"]["B"] == pytest.approx(10, abs=0.1)
+    assert (await client.post(path, json=body | {"machine": "nothing"})).status_code in (404, 422)

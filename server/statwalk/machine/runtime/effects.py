@@ -70,6 +70,8 @@ class MachineEffects(NamedTuple):
     """(…,) seconds that the blend of each change takes"""
     start: NDArray[np.float64]
     """(…,) seconds into the new motion at which each change enters it"""
+    carried: NDArray[np.float64]
+    """(…,) seconds that were left after END, and went into the new motion"""
     actions: NDArray[np.int64]
     """(…, 4) ACTOR, LAYER, ACTION, BY (as OTHER of a verdict)"""
     before: NDArray[np.float64]
@@ -95,6 +97,7 @@ def effects_for(program: Program, actors: int, room: int = 1024) -> MachineEffec
         np.zeros((rows, 8), np.int64),
         np.zeros(rows, np.float32),
         np.zeros(rows),
+        np.zeros(rows),
         np.zeros((rows, 4), np.int64),
         np.zeros((actors, layers)),
         np.zeros((actors, layers)),
@@ -119,8 +122,8 @@ def workspace_for(program: Program) -> Workspace:
 
 def doubled(effects: MachineEffects) -> MachineEffects:
     """Returns a copy of the effects with twice the room."""
-    grown = (np.concatenate([array, np.zeros_like(array)]) for array in effects[1:8])
-    return MachineEffects._make((effects.counts, *grown, *effects[8:]))
+    grown = (np.concatenate([array, np.zeros_like(array)]) for array in effects[1:9])
+    return MachineEffects._make((effects.counts, *grown, *effects[9:]))
 
 
 WORKSPACE = types.BaseTuple.from_types(
@@ -139,7 +142,7 @@ EFFECTS = types.BaseTuple.from_types(
             write(types.float64, 1),
             write(types.int64, 2),
         ),
-        *(write(types.float32, 1), write(types.float64, 1), write(types.int64, 2)),
+        *(write(types.float32, 1), write(types.float64, 1), write(types.float64, 1), write(types.int64, 2)),
         *(write(types.float64, 2), write(types.float64, 2), write(types.int64, 2), WORKSPACE),
     ),
     MachineEffects,

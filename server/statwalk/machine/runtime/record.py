@@ -147,5 +147,5 @@ def record_change(
     table = out.changes
     table[row, 0], table[row, 1], table[row, 2], table[row, 3], table[row, 4] = i, layer, event, current, to
     table[row, 5], table[row, 6], table[row, 7] = p.action[alternative], current == to, p.curve[alternative]
-    out.blend[row], out.start[row] = p.blend[alternative], seconds
+    out.blend[row], out.start[row], out.carried[row] = p.blend[alternative], seconds, 0.0
     out.counts[OF_CHANGES] = row + 1

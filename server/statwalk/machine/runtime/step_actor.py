@@ -13,6 +13,7 @@ from statwalk.machine.runtime.parameters import sense, smooth
 from statwalk.machine.runtime.scratch import (
     AT_END,
     CARRIED,
+    CARRY,
     CHANGES,
     DRAWS,
     DT,
@@ -115,7 +116,8 @@ def _decide_layer(
         s.passed[i, layer] = s.time[i, layer]
     elif scratch[CARRIED]:
         carry_on(p, s, out.work.clock, i, layer)
-        out.start[out.counts[OF_CHANGES] - 1] = s.time[i, layer]
+        last = out.counts[OF_CHANGES] - 1
+        out.start[last], out.carried[last] = s.time[i, layer], out.work.clock[CARRY]
     if scratch[ENTERED]:
         s.age[i, layer] = 0
     if layer == 0 and s.goal[i] == s.state[i, layer]:

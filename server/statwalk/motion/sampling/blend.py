@@ -12,8 +12,10 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 
-ROUNDS = 4
-"""rounds of the secant method for the length of a step; one round is exact between two markers"""
+ROUNDS = 8
+"""rounds of the secant method for the length of a step at most; it is exact once both points lie between the
+same two markers
+"""
 
 
 @inlined
@@ -133,6 +135,20 @@ def _mean_phase(motions: Any, state: int, phase: float, weights: Any) -> Any:
     return total
 
 
+@inlined
+def _step_of(motions: Any, state: int, phase: float, wanted: float, weights: Any) -> Any:
+    """How far the phase of the first member goes while the mean of the members' phases goes `wanted`."""
+    begin = _mean_phase(motions, state, phase, weights)
+    step, before, gone_before = wanted, 0.0, 0.0
+    for _ in range(ROUNDS):
+        gone = _mean_phase(motions, state, phase + step, weights) - begin
+        if abs(gone - wanted) <= 0.0 or abs(gone - gone_before) <= 0.0:
+            break
+        following = step + (wanted - gone) * ((step - before) / (gone - gone_before))
+        before, gone_before, step = step, gone, max(following, 0.0)
+    return step
+
+
 @called
 def rate(
     motions: Any, state: int, time: float, seconds: float, parameters: Any, actor: int, weights: Any
@@ -154,9 +170,5 @@ def rate(
     if straight:
         return factor
     phase, wanted = phase_of(motions, state, time), seconds / lap if lap > 0 else seconds
-    begin, step = _mean_phase(motions, state, phase, weights), wanted
-    for _ in range(ROUNDS):
-        gone = _mean_phase(motions, state, phase + step, weights) - begin
-        if gone > 0:
-            step = step * (wanted / gone)
+    step = _step_of(motions, state, phase, wanted, weights)
     return factor * (step / wanted) if wanted > 0 else factor

@@ -12,7 +12,8 @@ import numpy as np
 
 from statwalk.character.role import Role
 from statwalk.maths.arrays import Floats, Ints
-from statwalk.stage.measure.trials import RATE, entries_of, motion_alone
+from statwalk.stage.measure.alone import entries_of, motion_alone
+from statwalk.stage.measure.trials import RATE
 
 STILL = 1e-4
 """metres: a joint that stands still in all motions counts as if it moved so far in a tick"""

@@ -169,7 +169,7 @@ def _played(
 
 def _jump(subject: Subject, recording: Recording, number: int, ticks: tuple[int, int]) -> Jump:
     """The jump of one trial between two ticks and around them."""
-    first, past = max(ticks[0] - AROUND, 0), ticks[1] + AROUND
+    first, past = max(ticks[0] - AROUND, 1), ticks[1] + AROUND  # the pose at 0 was put there, not shown
     track = recording.joints[first:past, number][:, subject.joints]
     states = np.unique(recording.state[first:past, number, :])
     return jump_of(track, [subject.most(int(state)) for state in states], subject.names)

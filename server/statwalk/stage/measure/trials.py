@@ -18,8 +18,6 @@ from statwalk.machine.runtime.state import MachineState, fresh
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.pose import Pose
 from statwalk.maths.simd.pose_layout import JOINT_CHANNELS, ROTATION_CHANNEL, SCALE_CHANNEL
-from statwalk.motion.blend_space import BlendSpace
-from statwalk.motion.root_track import compose
 from statwalk.rig.evaluate import world_from_local
 from statwalk.stage.advance import advance
 from statwalk.stage.effects.effects import Effects
@@ -111,7 +109,7 @@ def record(role: Role, trials: Sequence[CellTrial], ticks: int, checkpoint: Chec
         shots.append(_shot(role, state, effects))
     rows, targets, *shown = (np.stack(column) for column in zip(*shots, strict=True))
     machine, event, position, heading, left = shown
-    worlds = _world(role, rows), _world(role, targets)[..., 3].copy()
+    worlds = world_of(role, rows), world_of(role, targets)[..., 3].copy()
     return Recording(role, sent, machine, event, position, heading, left, *worlds)
 
 
@@ -196,50 +194,9 @@ def _left(cast: CastState) -> Floats:
     return left
 
 
-def _world(role: Role, rows: Floats) -> Floats:
-    """The joints' matrices (…, J, 3, 4) of poses as rows of channels (…, 10·J + W)."""
+def world_of(role: Role, rows: Floats) -> Floats:
+    """Returns the joints' matrices (…, J, 3, 4) of poses as rows of channels (…, 10·J + W)."""
     joints = len(role.character.skeleton)
     parts = rows[..., : JOINT_CHANNELS * joints].reshape(*rows.shape[:-1], joints, JOINT_CHANNELS)
     move, turn, scale = np.split(parts, [ROTATION_CHANNEL, SCALE_CHANNEL], axis=-1)
     return world_from_local(role.character.skeleton, Pose(move, turn, scale, rows[..., :0]))
-
-
-def entries_of(role: Role, state: int) -> list[Floats]:
-    """Returns the rows (P + V,) of parameters and entry values that matter for a state's motion by itself: of
-    a motion that is blended over entry values one for each clip, else one with the defaults.
-    """
-    motion, kept = role.motions[state], len(role.machine.parameters)
-    row = fresh(role.machine.program, 1).smoothed[0]
-    if not isinstance(motion, BlendSpace) or max(motion.columns) < kept:
-        return [row]
-    rows = np.tile(row, (len(motion.places), 1))
-    for axis, column in enumerate(motion.columns):
-        if column >= kept:
-            rows[:, column] = motion.places[:, axis]
-    return list(rows)
-
-
-def motion_alone(role: Role, state: int, offset: float, axes: Floats | None = None) -> Floats:
-    """Returns the joints (T, J, 3) of a state's motion by itself, a tick at a time from `offset` seconds on;
-    a motion that loops plays twice.
-
-    `axes` (P + V,): parameters and entry values, see `entries_of`; default: the first of them.
-    """
-    machine = role.machine
-    axes = entries_of(role, state)[0] if axes is None else axes
-    duration = float(machine.duration[state]) if np.isfinite(machine.duration[state]) else 1.0
-    times = np.arange(offset, duration * (1 + bool(machine.loop[state])) + 1e-9, 1 / RATE)
-    wrapped = np.mod(times, duration) if machine.loop[state] and duration > 0 else np.minimum(times, duration)
-    machines = machines_at(role, np.full(len(times), state), wrapped)
-    machines.smoothed[:] = axes
-    world = _world(role, poses_ahead(role, machines).rows())
-    place = np.zeros((len(times), 3))
-    motion = role.motions[state]
-    for k in range(1, len(times)):
-        if motion is None or machine.layer_of[state]:
-            break
-        wraps = np.array([int(wrapped[k] < wrapped[k - 1])])
-        delta = motion.way(wrapped[k - 1 : k], wrapped[k : k + 1], wraps, axes[None])
-        place[k] = compose(place[k - 1 : k], delta)[0]
-    position = np.stack([place[:, 0], 0 * place[:, 0], place[:, 1]], -1)
-    return placed(world[..., 3].astype(np.float64), position, place[:, 2])

@@ -3,7 +3,7 @@
 A blend takes its velocity from the poses of the last two ticks. Between them a cut would count as a velocity,
 and a blend in the next tick would swing far beyond both motions. So a cut replaces what was shown: the layers
 that cut go back from their new motion's pose by as much as they will advance in the next tick; all other
-layers stay where they were.
+layers stay where they were. What expressions, springs and solvers had added to the old motion is kept.
 """
 
 from __future__ import annotations
@@ -88,16 +88,25 @@ def _sample_cut(
 
 
 @inlined
-def _go_back(cuts: Any, now: Any, following: Any, shown: Any, block: int, joint: int) -> None:
-    """Puts a joint as far behind `now` as it is ahead in `following`."""
+def _behind(now: Any, following: Any, was: Any, at: int, shown: Any, to: int, cuts: Any) -> None:
+    """Puts three numbers as far behind `now` as they are ahead in `following`, and away as they were from
+    their motion.
+    """
+    place, old = load3(now, at), load3(shown, to)
+    back = plus(place, minus(place, load3(following, at)))
+    store3(shown, to, either3(cuts, plus(back, minus(old, load3(was, at))), old))
+
+
+@inlined
+def _go_back(cuts: Any, now: Any, following: Any, was: Any, shown: Any, block: int, joint: int) -> None:
+    """Puts a joint as far behind `now` as it is ahead in `following`, and away as it was from its motion."""
     a, to = joint_at(now, 0, joint), joint_at(shown, block, joint)
-    place, ahead, old = load3(now, a), load3(following, a), load3(shown, to)
-    store3(shown, to, either3(cuts, plus(place, minus(place, ahead)), old))
-    turn, on, was = load4(now, a + ROTATION), load4(following, a + ROTATION), load4(shown, to + ROTATION)
-    back = renormalized(mul(turn, mul(conjugate(on), turn)))
-    store4(shown, to + ROTATION, either4(cuts, back, was))
-    size, next_size, old_size = load3(now, a + SCALE), load3(following, a + SCALE), load3(shown, to + SCALE)
-    store3(shown, to + SCALE, either3(cuts, plus(size, minus(size, next_size)), old_size))
+    _behind(now, following, was, a, shown, to, cuts)
+    turn, on, old = load4(now, a + ROTATION), load4(following, a + ROTATION), load4(shown, to + ROTATION)
+    back = mul(turn, mul(conjugate(on), turn))
+    added = mul(conjugate(load4(was, a + ROTATION)), old)
+    store4(shown, to + ROTATION, either4(cuts, renormalized(mul(back, added)), old))
+    _behind(now, following, was, a + SCALE, shown, to + SCALE, cuts)
 
 
 @called
@@ -111,10 +120,12 @@ def forget_cuts(
     look_ahead(p, m, s, mem, block, dt)
     _sample_cut(p, m, t, s, o, masks, done, mem, COMING, mem.part_coming, block, dt)
     _sample_cut(p, m, t, s, o, masks, done, mem, FOLLOWING, mem.part_following, block, dt)
+    _sample_cut(p, m, t, s, o, masks, done, mem, SHOWN, mem.part_shown, block, dt)
     cuts, joints = cut_lanes(mem, block), masks.joints.shape[1]
     for joint in range(joints):
-        _go_back(cuts, mem.part_coming, mem.part_following, shown, block, joint)
+        _go_back(cuts, mem.part_coming, mem.part_following, mem.part_shown, shown, block, joint)
     for weight in range(masks.weights.shape[1]):
         a, to = weight_at(shown, 0, joints, weight), weight_at(shown, block, joints, weight)
         now, old = load(mem.part_coming, a), load(shown, to)
-        store(shown, to, either(cuts, now + (now - load(mem.part_following, a)), old))
+        back, added = now + (now - load(mem.part_following, a)), old - load(mem.part_shown, a)
+        store(shown, to, either(cuts, back + added, old))

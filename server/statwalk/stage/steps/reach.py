@@ -12,7 +12,7 @@ from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.lanes import LANES
-from statwalk.maths.simd.pose_layout import end_row, first_row
+from statwalk.maths.simd.pose_layout import end_row, first_row, place_of
 from statwalk.maths.springs import settled
 from statwalk.rig.hierarchy import model_block
 from statwalk.solve.carried_turns import forget_turns, keep_turns, no_turns, recall_turns
@@ -60,7 +60,7 @@ def _aim(
     row: int, k: int, dt: float,
 ) -> None:  # fmt: skip
     """Writes the inputs of a solver's chain for one actor."""
-    weight, lane = _weight(r, s, keep, row, k, dt), row % LANES
+    weight, (_, lane) = _weight(r, s, keep, row, k, dt), place_of(row)
     root = _root(position, heading, row)
     write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
     rows[INPUT_WEIGHT, lane] = _missing(r, o, mem, keep, row, k, weight)

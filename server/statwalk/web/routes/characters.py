@@ -12,8 +12,10 @@ from statwalk.character.chain_of_names import chain_joints
 from statwalk.character.character import Character
 from statwalk.character.feet import feet_of
 from statwalk.character.foot_contacts import contacts_of
+from statwalk.character.role import Role
 from statwalk.files.machine_yaml.state_names import MEANINGS, proposed
 from statwalk.maths import quat
+from statwalk.maths.clamp_table import JointLimit
 from statwalk.maths.pose import Pose
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import UploadedCharacter
@@ -108,6 +110,7 @@ def get_mapping(name: str, catalogue: CatalogueDep) -> MappingView:
 def solve(name: str, body: NewSolve, catalogue: CatalogueDep) -> SolveView:
     """Returns the joints of a chain after its end was brought to the target; nothing on a stage changes."""
     character = catalogue.character(name)
+    limits = {} if body.machine is None else {"limits": _limits(character, catalogue.role(body.machine))}
     answer = character.solve(
         _pose(character, body.pose),
         body.chain,
@@ -123,6 +126,7 @@ def solve(name: str, body: NewSolve, catalogue: CatalogueDep) -> SolveView:
         sensitivity=body.sensitivity,
         forward=body.forward,
         anchor=body.anchor,
+        **limits,
     )
     joints, _middle = chain_joints(character.skeleton, body.chain, body.solver)
     places = character.world(answer.pose)
@@ -143,6 +147,12 @@ def solve(name: str, body: NewSolve, catalogue: CatalogueDep) -> SolveView:
     )
 
 
+def _limits(character: Character, role: Role) -> dict[str, JointLimit]:
+    """The limits of a machine's joints that the character has too."""
+    names = role.character.skeleton.names
+    return {names[row]: limit for row, limit in role.limits.items() if names[row] in character.skeleton.names}
+
+
 def _pose(character: Character, source: PoseSource) -> Pose:
     """The pose of a body.
 
@@ -152,4 +162,6 @@ def _pose(character: Character, source: PoseSource) -> Pose:
     pose = pose.copy()
     for joint, rotation in source.rotations.items():
         pose.rotation[character.skeleton.index(joint)] = quat.normalize(np.array(rotation))
+    for joint, translation in source.translations.items():
+        pose.translation[character.skeleton.index(joint)] = translation
     return pose

@@ -12,16 +12,19 @@ Point = Annotated[tuple[Coordinate, Coordinate, Coordinate], Strict(False)]
 Quaternion = Annotated[tuple[Coordinate, Coordinate, Coordinate, Coordinate], Strict(False)]
 Rotations = Annotated[dict[str, Quaternion], BeforeValidator(dict)]
 """local rotations x y z w by joint"""
+Translations = Annotated[dict[str, Point], BeforeValidator(dict)]
+"""local translations by joint, metres"""
 
 
 class PoseSource(RequestModel):
-    """The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations on
-    top.
+    """The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations and
+    translations of joints on top.
     """
 
     clip: Name | None = None
     time: Annotated[float, Field(ge=0, le=1e6)] = 0.0
     rotations: Rotations = Field(default_factory=dict)
+    translations: Translations = Field(default_factory=dict)
 
 
 class NewSolve(RequestModel):
@@ -69,8 +72,16 @@ class NewSolve(RequestModel):
         Field(description="look-at: the line of sight in the frame of the last joint, above 0 long"),
     ] = (0.0, 0.0, 1.0)
     anchor: Annotated[
-        str, Field(max_length=200, description="a joint that stays where it is in model space; empty: none")
+        str,
+        Field(
+            max_length=200,
+            description="the first joint of the chain, which stays, or the last: then the first comes to the "
+            "target, and the root moves; empty: the first",
+        ),
     ] = ""
+    machine: Annotated[
+        Name | None, Field(description="the machine whose limits count; null: the limits of the character")
+    ] = None
 
 
 class SolvedJointView(ResponseModel):

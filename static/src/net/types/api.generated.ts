@@ -1812,7 +1812,8 @@ export interface components {
             /**
              * @default {
              *       "time": 0,
-             *       "rotations": {}
+             *       "rotations": {},
+             *       "translations": {}
              *     }
              */
             pose?: components["schemas"]["PoseSource"];
@@ -1869,8 +1870,13 @@ export interface components {
                 number,
                 number
             ];
-            /** @default  */
+            /**
+             * @description the first joint of the chain, which stays, or the last: then the first comes to the target, and the root moves; empty: the first
+             * @default
+             */
             anchor?: string;
+            /** @description the machine whose limits count; null: the limits of the character */
+            machine?: string | null;
         };
         /** @description A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it. */
         NewStage: {
@@ -1952,8 +1958,8 @@ export interface components {
             root: components["schemas"]["RootView"];
         };
         /**
-         * @description The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations on
-         *     top.
+         * @description The pose to solve: the rest pose, or a clip's pose at a time (seconds), with the given rotations and
+         *     translations of joints on top.
          */
         PoseSource: {
             clip?: string | null;
@@ -1962,6 +1968,13 @@ export interface components {
             rotations?: {
                 [key: string]: [
                     number,
+                    number,
+                    number,
+                    number
+                ];
+            };
+            translations?: {
+                [key: string]: [
                     number,
                     number,
                     number

@@ -13,6 +13,7 @@ export type {
   LimitView as JointLimit,
   MachineView as MachineInfo,
   SolverView as Solver,
+  SolveView as Solved,
   ParameterView as Parameter,
   StateView as StateInfo,
   VersionView as MachineVersion,
