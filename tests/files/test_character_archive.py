@@ -70,7 +70,7 @@ def test_an_archive_of_another_version_is_refused(archive: Path) -> None:
 
 
 def test_an_archive_brings_no_objects(archive: Path) -> None:
-    tree = b'{"format": 2, "objects": [["Popen", {"args": "true"}]], "root": {"object": 0}}'
+    tree = b'{"format": 3, "objects": [["Popen", {"args": "true"}]], "root": {"object": 0}}'
     with archive.open("wb") as opened:
         np.savez(opened, tree=np.frombuffer(tree, np.uint8))
     with pytest.raises(ContentError, match="Popen"):
