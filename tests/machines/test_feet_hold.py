@@ -21,7 +21,8 @@ from statwalk.stage.stage import Stage
 
 WALKER, TERRAIN = load_role(MACHINES / "faq-walker"), load_role(MACHINES / "terrain")
 FREE = Role.build("free", WALKER.character, replace(WALKER.definition, foot_lock=0.0), "Root")
-HELD = {"WALK/STOP": 0.015, "WALK/JUMP": 0.015, "STAT/LEFT": 0.015, "STAT/CROUCH": 0.005}
+HELD = {"WALK/STOP": 0.005, "WALK/JUMP": 0.005, "STAT/LEFT": 0.005, "STAT/CROUCH": 0.002}
+HELD |= {"WALK/LEFT": 0.015, "WALK/RIGHT": 0.015, "STWK/STOP": 0.01, "TLFT/STOP": 0.005, "TRGT/LEFT": 0.01}
 """metres: the farthest slide in any contact, from ten phases and through interruptions"""
 SINK, KNEE = 0.005, 0.002
 

@@ -112,7 +112,7 @@ def step_foot(
             _perhaps_release(keep, row, at, other, is_down)
     else:
         _approach(keep, row, at, old, dt)
-    ahead = fall * LOOK_AHEAD if blends else 0.0
+    ahead = fall * LOOK_AHEAD if blends and f.ground.shape[0] == 0 else 0.0
     _raise(f, keep, row, at, low, old[3], root, is_down or blends, speed, ahead, dt)
     _perhaps_plant(f, keep, row, at, low, root, is_down, blends, speed)
     if keep[row, at + PLANTED] == STANDING:
@@ -227,7 +227,7 @@ def _perhaps_plant(
     x, z = keep[row, at + X], keep[row, at + Z]
     height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
     comes_down = is_down and speed <= SLOW and height < LOW
-    if comes_down or ((is_down or blends) and speed <= NOT_FAST and height < TOUCHING):
+    if comes_down or (blends and f.ground.shape[0] == 0 and speed <= NOT_FAST and height < TOUCHING):
         keep[row, at + PLANTED], keep[row, at + SINCE], keep[row, at + PIVOT] = STANDING, 0.0, low[0]
         keep[row, at + EAGER] = keep[row, at + TOO_SHORT] = 0.0
 
