@@ -1,6 +1,4 @@
-"""Curves of the shipped walker: LEFT or RIGHT at any moment of the walk leads round by a useful amount, and a
-curve that nobody continues ends in a last step.
-"""
+"""Curves of the shipped walker: LEFT or RIGHT in the first half of a stride leads round by a useful amount."""
 
 import numpy as np
 import pytest
@@ -12,7 +10,7 @@ WALKER = load_role(MACHINES / "faq-walker")
 STATES = WALKER.machine.states
 WALKS = 100
 """tick from which on he walks"""
-PHASES = np.linspace(0, 0.94, 8)
+PHASES = np.linspace(0, 0.5, 6)
 
 
 def tap(event, phase, is_held):
@@ -43,13 +41,11 @@ def test_a_tap_leads_round_a_curve_and_the_walk_goes_on(event, turn, way, phase)
     assert 25 < way * turned < 110
 
 
-@pytest.mark.parametrize("phase", PHASES)
 @pytest.mark.parametrize(("event", "turn", "way"), [("LEFT", "TLFT", 1), ("RIGHT", "TRGT", -1)])
-def test_a_curve_that_nobody_continues_ends_in_a_last_step(event, turn, way, phase):
-    states, turned = tap(event, phase, False)
-    assert states[-3:] == ["STAT", "CSTP", "STAT"]
-    assert set(states[1:-3]) <= {turn, "STAT"}
-    assert 25 < way * turned < 120
+def test_a_curve_that_nobody_continues_ends_standing(event, turn, way):
+    states, turned = tap(event, 0.1, False)
+    assert states[1:] == [turn, "STAT"]
+    assert 25 < way * turned < 110
 
 
 def test_who_turns_on_the_spot_takes_no_last_step():

@@ -41,7 +41,7 @@ main()
 
 
 WALKER = "/api/machines/faq-walker"
-WRITTEN = "WALK/LEFT:    {enter: match, blend: 0.145}"
+WRITTEN = "WALK/LEFT:    {enter: match, blend: 0.25}"
 FORMULA = "WALK/LEFT: [{if: sin(time) < 2 and speed * speed >= 0 or phase % 0.5 > 2, to: TLFT}]"
 TEXT = (shipped_machines_folder() / "faq-walker" / "machine.yaml").read_text(encoding="utf-8")
 assert WRITTEN in TEXT

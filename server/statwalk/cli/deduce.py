@@ -31,7 +31,7 @@ console = Console(highlight=False)
 def deduce(
     file: Annotated[Path, typer.Argument(help="A file with bones and what is known of them.")],
 ) -> None:
-    """Finds the angles, matrices and points of bones from those that are known (inverse kinematics)."""
+    """Finds angles, matrices and points of bones from known ones (inverse kinematics by rules)."""
     answer = read_deduce(read_text(file, TextError), str(file)).answer()
     table = Table("bone", "quantity", "value", "source", box=None)
     for bone, values in answer.values.items():

@@ -1,6 +1,7 @@
 /** Staging: how much of the character, or of what is around it, the camera shows. */
 
 import * as THREE from "three";
+import type { PosedModel } from "./posedModel";
 
 export type Framing = "whole" | "upper body" | "face" | "wide";
 
@@ -8,6 +9,8 @@ export const FRAMINGS: readonly Framing[] = ["whole", "upper body", "face", "wid
 /** The part of the height, from the top, that a framing shows. */
 const PART: Readonly<Record<Framing, number>> = { whole: 1, "upper body": 0.5, face: 0.2, wide: 1 };
 const WIDE = 2.5;
+/** Actors within this distance, in sizes of the watched actor, are framed with it. */
+const COMPANY_REACH = 3;
 
 /** Returns the box to frame, of the box of the character around its root. */
 export function framed(box: THREE.Box3, framing: Framing): THREE.Box3 {
@@ -18,4 +21,19 @@ export function framed(box: THREE.Box3, framing: Framing): THREE.Box3 {
   const centre = box.getCenter(new THREE.Vector3()).setY(box.max.y - high / 2);
   const wide = Math.min(Math.max(size.x, size.z), 1.2 * high);
   return new THREE.Box3().setFromCenterAndSize(centre, new THREE.Vector3(wide, high, wide));
+}
+
+/** Returns the box of an actor and the actors near it, around its root; `own`: its own box. */
+export function withCompany(actor: PosedModel, own: THREE.Box3, others: Iterable<PosedModel>): THREE.Box3 {
+  const reach = own.getSize(new THREE.Vector3()).length() * COMPANY_REACH;
+  const near = new THREE.Box3().setFromCenterAndSize(
+    new THREE.Vector3(),
+    new THREE.Vector3().setScalar(2 * reach),
+  );
+  const all = own.clone();
+  for (const other of others) {
+    const away = other.root.position.clone().sub(actor.root.position);
+    if (near.containsPoint(away)) all.union(other.box().translate(away));
+  }
+  return all;
 }

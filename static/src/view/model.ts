@@ -92,3 +92,18 @@ export class Models {
     return load;
   }
 }
+
+/** Finds a material of several models by its index among all their materials; a name must agree. */
+export function materialOf(
+  models: Iterable<Model>,
+  index: number,
+  name: string | undefined,
+): THREE.Material | undefined {
+  let first = 0;
+  for (const model of models) {
+    const own = model.materials.get(index - first);
+    if (own && (!name || own.name === name)) return own;
+    first += model.materialCount;
+  }
+  return undefined;
+}

@@ -7,11 +7,11 @@ import { Signal } from "../state/signal";
 import { token } from "../ui/dom";
 import type { PosedModel } from "./posedModel";
 import { ActorView } from "./actorView";
-import { framed, type Framing } from "./framing";
+import { framed, type Framing, withCompany } from "./framing";
 import { GlbStage } from "./glbStage";
 import type { LimitMark } from "./limitOverlay";
 import { MotionPath } from "./motionPath";
-import { type Model, Models } from "./model";
+import { materialOf, type Model, Models } from "./model";
 import type { Scene } from "./scene";
 import { showSkin, wireColour } from "./skinMode";
 import { Terrain } from "./terrain";
@@ -26,8 +26,6 @@ export interface Modes {
 
 /** Limits of more joints hide the body: they are drawn on request. */
 const FEW_LIMITS = 6;
-/** Actors within this distance, in sizes of the watched actor, are framed with it. */
-const COMPANY_REACH = 3;
 
 export class StageView {
   readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false, limits: true });
@@ -58,7 +56,9 @@ export class StageView {
     readonly scene: Scene,
     private readonly session: Session,
   ) {
-    this.glb = new GlbStage(scene.quality === "high", (index, name) => this.materialFor(index, name));
+    this.glb = new GlbStage(scene.quality === "high", (index, name) =>
+      materialOf(new Set([...this.actors.values()].map(({ view }) => view.model)), index, name),
+    );
     scene.world.add(this.glb.root, this.path.object);
     session.hello.on((hello) => hello && void this.cast(hello));
     session.frames.on(() => this.switchStream());
@@ -190,26 +190,12 @@ export class StageView {
     const span = Math.max(box.max.x - box.min.x, box.max.z - box.min.z);
     this.scene.fit(Math.max(height, 0.5 * span));
     for (const other of this.actors.values()) other.shade(Math.max(0.2 * height, 0.32 * span));
-    const company = this.actors.size > 1;
-    this.scene.view.subject(framed(company ? this.around(actor, box) : box, this.framing.value));
+    const others = [...this.actors.values()].map(({ view }) => view);
+    const company = others.length > 1;
+    this.scene.view.subject(framed(company ? withCompany(actor.view, box, others) : box, this.framing.value));
     this.scene.view.frame(company);
     this.framed = actor.key;
     this.scene.invalidate();
-  }
-
-  /** Returns the box of an actor and the actors near it, around its root. */
-  private around(actor: ActorView, own: THREE.Box3): THREE.Box3 {
-    const reach = own.getSize(new THREE.Vector3()).length() * COMPANY_REACH;
-    const near = new THREE.Box3().setFromCenterAndSize(
-      new THREE.Vector3(),
-      new THREE.Vector3().setScalar(2 * reach),
-    );
-    const all = own.clone();
-    for (const other of this.actors.values()) {
-      const away = other.view.root.position.clone().sub(actor.view.root.position);
-      if (near.containsPoint(away)) all.union(other.view.box().translate(away));
-    }
-    return all;
   }
 
   private switchStream(): void {
@@ -217,18 +203,6 @@ export class StageView {
     this.glb.root.visible = !pose;
     this.glb.clear();
     this.scene.invalidate();
-  }
-
-  /** Finds a material of the loaded models by index; a name must agree. */
-  private materialFor(index: number, name: string | undefined): THREE.Material | undefined {
-    const models = new Set([...this.actors.values()].map(({ view }) => view.model));
-    let first = 0;
-    for (const model of models) {
-      const own = model.materials.get(index - first);
-      if (own && (!name || own.name === name)) return own;
-      first += model.materialCount;
-    }
-    return undefined;
   }
 
   /** Draws the limits of the watched actor's joints. */

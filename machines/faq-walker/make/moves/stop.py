@@ -125,7 +125,7 @@ def rest_feet() -> Feet:
 
 
 def rest_body() -> Body:
-    """Nobody has gone yet: the lean is taken back, a little too far."""
+    """The body of a start that is taken back before the first step: the lean goes back, a little too far."""
     return added(
         held(stand_body, 0.0),
         {
