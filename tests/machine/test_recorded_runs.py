@@ -20,6 +20,57 @@ BUFFER = (
     "event is dropped"
 )
 HELD = "a held input counts at every END, also where the motion was restarted in that same tick"
+PACE = "the time left after END advances a blend of clips at the pace of that blend"
+PACED = [
+    (55, 14),
+    (56, 3),
+    (57, 61),
+    (60, 10),
+    (61, 19),
+    (62, 37),
+    (63, 19),
+    (221, 13),
+    (222, 7),
+    (224, 28),
+    (276, 78),
+    (278, 43),
+    (310, 14),
+    (313, 13),
+    (473, 76),
+    (486, 2),
+    (487, 2),
+    (488, 28),
+    (489, 87),
+    (535, 1),
+    (536, 2),
+    (537, 2),
+    (538, 2),
+    (570, 13),
+    (571, 13),
+    (572, 7),
+    (573, 13),
+    (574, 7),
+    (720, 32),
+    (820, 63),
+    (947, 30),
+    (1211, 34),
+    (1214, 68),
+    (1420, 2),
+    (1421, 2),
+    (1423, 2),
+    (1485, 69),
+    (1497, 26),
+    (1552, 74),
+    (1555, 4),
+    (1556, 35),
+    (1557, 77),
+    (1567, 9),
+    (1602, 53),
+    (1604, 28),
+    (1622, 28),
+    (1647, 62),
+]
+"""runs of machines, and the first tick in which the rule PACE shows"""
 LAYERS = "layers see events apart: one that does not concern a layer renews nothing there"
 EXPECTED_DIFFERENCES: dict[tuple[str, int], tuple[int, str]] = {
     ("machines", 43): (79, HELD),
@@ -81,6 +132,7 @@ EXPECTED_DIFFERENCES: dict[tuple[str, int], tuple[int, str]] = {
     ("poses", 283): (44, HELD),
     ("poses", 288): (28, HELD),
     ("poses", 413): (59, HELD),
+    **{("machines", run): (tick, PACE) for run, tick in PACED},
 }
 """by family and run: the first tick that differs on purpose, and the rule of spec/machine.md that decides"""
 SHIFTED = "events come a tick earlier or later"

@@ -1,4 +1,4 @@
-"""Curves of the shipped walker: LEFT or RIGHT in the first half of a stride leads round by a useful amount."""
+"""Curves of the shipped walker: LEFT or RIGHT early in a stride leads round by a useful amount."""
 
 import numpy as np
 import pytest

@@ -26,9 +26,11 @@ WAYS = {
     "up, aslant": ((-0.5, 0, 0), np.radians(20)),
     "down, aslant": ((0.6, 0, 8.9), np.pi + np.radians(12)),
 }
-SKIN = {"up": 0.008, "down": 0.005, "up, aslant": 0.035, "down, aslant": 0.005}
-BODY, JOINT = 3.3, 4.2
+SKIN = 0.005
+BODY, JOINT = 3.0, 3.0
 SLIDE = 0.015
+TOUCHES = 0.004
+"""metres: a foot that rises, or comes down, is still for a tick too"""
 
 
 @cache
@@ -44,7 +46,7 @@ def level_walk() -> Crossing:
 @pytest.mark.parametrize("way", WAYS)
 def test_no_skin_is_inside_steps_or_slope(way: str) -> None:
     depth = skin_depth(TERRAIN, walk(way))
-    assert depth.max() < SKIN[way]
+    assert depth.max() < SKIN
     assert np.quantile(depth, 0.99) < 0.005
 
 
@@ -68,15 +70,16 @@ def test_the_root_rises_smoothly_over_stairs(way: str) -> None:
 
 
 def standing_soles(way: str, first: float, last: float) -> np.ndarray:
-    """(N, K) how much higher above the ground the points of a sole are than at rest, of feet that stand still
-    and whole between `first` and `last` along z.
+    """(N, K) how much higher above the ground the points of a sole are than at rest, of feet that touch it,
+    and stand still and whole between `first` and `last` along z.
     """
     found = []
     for foot in feet_of(TERRAIN.character):
         points = foot.skin.at(walk(way).world).astype(np.float64)
         still = np.linalg.norm(np.diff(points, axis=0), axis=-1).max(1) < 1e-3
         inside = (points[1:, :, 2] > first).all(1) & (points[1:, :, 2] < last).all(1)
-        found.append(over_ground(foot, points[1:][still & inside]))
+        heights = over_ground(foot, points[1:][still & inside])
+        found.append(heights[heights.min(1) < TOUCHES])
     return np.concatenate(found)
 
 
@@ -123,4 +126,4 @@ def test_ground_without_pieces_near_changes_little() -> None:
     far = replace(GROUND[0], corner=(100.0, 100.0), opposite=(101.0, 101.0))
     role = Role.build("far", TERRAIN.character, replace(TERRAIN.definition, ground=(far,)), "Root")
     there = crossing(role, (0, 0, 0), 0.0, ticks=200)
-    assert np.abs(there.world - level_walk().world[:200])[..., 3].max() < 0.025
+    assert np.abs(there.world - level_walk().world[:200])[..., 3].max() < 0.05

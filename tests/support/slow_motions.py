@@ -20,7 +20,7 @@ from statwalk.motion.keys.segment_kinds import (
 )
 from statwalk.motion.root import compose, relative
 
-ROUNDS = 4
+ROUNDS = 8
 
 
 def cubic(rows, fractions):
@@ -172,9 +172,14 @@ def rate(space, times, seconds, parameters):
         return factor
     now, wanted = phase(space, times), seconds / np.where(lap > 0, lap, 1)
     begin, step = mean_phase(space, now, share), wanted
+    before, gone_before, is_open = np.zeros_like(step), np.zeros_like(step), np.ones(len(step), bool)
     for _ in range(ROUNDS):
         gone = mean_phase(space, now + step, share) - begin
-        step = step * np.where(gone > 0, wanted / np.where(gone > 0, gone, 1), 1)
+        is_open &= (np.abs(gone - wanted) > 0) & (np.abs(gone - gone_before) > 0)
+        slope = (step - before) / np.where(is_open, gone - gone_before, 1)
+        following = np.maximum(step + (wanted - gone) * slope, 0)
+        before, gone_before = np.where(is_open, step, before), np.where(is_open, gone, gone_before)
+        step = np.where(is_open, following, step)
     return factor * np.where(wanted > 0, step / np.where(wanted > 0, wanted, 1), 1)
 
 

@@ -15,4 +15,4 @@ def test_a_machine_is_encoded_by_the_thread_of_its_route() -> None:
         if isinstance(route, APIRoute) and route.response_model is not None
         if get_type_hints(route.endpoint)["return"] is Response
     }
-    assert names == {"put_machine", "patch_cell", "undo", "get_machine"}
+    assert names == {"put_machine", "patch_cell", "patch_expressions", "undo", "get_machine"}
