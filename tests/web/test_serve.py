@@ -147,3 +147,20 @@ def test_a_port_in_use_is_named() -> None:
 
 def test_a_folder_without_a_machine_is_named(tmp_path: object) -> None:
     assert str(tmp_path) in refused(str(tmp_path), "--port", "0")
+
+
+def test_an_unknown_name_is_refused_as_a_folder() -> None:
+    assert "tentacel" in refused("tentacel", "--port", "0")
+
+
+@pytest.mark.parametrize("name", ["tentacle", "playground"])
+def test_a_shipped_name_is_what_the_page_opens_on(name: str, tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "statwalk.cli", "serve", name, "--port", "0", "--data", str(tmp_path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        address = process.stdout.readline().split("http://")[1].split("/")[0]
+        machines = {
+            actor["machine"] for actor in httpx.get(f"http://{address}/api/stages/main").json()["actors"]
+        }
+        process.terminate()
+    assert any(machine.startswith(name) for machine in machines)

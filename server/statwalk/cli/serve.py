@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.markup import escape
 
 from statwalk.files.scene import FILE_NAME as SCENE_FILE
-from statwalk.services.library.load import shipped_scenes
+from statwalk.services.library.load import shipped_machines, shipped_machines_folder, shipped_scenes
 from statwalk.web.app import create_app
 from statwalk.web.server import listening_socket, run
 from statwalk.web.settings import Settings, data_folder
@@ -25,6 +25,8 @@ EXAMPLES = """Examples:
   statwalk serve my-robot other-machine
 
   statwalk serve --watch my-robot
+
+  statwalk serve tentacle
 
   statwalk serve playground
 """
@@ -47,11 +49,17 @@ def _fail(reason: str) -> typer.Exit:
     return typer.Exit(2)
 
 
+def _folder(named: Path) -> Path:
+    """The folder itself, or that of the shipped machine of this name."""
+    is_shipped = not named.is_dir() and str(named) in shipped_machines()
+    return shipped_machines_folder() / named if is_shipped else named
+
+
 def serve(
     folders: Annotated[
         list[Path] | None,
         typer.Argument(
-            help="Machine or scene folders to add, or a shipped scene; the page opens on the first."
+            help="Machine or scene folders to add, or shipped ones by name; the page opens on the first."
         ),
     ] = None,
     port: Annotated[int, typer.Option(help="TCP port; 0 takes a free one.", min=0, max=65535)] = 8000,
@@ -78,8 +86,10 @@ def serve(
             f"{port + 1 if port < 65535 else 8000}"
         ) from None
     first = folders[0] if folders else None
-    own = tuple(folder for folder in folders or () if folder.is_dir() or str(folder) not in shipped_scenes())
-    scene = first.name if first and (first not in own or (first / SCENE_FILE).is_file()) else ""
+    own = tuple(
+        _folder(named) for named in folders or () if named.is_dir() or str(named) not in shipped_scenes()
+    )
+    scene = first.name if first and (_folder(first) not in own or (first / SCENE_FILE).is_file()) else ""
     app = create_app(Settings(folders=own, data=data or data_folder(), scene=scene, watch=watch))
     name = f"[{host}]" if ":" in host else host
     address = escape(f"http://{name}:{listener.getsockname()[1]}/")
