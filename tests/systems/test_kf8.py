@@ -8,12 +8,12 @@ import captures
 import numpy as np
 import pytest
 import statwalk
+from bone_places import directions, places
 from paths import ASSETS, GLTF, needs_assets
 from statwalk.character.character import Character
 from statwalk.errors import ContentError
 from statwalk.files.bvh import read_bvh
 from statwalk.files.trc.trc_file import read_trc
-from statwalk.motion.clip import Clip
 from statwalk.rig.evaluate import world_from_local
 
 WALK = ASSETS / "bvh" / "cmu_12_01_walk.bvh"
@@ -65,16 +65,6 @@ def hero() -> Character:
         .replace("OFFSET 28 0 0", "OFFSET 3 -28 0")
     )
     return read_bvh(text.encode(), "hero", scale=0.02)
-
-
-def places(character: Character, clip: Clip, times: np.ndarray) -> dict[str, np.ndarray]:
-    world = world_from_local(character.skeleton, clip.sample(times))[..., 3].astype(np.float64)
-    return {name: world[:, row] for row, name in enumerate(character.skeleton.names)}
-
-
-def directions(start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    way = end - start
-    return way / np.linalg.norm(way, axis=-1, keepdims=True)
 
 
 @needs_assets

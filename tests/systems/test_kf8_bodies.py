@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import statwalk
+from bone_places import directions, places
 from paths import ASSETS, GLTF, MACHINES, needs_assets
 from statwalk.character.character import Character
 from statwalk.errors import ContentError
 from statwalk.files.faq.skeleton_text import shipped_skeleton
-from statwalk.motion.clip import Clip
 from statwalk.rig.evaluate import world_from_local
 
 WALK = ASSETS / "bvh" / "cmu_12_01_walk.bvh"
@@ -24,16 +24,6 @@ BODIES = {
     "faq-walker/walker.glb": MACHINES,
     "faq-printed/character.yaml": MACHINES,
 }
-
-
-def places(character: Character, clip: Clip, times: np.ndarray) -> dict[str, np.ndarray]:
-    world = world_from_local(character.skeleton, clip.sample(times))[..., 3].astype(np.float64)
-    return {name: world[:, row] for row, name in enumerate(character.skeleton.names)}
-
-
-def directions(start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    way = end - start
-    return way / np.linalg.norm(way, axis=-1, keepdims=True)
 
 
 @needs_assets

@@ -100,7 +100,7 @@ _known: WeakKeyDictionary[Character, dict[tuple[object, ...], tuple[Foot, ...]]]
 
 
 def _find(character: Character, legs: Mapping[str, Mapping[str, str]]) -> tuple[Foot, ...]:
-    """The feet that names tell, and those of `legs`."""
+    """The feet that joints' names tell, and the feet that `legs` adds."""
     known, skeleton = _legs_by_name(character), character.skeleton
     for name, joints in legs.items():
         rows = {part: skeleton.index(joint) for part, joint in joints.items() if joint}

@@ -54,7 +54,7 @@ UNEVEN_GROUND = "uneven ground"
 
 
 class Solvers(NamedTuple):
-    """What the solvers of a role read; chain k is the leg of foot k, then come those of the machine file."""
+    """What the solvers of a role read; chains are first the legs of feet, then solvers' chains, then hanging ones."""
 
     springs: Springs
     legs: FootTables

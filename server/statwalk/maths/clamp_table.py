@@ -167,7 +167,7 @@ def _numbers(limit: JointLimit) -> tuple[list[float], ...]:
 
 
 def _sines(angles: Floats) -> Floats:
-    """The rows of `sines` of those of `angles`."""
+    """The rows of `ClampTable.sines` for the rows of `ClampTable.angles`."""
     middle, half = angles[:, :3].astype(np.float64), angles[:, 3:].astype(np.float64)
     pairs = [part for axis in range(3) for part in (middle[:, axis], half[:, axis])]
     around = np.stack([*pairs, middle[:, 1] / 2, half[:, 1] / 2], -1)

@@ -42,7 +42,7 @@ CHANGED = 0.2
 AHEAD_S = 0.15
 """seconds: a foot whose motion does not say where it lands looks so far ahead"""
 FORGET = 4.0
-"""1/s: such a foot comes back to the place of its motion"""
+"""1/s: how fast a foot without a known landing comes back to the place of its motion"""
 LAG_SHARE, MOST_LAG, LAG_CURVE = 0.6, 0.12, 6.75
 """metres by which a foot that must rise at once lags behind its motion, for each metre, and at most; what
 makes the highest value of share · (1 - share)² one

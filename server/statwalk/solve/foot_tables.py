@@ -106,7 +106,7 @@ stage; where it set off and where it lands; SHIFT as it set off, and the share 0
 SHIFT; the share of its path that is behind it; the first of PATH_PARTS + 1 heights along it
 """
 SAG, OF_GROUND = 0, 1
-"""numbers of an actor on uneven ground, before those of its feet: metres by which the pelvis is lowered"""
+"""the number of an actor on uneven ground, before its feet: metres by which its pelvis is lowered"""
 OF_FIT = PATH + PATH_PARTS + 1
 """numbers of a foot on uneven ground"""
 STANDS, FLIES, SEARCHES = 1.0, 2.0, 3.0

@@ -39,7 +39,7 @@ from statwalk.solve.solve_block import keep_notes
 
 ZERO, ONE = np.float32(0), np.float32(1)
 LINKS = 4 * LANES
-"""floats of `work` before those of joints: how the actor's frame moved (x, z, sine and cosine of the turn)"""
+"""floats at the head of `work`, before the joints: the frame's move (x, z, sine and cosine of the turn)"""
 FASTEST = 50.0
 """lengths of the chain a second: no joint is faster"""
 PULLS = 8

@@ -124,7 +124,7 @@ def _formula(
 
 
 def in_order(assignments: Mapping[str, Assignment]) -> tuple[Assignment, ...]:
-    """Returns assignments, by the name that each sets, so that each stands after those that it reads.
+    """Sorts assignments: each stands after the assignments whose targets it reads. Keys are the targets.
 
     :raises CircleError: when names depend on each other in a circle.
     """

@@ -29,8 +29,8 @@ def entries_of(role: Role, state: int) -> list[Floats]:
 
 
 def _times_alone(role: Role, state: int, offset: float, axes: Floats, end: float) -> Floats:
-    """The seconds into a state's motion at every tick until `end`; those of a blend are of its longest clip,
-    and pass as fast as its clips do.
+    """The seconds into a state's motion at every tick until `end`; for a blend, the seconds into its longest
+    clip, which pass at the pace of the blend.
     """
     motion = role.motions[state]
     if not isinstance(motion, BlendSpace):
