@@ -54,7 +54,7 @@ UNEVEN_GROUND = "uneven ground"
 
 
 class Solvers(NamedTuple):
-    """What the solvers of a role read; chains are first the legs of feet, then solvers' chains, then hanging ones."""
+    """What the solvers of a role read; the order of the chains: of feet, of `solvers`, of `chains`."""
 
     springs: Springs
     legs: FootTables
