@@ -1,6 +1,7 @@
 """Prints all tables: `python benchmarks`."""
 
 import crowd
+import detail
 import feet
 import frame
 import ik
@@ -8,6 +9,7 @@ import lanes
 import load
 import machine
 import morph
+import muscles
 import pose
 import skin
 import spring
@@ -15,6 +17,23 @@ import tick
 import whynot
 import world
 
-for table in (tick, spring, feet, crowd, pose, lanes, skin, morph, load, frame, ik, world, machine, whynot):
+for table in (
+    tick,
+    spring,
+    feet,
+    crowd,
+    pose,
+    lanes,
+    skin,
+    morph,
+    muscles,
+    detail,
+    load,
+    frame,
+    ik,
+    world,
+    machine,
+    whynot,
+):
     table.main()
     print()

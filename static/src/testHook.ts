@@ -14,6 +14,15 @@
  * lanes()      [first tick, last tick, state] of every known run of the watched actor's base layer
  * stats()      { received, drawn: totals; hz, fps, kBps, latencyMs: over the last two seconds }
  * joints()     { name: [x, y, z] } world positions of the watched actor's joints, metres
+ * weights()    { name: weight } of the morph targets of the characters, of the first actor of each cast
+ * bodies()     number of meshes, lines and points that draw the characters
+ * calls()      number of draw calls of the last drawing
+ * held()       { geometries, textures } that the GPU holds, { objects } in the world
+ * places()     { id: [x, y] } where the middle of each actor is drawn, pixels
+ * world()      { joint: 16 numbers } world matrices of the joints of an actor, column by column
+ * detail()     { level: the watched actor's, 0 the full skin; levels: of its model, [{steps, error_m}];
+ *              triangles: in the last drawing }
+ * proved()     { difference: metres or why there is none; actor, tick, way: what was compared for it }
  * handles()    { name: [x, y] } where the handles of point parameters, and of joints, are drawn, pixels
  * joint()      the joint that was clicked, or ""
  * circle(name) [x, y] where the circle of a joint is drawn, pixels
@@ -26,6 +35,9 @@ import * as THREE from "three";
 import { laneKey } from "./state/history";
 import type { Meter } from "./net/meter";
 import type { Session } from "./state/session";
+import { drawAlone } from "./view/bodiesAlone";
+import type { CrowdMesh } from "./view/crowdMesh";
+import { PoseTexture } from "./view/poseTexture";
 import type { StageView } from "./view/stageView";
 
 const [WIDTH, HEIGHT] = [320, 240];
@@ -40,19 +52,10 @@ interface Pixels {
 function drawBodies(stageView: StageView): Uint8Array {
   const { renderer, world, view } = stageView.scene;
   const target = new THREE.WebGLRenderTarget(WIDTH, HEIGHT);
-  const bodies = new Set(stageView.bodies());
-  const others = world.children.filter(
-    (child) => !bodies.has(child) && child.visible && !(child instanceof THREE.Light),
-  );
-  for (const other of others) other.visible = false;
   const data = new Uint8Array(WIDTH * HEIGHT * 4);
-  renderer.setRenderTarget(target);
-  renderer.clear();
-  renderer.render(world, view.camera);
+  drawAlone(renderer, world, view.camera, stageView.bodies(), target);
   renderer.readRenderTargetPixels(target, 0, 0, WIDTH, HEIGHT, data);
-  renderer.setRenderTarget(null);
   target.dispose();
-  for (const other of others) other.visible = true;
   stageView.scene.invalidate();
   return data;
 }
@@ -73,17 +76,51 @@ function measure(data: Uint8Array): Pixels {
 }
 
 function jointsByName(stageView: StageView): Record<string, number[]> {
-  const actor = stageView.selected();
+  const actor = stageView.watched.model;
   if (!actor) return {};
   const world = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
   return Object.fromEntries(actor.cast.names.map((name, j) => [name, [...world.subarray(j * 3, j * 3 + 3)]]));
 }
 
-function circleAt(stageView: StageView, name: string): [number, number] {
+function weightsByName(stageView: StageView): Record<string, number> {
+  const weights: Record<string, number> = {};
+  for (const body of stageView.meshes()) {
+    const { morphTargetDictionary: rows, morphTargetInfluences: values, skeleton } = body as CrowdMesh;
+    const pose = skeleton instanceof PoseTexture ? skeleton : null; // influences are places in a pose then
+    for (const [name, row] of Object.entries(rows ?? {})) {
+      const value = values?.[row] ?? 0;
+      weights[name] = pose ? (pose.numbers[4 * pose.start(0) + value] ?? 0) : value;
+    }
+  }
+  return weights;
+}
+
+/** Where a place of the stage is drawn, pixels of the page. */
+function pixelOf(stageView: StageView, place: THREE.Vector3): [number, number] {
   const { view, canvas } = stageView.scene;
   const box = canvas.getBoundingClientRect();
-  const { x, y } = new THREE.Vector3(...(jointsByName(stageView)[name] ?? [])).project(view.camera);
+  const { x, y } = place.project(view.camera);
   return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
+}
+
+function placesOf(stageView: StageView): Record<string, [number, number]> {
+  const actors = stageView.everyActor();
+  return Object.fromEntries(
+    actors.map((actor) => [
+      actor.id,
+      pixelOf(stageView, actor.box().getCenter(new THREE.Vector3()).add(actor.position)),
+    ]),
+  );
+}
+
+function worldOf(stageView: StageView, id: number): Record<string, number[]> {
+  const actor = stageView.everyActor().find((one) => one.id === id);
+  const names = actor?.cast.names ?? [];
+  return Object.fromEntries(names.map((name, joint) => [name, Array.from(actor!.jointWorld(joint))]));
+}
+
+function circleAt(stageView: StageView, name: string): [number, number] {
+  return pixelOf(stageView, new THREE.Vector3(...(jointsByName(stageView)[name] ?? [])));
 }
 
 /** Counts messages for `seconds`, looking once per animation frame, as the page does. */
@@ -128,7 +165,7 @@ export function exposeForTests(
   const hook = {
     get ready(): boolean {
       const known = session.machine.value !== null && session.machine.value.name === session.cast?.machine;
-      return stageView.ready.value && known && session.stage === session.hello.value?.stage;
+      return stageView.watched.ready.value && known && session.stage === session.hello.value?.stage;
     },
     stage: () => session.stage,
     tick: () => session.tick,
@@ -145,15 +182,30 @@ export function exposeForTests(
     posed: () => stageView.posed,
     shown: () => stageView.stream,
     overlays: () => stageView.overlays,
+    bodies: () => stageView.meshes().length,
+    detail: () => ({
+      level: stageView.watched.shownLevel,
+      levels: stageView.watched.cast?.crowd?.model.levels ?? [],
+      triangles: stageView.scene.renderer.info.render.triangles,
+    }),
+    calls: () => stageView.scene.calls,
+    held: () => ({
+      ...stageView.scene.renderer.info.memory,
+      objects: stageView.scene.world.children.length,
+    }),
+    places: () => placesOf(stageView),
+    world: (id: number) => worldOf(stageView, id),
+    proved: () => ({ difference: stageView.proof.difference.value, ...stageView.proof.measured }),
     quality: () => stageView.scene.quality,
     lanes: () =>
       session.history
         .between(laneKey(session.actor.value ?? -1), 0, Infinity)
         .map(({ start, end, state }) => [start, end, state]),
     stats,
+    weights: () => weightsByName(stageView),
     joints: () => jointsByName(stageView),
     handles,
-    joint: () => stageView.joint.value,
+    joint: () => stageView.watched.joint.value,
     circle: (name: string) => circleAt(stageView, name),
     pixels: () => measure(drawBodies(stageView)),
     listen: (seconds: number) => listen(session, seconds),

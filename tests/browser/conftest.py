@@ -5,12 +5,15 @@ Playwright's synchronous interface keeps an event loop running; these tests come
 
 import re
 import shutil
+import signal
 import socket
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Self
 
+import httpx
 import pytest
 from paths import GLTF, ROOT
 from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
@@ -20,7 +23,10 @@ REPORT_VIOLATIONS = (
     "window.violations = []; addEventListener('securitypolicyviolation', e => "
     "violations.push(e.violatedDirective + ' ' + e.blockedURI))"
 )
+REBOUND = "rebound.example"
+"""a name that means this computer, for the browser alone"""
 SIZE = {"width": 960, "height": 640}
+WIDE = {"width": 1280, "height": 900}
 
 
 UNTIL = """async arg => {
@@ -43,22 +49,39 @@ def until(page: Page, condition: str, arg: object = None) -> None:
     page.evaluate(UNTIL.replace("CONDITION", condition), arg)
 
 
+def expression_value(name: str) -> str:
+    """JavaScript for the value that the page shows beside the expression of a channel or a variable."""
+    row = (
+        "[...document.querySelectorAll('#expressions dl > div')]"
+        f".find(row => row.querySelector('dt').firstChild.textContent === '{name}')"
+    )
+    return f"Number({row}?.querySelector('output').textContent)"
+
+
+def leave(page: Page, *made: str) -> None:
+    """Closes the page before it can ask for what is deleted: these addresses."""
+    page.goto("about:blank")
+    for url in made:
+        httpx.delete(url).raise_for_status()
+
+
 class Server:
     """`statwalk serve` on a port and with a data folder of its own; `start` again after `stop` takes the same
     ones.
     """
 
-    def __init__(self, data: Path, *folders: Path) -> None:
+    def __init__(self, data: Path, *more: Path | str) -> None:
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             self.port = free.getsockname()[1]
         self.url = f"http://127.0.0.1:{self.port}"
         options = ["--port", str(self.port), "--data", str(data)]
-        self.command = [sys.executable, "-m", "statwalk.cli", "serve", *options, *map(str, folders)]
+        self.command = [sys.executable, "-m", "statwalk.cli", "serve", *options, *map(str, more)]
+        self.link = ""
         self.process: subprocess.Popen[str] | None = None
 
     def start(self) -> None:
-        """Returns when the server has printed its address."""
+        """Returns when the server has printed its address, which is then its `link`."""
         self.process = subprocess.Popen(
             self.command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd=ROOT
         )
@@ -67,26 +90,38 @@ class Server:
         for line in self.process.stdout:
             printed.append(line)
             if re.search(rf":{self.port}\b", line):
+                self.link = line.split()[1]
                 return
         pytest.fail("the server did not start:\n" + "".join(printed))
 
     def stop(self) -> None:
+        self.end(signal.SIGTERM)
+
+    def kill(self) -> None:
+        self.end(signal.SIGKILL)
+
+    def end(self, by: signal.Signals) -> None:
         if self.process is None:
             return
-        self.process.terminate()
+        self.process.send_signal(by)
         assert self.process.stdout is not None
         self.process.stdout.close()
         self.process.wait(10)
         self.process = None
 
+    def __enter__(self) -> Self:
+        self.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()
+
 
 @pytest.fixture(scope="session")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     """The server as `statwalk serve` starts it."""
-    running = Server(tmp_path_factory.mktemp("data"))
-    running.start()
-    yield running
-    running.stop()
+    with Server(tmp_path_factory.mktemp("data")) as running:
+        yield running
 
 
 @pytest.fixture(scope="session")
@@ -95,10 +130,8 @@ def robot_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     folder = tmp_path_factory.mktemp("made") / "robot"
     made = [sys.executable, "-m", "statwalk.cli", "new", str(GLTF / "RobotExpressive.glb"), str(folder)]
     subprocess.run(made, check=True, capture_output=True, cwd=ROOT)
-    running = Server(folder.parent / "data", folder)
-    running.start()
-    yield running
-    running.stop()
+    with Server(folder.parent / "data", folder) as running:
+        yield running
 
 
 @pytest.fixture(scope="session")
@@ -106,7 +139,8 @@ def browser() -> Iterator[Browser]:
     """Chromium: the machine's own, else Playwright's."""
     path = next((found for name in CHROMIUMS if (found := shutil.which(name))), None)
     with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=path, args=["--enable-unsafe-swiftshader"])
+        args = ["--enable-unsafe-swiftshader", f"--host-resolver-rules=MAP {REBOUND} 127.0.0.1"]
+        chromium = playwright.chromium.launch(executable_path=path, args=args)
         yield chromium
         chromium.close()
 
@@ -130,7 +164,7 @@ def page(browser: Browser, allowed: list[str]) -> Iterator[Page]:
 
     def heard(message: ConsoleMessage) -> None:
         if message.type == "error" and not any(part in message.text for part in allowed):
-            wrong.append(message.text)
+            wrong.append(f"{message.text} {message.location.get('url', '')}")
 
     shown.on("console", heard)
     shown.on("pageerror", lambda error: wrong.append(str(error)))
@@ -149,6 +183,17 @@ def opened(page: Page) -> Callable[[str], Page]:
         page.goto(url)
         until(page, "window.__viewer?.ready")
         return page
+
+    return open_at
+
+
+@pytest.fixture
+def opened_wide(page: Page, opened: Callable[[str], Page]) -> Callable[[str], Page]:
+    """Opens an address in a window where the sliders and expressions of a machine are seen at once."""
+
+    def open_at(url: str) -> Page:
+        page.set_viewport_size(WIDE)
+        return opened(url)
 
     return open_at
 

@@ -1,19 +1,12 @@
 """Expressions on the page: each line with its value; edited, and refused with line and reason."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from shutil import copytree
 
 import pytest
-from browser.conftest import Server, until
+from browser.conftest import Server, expression_value, until
 from paths import MACHINES
 from playwright.sync_api import Page
-
-ROWS = "[...document.querySelectorAll('#expressions dl > div')]"
-VALUE = f"Number({ROWS}{{}}.querySelector('output').textContent)"
-
-
-def row(name: str) -> str:
-    return f".find(row => row.querySelector('dt').textContent === '{name}')"
 
 
 @pytest.fixture(scope="module")
@@ -21,25 +14,20 @@ def gearbox(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     """A server with a gearbox of its own: its machine is edited."""
     folder = tmp_path_factory.mktemp("gears")
     copytree(MACHINES / "gearbox", folder / "box")
-    running = Server(folder / "data", folder / "box")
-    running.start()
-    yield running
-    running.stop()
+    with Server(folder / "data", folder / "box") as running:
+        yield running
 
 
 @pytest.fixture
-def panel(gearbox: Server, page: Page) -> Page:
-    page.set_viewport_size({"width": 1280, "height": 900})
-    page.goto(gearbox.url)
-    until(page, "window.__viewer?.ready")
-    return page
+def panel(gearbox: Server, opened_wide: Callable[[str], Page]) -> Page:
+    return opened_wide(gearbox.url)
 
 
 def test_channels_and_variables_have_values_that_move(panel: Page) -> None:
-    until(panel, f"{VALUE.format(row('radius_a'))} === 10")
-    until(panel, f"{VALUE.format(row('gear_a.rotate_z'))} > 0")
-    first = panel.evaluate(VALUE.format(row("gear_a.rotate_z")))
-    until(panel, f"{VALUE.format(row('gear_a.rotate_z'))} > arg", first)
+    until(panel, f"{expression_value('radius_a')} === 10")
+    until(panel, f"{expression_value('gear_a.rotate_z')} > 0")
+    first = panel.evaluate(expression_value("gear_a.rotate_z"))
+    until(panel, f"{expression_value('gear_a.rotate_z')} > arg", first)
     assert abs(first % 10) < 1e-6
 
 
@@ -63,5 +51,5 @@ def test_a_kept_line_counts_at_once(panel: Page) -> None:
     text = panel.get_by_role("textbox", name="expressions")
     text.fill(text.input_value().replace("radius_a = 10 ", "radius_a = 12 "))
     panel.get_by_role("button", name="keep").click()
-    until(panel, f"{VALUE.format(row('radius_a'))} === 12")
+    until(panel, f"{expression_value('radius_a')} === 12")
     until(panel, "document.querySelector('#expressions form').hidden")

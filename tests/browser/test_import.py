@@ -9,8 +9,10 @@ from pathlib import Path
 import httpx
 import pytest
 from browser.conftest import Server, until
+from md2_models import md2
 from paths import GLTF, needs_assets
 from playwright.sync_api import Page
+from serving import wait_for
 
 DROP = """([name, base64]) => {
   const bytes = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
@@ -113,3 +115,28 @@ def test_a_cancelled_import_leaves_nothing_behind(
     with viewer.expect_response(lambda answer: answer.request.method == "DELETE"):
         viewer.keyboard.press("Escape")
     assert own() == before
+
+
+@pytest.mark.parametrize("inbetween", ["blended", "switched"])
+def test_a_dropped_md2_plays_its_frames(own: Callable[[], set[str]], viewer: Page, inbetween: str) -> None:
+    """A cycle of three frames: between two of them the picture is neither's, unless they are switched."""
+    drop(viewer, f"{inbetween}.md2", md2())
+    viewer.get_by_role("button", name="Make a machine").wait_for()
+    assert viewer.get_by_label("pain1", exact=True).input_value() == "PAIN1"
+    viewer.get_by_label("switch from frame to frame").set_checked(inbetween == "switched")
+    viewer.get_by_role("button", name="Make a machine").click()
+    until(viewer, "__viewer.stage() !== 'main' && __viewer.ready && __viewer.state() === 'STAT'")
+    assert viewer.evaluate("__viewer.pixels().covered") > 0.005
+    stage = f"{viewer.url.split('?')[0].rstrip('/')}/api/stages/{viewer.evaluate('__viewer.stage()')}"
+    httpx.post(f"{stage}/speed", json={"speed": 0.1}).raise_for_status()  # so that a busy page sees the jump
+    viewer.keyboard.press("Space")
+    until(viewer, "__viewer.state() === 'JUMP'")
+    httpx.post(f"{stage}/speed", json={"speed": 1}).raise_for_status()
+    until(viewer, "__viewer.state() === 'STAT'")
+
+    def weights() -> list[float]:
+        return sorted(set(httpx.get(f"{stage}/actors/1/pose").json()["weights"]))
+
+    if inbetween == "switched":  # once the blend from JUMP is over
+        wait_for(lambda: weights() in ([0], [0, 1]))
+    assert {f"machines/{inbetween}", f"characters/{inbetween}"} <= own()

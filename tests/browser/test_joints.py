@@ -28,8 +28,9 @@ def actor(server: Server, page: Page) -> dict[str, Any]:
 def dragged(page: Page, handle: str, x: float, y: float, steps: int = 8) -> tuple[float, float]:
     """Drags a handle by (x, y) pixels, and keeps the button down; returns the place of the pointer."""
     until(page, "arg in __viewer.handles()", handle)
-    at = page.evaluate("arg => __viewer.handles()[arg]", handle)
-    page.mouse.move(*at)
+    for _ in range(3):  # it may move while the pointer comes
+        at = page.evaluate("arg => __viewer.handles()[arg]", handle)
+        page.mouse.move(*at)
     page.mouse.down()
     for step in range(1, steps + 1):
         page.mouse.move(at[0] + x * step / steps, at[1] + y * step / steps)

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 import httpx
-from browser.conftest import Server, until
+from browser.conftest import Server, leave, until
 from playwright.sync_api import Page
 
 
@@ -23,4 +23,4 @@ def test_a_page_opened_late_knows_what_was(server: Server, opened: Callable[[str
     assert page.evaluate("__viewer.lanes().map(([start, , state]) => [start, state])") == [
         [one["tick"], one["state"]] for one in told
     ]
-    httpx.delete(f"{server.url}{stage}")
+    leave(page, f"{server.url}{stage}")

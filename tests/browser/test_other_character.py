@@ -69,13 +69,3 @@ def test_server_and_gpu_give_it_the_same_material(made: Callable[[Path], str], v
     until(viewer, "__viewer.shown() === 'glb' && __viewer.pixels().covered > 0.005")
     by_server = viewer.evaluate("__viewer.pixels().colour")
     assert max(abs(a - b) for a, b in zip(by_gpu, by_server, strict=True)) < MOST_COLOUR
-
-
-def test_a_model_that_cannot_be_loaded_leaves_an_empty_stage(viewer: Page, allowed: list[str]) -> None:
-    """The character before is gone, and the page says why there is none."""
-    allowed.append("Failed to load resource")
-    viewer.route("**/model.glb*", lambda route: route.abort())
-    machines = viewer.get_by_label("machine", exact=True).first
-    machines.select_option("faq-printed")
-    viewer.locator("#loading").filter(has_text="cannot be loaded").wait_for()
-    assert viewer.evaluate("[__viewer.ready, __viewer.pixels().covered]") == [False, 0]

@@ -1,5 +1,6 @@
 """The line: sixty messages a second, the way back after a restart, and what a name cannot do."""
 
+import json
 from collections.abc import Callable
 
 import httpx
@@ -27,10 +28,26 @@ def test_every_frame_is_acknowledged(viewer: Page) -> None:
 def test_it_comes_back_after_a_restart(server: Server, viewer: Page, allowed: list[str]) -> None:
     allowed += ["WebSocket connection to", "Failed to load resource", "ERR_CONNECTION_REFUSED"]
     server.stop()
-    until(viewer, "__viewer.link() !== 'live'")
+    viewer.get_by_text("lost, trying again").wait_for()
     server.start()
     until(viewer, "__viewer.link() === 'live' && __viewer.head() > 10")
     until(viewer, "__viewer.posed() > 10")
+
+
+def test_a_killed_server_takes_nothing_with_it(server: Server, viewer: Page, allowed: list[str]) -> None:
+    """The page says that the stage came back; its walker still goes forward."""
+    allowed += ["WebSocket connection to", "Failed to load resource", "ERR_CONNECTION_REFUSED"]
+    url = f"{server.url}/api/stages/main"
+    posted = httpx.post(f"{url}/events", json={"event": "FORWARD"}).json()
+    server.kill()
+    until(viewer, "__viewer.link() !== 'live'")
+    server.start()
+    until(viewer, "__viewer.link() === 'live'")
+    viewer.get_by_text("Restored: the server was started again").last.wait_for()
+    lines = httpx.get(f"{url}/log").text.splitlines()
+    assert json.loads(lines[-1])["number"] >= posted["seq"]
+    until(viewer, "__viewer.state() === 'WALK'")
+    httpx.post(f"{url}/events", json={"event": "STOP"}).raise_for_status()
 
 
 def test_names_are_text(server: Server, opened: Callable[[str], Page]) -> None:

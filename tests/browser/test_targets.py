@@ -12,7 +12,7 @@ def reached(server: Server, viewer: Page) -> dict[str, float]:
     """What the gaze solver of the watched actor did."""
     stage = viewer.evaluate("__viewer.stage()")
     (actor,) = httpx.get(f"{server.url}/api/stages/{stage}").json()["actors"]
-    (found,) = actor["reached"]
+    found: dict[str, float] = next(line for line in actor["reached"] if line["solver"] == "gaze")
     return found
 
 

@@ -6,7 +6,7 @@ from typing import Any
 import httpx
 import numpy as np
 import pytest
-from browser.conftest import Server, until
+from browser.conftest import Server, leave, until
 from playwright.sync_api import Page
 from serving import wait_for
 
@@ -18,8 +18,9 @@ def tentacle(server: Server, opened: Callable[[str], Page]) -> Iterator[Page]:
     """The page on a stage of its own with the tentacle."""
     made = httpx.post(f"{server.url}/api/stages", json={"actors": [{"machine": "tentacle"}]}, timeout=60)
     stage = made.raise_for_status().headers["Location"]
-    yield opened(f"{server.url}/?stage={stage.rsplit('/', 1)[1]}")
-    httpx.delete(f"{server.url}{stage}")
+    page = opened(f"{server.url}/?stage={stage.rsplit('/', 1)[1]}")
+    yield page
+    leave(page, f"{server.url}{stage}")
 
 
 def actor(server: Server, page: Page) -> Any:

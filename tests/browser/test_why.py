@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import httpx
 import pytest
-from browser.conftest import Server, until
+from browser.conftest import Server, leave, until
 from playwright.sync_api import Page
 
 CLICK_AT = """async tick => {
@@ -31,8 +31,9 @@ def still(server: Server, opened: Callable[[str], Page]) -> Iterator[Page]:
         httpx.post(f"{server.url}{stage}/step", json={"ticks": 10})
         httpx.post(f"{server.url}{stage}/events", json={"event": event})
         httpx.post(f"{server.url}{stage}/step", json={"ticks": ticks - 10})
-    yield opened(f"{server.url}/?stage={stage.rsplit('/', 1)[1]}")
-    httpx.delete(f"{server.url}{stage}")
+    page = opened(f"{server.url}/?stage={stage.rsplit('/', 1)[1]}")
+    yield page
+    leave(page, f"{server.url}{stage}")
 
 
 def why(page: Page, tick: int) -> None:

@@ -1,19 +1,15 @@
 """What states play and layers move, as roles are built."""
 
-from dataclasses import replace
-
 import gaits
 import pytest
-from statwalk.character.motions import marks_of, masks_of
+from statwalk.character.motions import masks_of
 from statwalk.files.gltf import read_model
 from statwalk.machine.definition.machine_definition import (
-    BlendDefinition,
     LayerDefinition,
     MachineDefinition,
     StateDefinition,
 )
 from statwalk.motion.blend_space import BlendSpace
-from statwalk.motion.clip import Marker
 from tiny_model import model
 
 TINY = read_model(model(), "tiny")
@@ -38,12 +34,6 @@ def test_a_clip_is_made_once():
     assert isinstance(motions[1], BlendSpace)
     other = gaits.role(("STAND: {motion: stand", "STAND: {motion: walk")).motions
     assert other[0] is other[1].motions[0]
-
-
-def test_markers_of_a_blend_come_before_those_of_the_clip():
-    clip = replace(gaits.RUN, markers=(Marker("left", 0.3), Marker("clap", 0.15)))
-    blend = BlendDefinition(("speed",), {}, 1, {"run": {"left": 0.2}})
-    assert marks_of(clip, blend) == (("left", 0.2), ("clap", 0.25))
 
 
 def test_the_first_clip_of_a_blend_has_the_markers_of_its_state():

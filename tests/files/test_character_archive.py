@@ -7,7 +7,7 @@ import pytest
 import tiny_model
 from paths import GLTF, MACHINES, needs_assets
 from statwalk.errors import ContentError
-from statwalk.files.character_archive import read_character, write_character
+from statwalk.files.character_archive import FORMAT, read_character, write_character
 from statwalk.files.gltf import read_model
 from statwalk.services.library.load import load_character_file
 
@@ -70,7 +70,7 @@ def test_an_archive_of_another_version_is_refused(archive: Path) -> None:
 
 
 def test_an_archive_brings_no_objects(archive: Path) -> None:
-    tree = b'{"format": 3, "objects": [["Popen", {"args": "true"}]], "root": {"object": 0}}'
+    tree = b'{"format": %d, "objects": [["Popen", {"args": "true"}]], "root": {"object": 0}}' % FORMAT
     with archive.open("wb") as opened:
         np.savez(opened, tree=np.frombuffer(tree, np.uint8))
     with pytest.raises(ContentError, match="Popen"):

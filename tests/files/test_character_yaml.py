@@ -27,6 +27,12 @@ def test_bones_become_joints_in_metres(folder):
     )
 
 
+def test_the_way_of_skinning_is_the_files(folder):
+    assert load_character(folder / "arm.yaml").skinning == "linear"
+    (folder / "arm.yaml").write_text(FILE + "skinning: dual-quaternion\n")
+    assert load_character(folder / "arm.yaml").skinning == "dual-quaternion"
+
+
 def test_clips_are_sampled_in_seconds_and_degrees(folder):
     arm = load_character(folder / "arm.yaml")
     hand = arm.world(arm.clip("wave").sample(0.5))[arm.skeleton.index("Hand"), :3, 3]
@@ -54,7 +60,12 @@ def test_a_shipped_skeleton_by_name(tmp_path):
         (
             "wave.txt}",
             "wave.txt, interpolation: b-splin}",
-            r"line 5: no interpolation is called 'b-splin'; did you mean b-spline\?",
+            r"line 5: clip wave: no interpolation is called 'b-splin'; did you mean b-spline\?",
+        ),
+        (
+            "clips:",
+            "skinning: duel-quaternion\nclips:",
+            "line 4: no way of skinning is called 'duel-quaternion'; did you mean dual-quaternion",
         ),
         ("{keys: wave.txt}", "{loop: true}", "line 5: a clip needs key frames: keys: walk.txt"),
     ],

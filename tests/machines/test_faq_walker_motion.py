@@ -15,8 +15,10 @@ from statwalk.files.gltf import read_model
 
 WALKER = read_model((MACHINES / "faq-walker" / "walker.glb").read_bytes(), "walker", None)
 JOINT = {name: index for index, name in enumerate(WALKER.skeleton.names)}
-BONES = 20  # the last joint is the node of the mesh
 SIDES = ("Left", "Right")
+LIMBS = ("shoulder", "upperarm", "lowerarm", "hand", "butt", "upperleg", "lowerleg", "foot")
+BONES = [JOINT[name] for name in ("Root", "Lowerback", "Upperback", "Head")]
+BONES += [JOINT[f"{side}.{bone}"] for side in SIDES for bone in LIMBS]  # the FAQ's: what motions move
 STOPS = tuple(f"come-to-stop-{side}-{number}" for side in ("left", "right") for number in range(1, 7))
 SHORT_STOPS = ("come-to-stop-short-1", "come-to-stop-short-2")
 JUMPS = tuple(f"jump-{side}-{number}" for side in ("left", "right") for number in range(1, 5))
@@ -36,9 +38,9 @@ ELBOW = (12, 14, 20, 28, 32, 28, 20, 14)
 
 @cache
 def joints(name: str) -> np.ndarray:
-    """World positions (F, 20, 3) of the bones' starts through a clip."""
+    """World positions (F, J, 3) of the joints through a clip."""
     clip = WALKER.clips[name]
-    return np.array([WALKER.world(clip.sample(float(t)))[:BONES, :3, 3] for t in times_of(clip)], float)
+    return np.array([WALKER.world(clip.sample(float(t)))[:, :3, 3] for t in times_of(clip)], float)
 
 
 @cache
@@ -63,12 +65,14 @@ def state_at(name: str, end: bool) -> tuple[np.ndarray, np.ndarray]:
     turn = np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]])
     a, b, d = (path[-1], path[-2], path[-3]) if end else (path[0], path[1], path[2])
     speed = (3 * a - 4 * b + d) / (2 * step) * (1 if end else -1)
-    return (a - a[JOINT["Root"]] * (1, 0, 1)) @ turn.T, speed @ turn.T
+    return ((a - a[JOINT["Root"]] * (1, 0, 1)) @ turn.T)[BONES], (speed @ turn.T)[BONES]
 
 
 def hardest(name: str) -> float:
     """The largest acceleration of any joint in a clip, metres a second squared."""
-    return float(np.linalg.norm(np.diff(joints(name)[::2], 2, axis=0), axis=-1).max()) * (RATE / 2) ** 2
+    return (
+        float(np.linalg.norm(np.diff(joints(name)[::2, BONES], 2, axis=0), axis=-1).max()) * (RATE / 2) ** 2
+    )
 
 
 def test_the_motions_of_eleven_states() -> None:

@@ -89,6 +89,18 @@ def test_a_cell_that_restarts_begins_its_motion_again():
     assert (actor.state, actor.time) == ("TLFT", pytest.approx(0, abs=1e-6))
 
 
+def test_he_stands_two_seconds_after_a_stop_at_any_moment():
+    stage = Stage()
+    actors = [stage.add(WALKER) for _ in range(120)]
+    for actor in actors:
+        stage.send(actor, "FORWARD")
+    for actor in actors:
+        stage.step()
+        stage.send(actor, "STOP")
+    stage.step(120)
+    assert [actor.state for actor in actors] == ["STAT"] * len(actors)
+
+
 def test_every_row_was_tried():
     assert {cell[0] for cell in CELLS} == set(WALKER.machine.states)
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import statwalk
+from closed_volume import volume
 from scipy.spatial.transform import Rotation
 from statwalk.character.made_clips import sides_of
 from statwalk.motion.principles.twinning import twinning
@@ -27,12 +28,6 @@ def played(event, ticks):
     for _ in range(ticks):
         stage.step(1)
         yield actor
-
-
-def volume(points, triangles):
-    """Of a closed surface, by the divergence theorem: cubic metres."""
-    a, b, c = np.moveaxis(points.astype(np.float64)[triangles.reshape(-1, 3)], 1, 0)
-    return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
 
 
 def volume_of(parts, joint):

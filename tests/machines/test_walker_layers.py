@@ -109,7 +109,7 @@ def test_the_hand_is_up_while_he_runs() -> None:
     stage.step(90)
     stage.send(actor, "WAVE")
     stage.step(60)
-    assert actor.states == ("MOVE", "WAVE", "CALM")
+    assert actor.states == ("MOVE", "WAVE", "CALM", "NEUTRAL")
     assert actor.world[JOINT["Right.hand"], 1, 3] > actor.world[JOINT["Head"], 1, 3] + 0.1
 
 
@@ -134,3 +134,19 @@ def test_the_kept_script_makes_the_shipped_file(tmp_path: Path) -> None:
             assert made.world(clip.sample(float(time))) == pytest.approx(
                 WALKER.world(WALKER.clips[name].sample(float(time))), abs=1e-4
             )
+
+
+def test_the_walker_smiles_while_walking():
+    smiling, calm = Stage(), Stage()
+    walkers = [stage.add(ROLE) for stage in (smiling, calm)]
+    for stage, walker in zip((smiling, calm), walkers, strict=True):
+        stage.hold(walker, "GO")
+        stage.step(60)
+    smiling.send(walkers[0], "SMILE")
+    for stage in (smiling, calm):
+        stage.step(40)
+    first, second = (walker.pose for walker in walkers)
+    (corner,) = WALKER.targets["corner.left"]
+    assert first.weights[corner] == pytest.approx(WALKER.faces["smile"]["corner.left"], abs=1e-5)
+    assert not second.weights.any()
+    np.testing.assert_array_equal(first.rotation, second.rotation)

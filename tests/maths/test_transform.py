@@ -1,6 +1,7 @@
 """Affine transforms against 4x4 matrices."""
 
 import numpy as np
+import pytest
 from statwalk.maths import quat, transform
 
 RNG = np.random.default_rng(7)
@@ -49,3 +50,22 @@ def test_one_actor_and_a_crowd_get_the_same_bits():
     small = TRS.astype(np.float32)
     crowd = transform.mul(small, small[::-1])
     assert all(transform.mul(small[i], small[::-1][i]).tobytes() == crowd[i].tobytes() for i in range(50))
+
+
+def test_a_transform_comes_apart_into_what_it_was_made_of():
+    place, turn, size = transform.to_trs(TRS)
+    np.testing.assert_allclose(place, PLACES)
+    np.testing.assert_allclose(quat.to_matrix(turn), quat.to_matrix(TURNS), atol=1e-12)
+    np.testing.assert_allclose(size, SIZES)
+
+
+@pytest.mark.parametrize("size", [(1, -2, 1), (-1, -2, -3), (2, 0, 1)])
+def test_mirrored_and_flat_transforms_come_apart_too(size):
+    made = transform.from_trs(PLACES[0], TURNS[0], np.array(size, float))
+    np.testing.assert_allclose(transform.from_trs(*transform.to_trs(made)), made, atol=1e-12)
+
+
+def test_skew_is_told_from_scale():
+    skewed = np.array([[1, 0.5, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]], float)
+    plain = transform.from_trs(PLACES[0], TURNS[0], np.array([1, -5, 0.1]))
+    assert transform.is_skewed(np.stack([skewed, plain])).tolist() == [True, False]

@@ -43,3 +43,17 @@ def test_wait_is_until_the_next_step():
 
 def test_a_paused_clock_waits_long():
     assert Clock(paused=True).wait(0) == NEVER_S
+
+
+def test_steps_are_as_late_as_the_look_after_they_were_due():
+    clock = Clock(rate=10)
+    clock.due(0)
+    steps = clock.due(0.23)
+    assert clock.lateness(steps) == pytest.approx([0.13, 0.03])
+
+
+def test_steps_that_are_let_go_are_counted_once():
+    clock = Clock(rate=60)
+    clock.due(0)
+    clock.due(LARGEST_CATCH_UP_S + 2)
+    assert (clock.take_lost(), clock.take_lost()) == (120, 0)

@@ -7,6 +7,7 @@ import json
 import pytest
 from builders import role
 from statwalk.errors import StageError
+from statwalk.machine.definition.cell_definition import Defaults
 from statwalk.services.library.load import load, shipped_machines_folder
 from statwalk.stage.replay import replay
 from statwalk.stage.stage import Stage
@@ -55,3 +56,45 @@ def test_a_log_with_edits_of_a_shipped_machine_needs_nothing_but_load():
     stage.step(10)
     assert actor.state == "CRCH"
     assert replay(stage.dump(), load).hash == stage.hash
+
+
+# --- the hash of the head
+
+
+@pytest.fixture
+def walked():
+    """A stage of 40 ticks, and its role."""
+    stage = Stage(seed=3)
+    stage.send(stage.add(ROLES["tiny"]), "GO")
+    stage.step(40)
+    return stage
+
+
+def other_role(_name, _text=""):
+    """The machine was edited since: another blend."""
+    return role(defaults=Defaults(blend=0.4, buffer=0.3))
+
+
+def test_a_log_that_leads_elsewhere_now_is_refused(walked):
+    with pytest.raises(StageError) as refused:
+        replay(walked.dump(), other_role)
+    assert "leads to another state at tick 40 (" in str(refused.value)
+    assert f"than the one it had ({walked.hash})" in str(refused.value)
+
+
+def test_a_log_is_compared_only_at_its_head(walked):
+    for until in (39, 41):
+        assert replay(walked.dump(), other_role, until=until).tick == until
+
+
+@pytest.mark.parametrize("how", [Stage.copy, Stage.fork, lambda stage: stage])
+def test_a_log_has_the_hash_of_its_head_wherever_the_playhead_is(walked, how):
+    end = walked.hash
+    walked.seek(40)
+    walked.seek(17)
+    stage = how(walked)
+    assert stage.head_hash == replay(stage.dump(), ROLES.__getitem__).hash
+    assert (stage.head_hash == end) == (stage.head == 40)
+    stage.seek(3)
+    stage.step(stage.head)
+    assert stage.head_hash == stage.hash == replay(stage.dump(), ROLES.__getitem__).hash

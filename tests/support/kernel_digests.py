@@ -19,7 +19,7 @@ from paths import MACHINES
 from playing import role_of
 from statwalk.errors import StageError
 from statwalk.files.gltf import _kernels as reading
-from statwalk.maths import compiling
+from statwalk.maths import compiling, quat
 from statwalk.maths.clamp_kinds import CONE, EULER, HINGE, RANGE
 from statwalk.maths.clamp_table import JointLimit
 from statwalk.motion.keys import _kernels as keys
@@ -27,6 +27,7 @@ from statwalk.motion.tables.build import tables_of
 from statwalk.rig import _kernels as hierarchy
 from statwalk.services.library.load import load
 from statwalk.skin import _kernels as skin
+from statwalk.skin.crowd import CrowdSkin
 from statwalk.skin.deform import surface
 from statwalk.skin.primitive import Primitive, Skin
 from statwalk.solve.chains import SOLVERS
@@ -63,6 +64,31 @@ def skinned():
     for scale, flat, bounds in zip((1, 1e37), out, limits, strict=True):
         whole.pose_into(bones * np.float32(scale), numbers(2), flat[0], flat[1], bounds)
     return *out, *limits
+
+
+@case
+def skinned_by_dual_quaternions():
+    """Bones that stretch, bones that only turn, and bones that overflow."""
+    parts = [soft(count, influences) for count, influences in ((16, 1), (130, 4), (45, 8))]
+    bind = np.tile(np.eye(4, dtype=np.float32)[:3], (6, 1, 1))
+    whole = surface(parts, [Skin("skin", np.arange(6, dtype=np.int32), bind)], is_dual=True)
+    turned = np.concatenate([quat.to_matrix(rotations(6)), numbers(6, 3, 1)], axis=2)
+    found = []
+    for bones in (numbers(6, 3, 4), turned, numbers(6, 3, 4) * np.float32(1e37)):
+        flat, limits = np.zeros((2, whole.positions.size), np.float32), np.zeros((3, 6), np.float32)
+        whole.pose_into(bones, numbers(2), flat[0], flat[1], limits)
+        found += [flat, limits]
+    return found
+
+
+@case
+def skinned_crowd():
+    """Nineteen actors, in a block that is full and one that is not."""
+    parts = [soft(count, influences) for count, influences in ((16, 1), (130, 4), (45, 8))]
+    skin = CrowdSkin(surface(parts, [Skin("skin", np.arange(6, dtype=np.int32), numbers(6, 3, 4))]))
+    out = skin.room(19)
+    skin.pose(numbers(19, 6, 3, 4), np.zeros((19, 2), np.float32), out)
+    return [out]
 
 
 def soft(vertices, influences):

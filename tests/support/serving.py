@@ -9,14 +9,15 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from statwalk.services.limits import Limits
 from statwalk.web import server as listen
 
 
 @contextmanager
-def serving(app: Any) -> Iterator[str]:
+def serving(app: Any, limits: Limits | None = None) -> Iterator[str]:
     """Serves `app` in a thread; gives `127.0.0.1:PORT`. Stops it in good order."""
     listener = listen.listening_socket("127.0.0.1", 0)
-    server = listen.server(app)
+    server = listen.server(app, limits)
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
     address = f"127.0.0.1:{listener.getsockname()[1]}"
     thread.start()

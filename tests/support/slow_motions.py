@@ -20,7 +20,7 @@ from statwalk.motion.keys.segment_kinds import (
 )
 from statwalk.motion.root import compose, relative
 
-ROUNDS = 8
+ROUNDS = 32
 
 
 def cubic(rows, fractions):
@@ -173,11 +173,16 @@ def rate(space, times, seconds, parameters):
     now, wanted = phase(space, times), seconds / np.where(lap > 0, lap, 1)
     begin, step = mean_phase(space, now, share), wanted
     before, gone_before, is_open = np.zeros_like(step), np.zeros_like(step), np.ones(len(step), bool)
+    short, far = np.zeros_like(step), np.full(len(step), np.inf)
     for _ in range(ROUNDS):
         gone = mean_phase(space, now + step, share) - begin
         is_open &= (np.abs(gone - wanted) > 0) & (np.abs(gone - gone_before) > 0)
         slope = (step - before) / np.where(is_open, gone - gone_before, 1)
-        following = np.maximum(step + (wanted - gone) * slope, 0)
+        short = np.where(gone < wanted, np.maximum(short, step), short)
+        far = np.where(gone < wanted, far, np.minimum(far, step))
+        following = step + (wanted - gone) * slope
+        inside = (short <= following) & (following <= far)
+        following = np.where(inside, following, np.where(far < np.inf, (short + far) / 2, 2 * step))
         before, gone_before = np.where(is_open, step, before), np.where(is_open, gone, gone_before)
         step = np.where(is_open, following, step)
     return factor * np.where(wanted > 0, step / np.where(wanted > 0, wanted, 1), 1)

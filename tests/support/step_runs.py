@@ -53,7 +53,7 @@ def _run(chance: Random):
     except StatwalkError:
         return
     state = fresh(program, ACTORS)
-    measured = Measurements(np.ones((ACTORS, len(program.initials))), np.zeros((3, ACTORS)), KEYS)
+    measured = Measurements(np.zeros((3, ACTORS)), KEYS)
     arguments = packed(program, PROGRAM), packed(state, STATE)
     around, effects = packed(measured, SURROUNDINGS), packed(effects_for(program, ACTORS), EFFECTS)
     for tick in range(1, TICKS):

@@ -139,7 +139,7 @@ class Ticking:
         self.machine = machine
         self.program = machine.program
         self.memory = fresh(machine.program, 1)
-        self.around = Measurements.none(1, len(machine.layers))
+        self.around = Measurements.none(1)
         self.tick = 0
         self.last: StepResult | None = None
         self.said: list[str] = []

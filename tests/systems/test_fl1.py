@@ -4,7 +4,7 @@ what is in the way.
 
 import numpy as np
 import pytest
-from statwalk.services.library.load import load_scene
+from statwalk.services.library.load_scene import load_scene
 from statwalk.world import grid
 from statwalk.world.flock import Members, Rules, flown
 from statwalk.world.obstacles import NO_OBSTACLES, Obstacles

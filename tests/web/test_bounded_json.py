@@ -80,6 +80,18 @@ def test_the_event_loop_goes_on_while_a_large_body_is_read() -> None:
     assert asyncio.run(turns_meanwhile()) > 5
 
 
+@pytest.mark.parametrize(
+    ("text", "value"), [("30.0", 30), ("3e1", 30), ("-2.0", -2), ("0.0", 0), ("9e15", 9 * 10**15)]
+)
+def test_a_whole_number_is_an_integer_however_it_is_written(text: str, value: int) -> None:
+    assert (parse(text), type(parse(text))) == (value, int)
+
+
+@pytest.mark.parametrize("text", ["0.5", "1e300", "9.1e15"])
+def test_other_numbers_stay_doubles(text: str) -> None:
+    assert type(parse(text)) is float
+
+
 VALUES = st.recursive(
     st.none()
     | st.booleans()

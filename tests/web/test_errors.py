@@ -3,12 +3,18 @@ fit.
 """
 
 from dataclasses import asdict
+from pathlib import Path
+from shutil import copytree
 
 import httpx
+import orjson
 import pytest
+from paths import MACHINES
 from statwalk import errors
 from statwalk.machine.lint.findings import Finding
-from statwalk.web.errors import from_error
+from statwalk.web.app import create_app
+from statwalk.web.errors import LARGEST_PROBLEM_BYTES, Problem, answer, from_error
+from statwalk.web.settings import Settings
 
 STATUS = [
     (errors.UnknownNameError("machine", "wolker", ["walker"]), 422),
@@ -19,6 +25,9 @@ STATUS = [
     (errors.RefusedEditError("refused", field="line 3"), 422),
     (errors.BusyError("try again"), 503),
     (errors.CancelledError("given up"), 503),
+    (errors.StorageError("the disk refuses"), 503),
+    (errors.StorageError("the disk is full", is_full=True), 507),
+    (errors.OverdueError("too long"), 503),
     (errors.MachineError("no such state", place="line 3"), 422),
     (errors.StatwalkError("something else"), 400),
 ]
@@ -66,6 +75,27 @@ def test_a_long_name_is_not_said_again_whole() -> None:
     assert len(str(errors.UnknownNameError("stage", "x" * 60_000, []))) < 200
 
 
+def test_an_error_shows_no_folder_of_the_server() -> None:
+    error = errors.MachineError("no", file="/srv/statwalk/machines/a/machine.yaml", place="line 3")
+    assert from_error(error).detail == "machine.yaml, line 3: no"
+
+
+LONG = "x" * 300_000
+PROBLEMS = {
+    "a long detail": Problem(422, LONG, field="text"),
+    "a long field": Problem(422, "no", field=LONG),
+    "many known names": Problem(422, "no", field="name", known=[LONG[:80]] * 9_000),
+    "a long finding": Problem(422, "no", field="text", more={"findings": [{"message": LONG}]}),
+}
+
+
+@pytest.mark.parametrize("problem", PROBLEMS.values(), ids=PROBLEMS)
+def test_an_answer_is_bounded(problem: Problem) -> None:
+    body = answer(problem.body()).body
+    assert len(body) <= LARGEST_PROBLEM_BYTES
+    assert orjson.loads(body)["errors"][0]["message"][:2] == problem.detail[:2]
+
+
 @pytest.mark.anyio
 async def test_an_answer_lists_twenty_errors_and_counts_the_others(client: httpx.AsyncClient) -> None:
     """300 members that nobody asked for, and two that are missing."""
@@ -87,3 +117,16 @@ async def test_a_full_stage_is_no_more_than_may_be_said(client: httpx.AsyncClien
     actor = {"machine": "no", "name": None, "position": [0, 0, 0], "heading_deg": 0}
     answer = await client.post("/api/stages", json={"actors": [actor] * 2_000})
     assert (answer.status_code, answer.json()["errors"][0]["field"]) == (422, "machine")
+
+
+@pytest.mark.anyio
+async def test_a_machine_of_a_folder_is_refused_without_the_folder(tmp_path: Path) -> None:
+    """Its model is read on first use, and found broken."""
+    folder = copytree(MACHINES / "faq-walker", tmp_path / "robot")
+    (folder / "walker.glb").write_bytes(b"glTF")
+    app = create_app(Settings(folders=(folder,), main_stage=False))
+    async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url="http://localhost") as client:
+        answer = await client.get("/api/machines/robot/verify")
+    assert answer.status_code == 422
+    assert "walker.glb" in answer.text
+    assert str(tmp_path) not in answer.text

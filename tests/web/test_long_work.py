@@ -7,6 +7,7 @@ from typing import Any
 import httpx
 import pytest
 from statwalk.errors import CancelledError
+from statwalk.web import long_work
 from statwalk.web.app import create_app
 from statwalk.web.errors import Problem
 from statwalk.web.long_work import LongWork
@@ -18,13 +19,13 @@ pytestmark = pytest.mark.anyio
 class Client:
     """A request that keeps its place until it is told to leave."""
 
-    def __init__(self, work: LongWork) -> None:
+    def __init__(self, work: LongWork, about: str = "") -> None:
         self.gone: asyncio.Future[None] = asyncio.get_running_loop().create_future()
         self.has_place, self.may_leave = asyncio.Event(), asyncio.Event()
-        self.task = asyncio.ensure_future(self._stay(work))
+        self.task = asyncio.ensure_future(self._stay(work, about))
 
-    async def _stay(self, work: LongWork) -> None:
-        async with work.place(self.gone):
+    async def _stay(self, work: LongWork, about: str) -> None:
+        async with work.place(self.gone, about):
             self.has_place.set()
             await self.may_leave.wait()
 
@@ -59,6 +60,32 @@ async def test_one_more_than_may_wait_is_refused() -> None:
     await asyncio.gather(running.leave(), waiting.leave())
 
 
+async def test_one_stage_does_not_take_all_places() -> None:
+    """45 long steps of one stage: they would wait for its lock anyway."""
+    work = LongWork(running=3, waiting=9, about_one=2)
+    steps = [Client(work, "stage 1") for _ in range(4)]
+    await settled()
+    assert [client.has_place.is_set() for client in steps] == [True, True, False, False]
+    other = Client(work, "stage 2")
+    await other.has_place.wait()
+    assert (work.running, work.waiting) == (3, 2)
+    await steps[0].leave()
+    await steps[2].has_place.wait()
+    await asyncio.gather(*(client.leave() for client in (*steps[1:], other)))
+    assert (work.running, work.waiting) == (0, 0)
+
+
+async def test_who_has_waited_long_is_told_to_try_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(long_work, "WAIT_SECONDS", 0.0)
+    work = LongWork(running=1, waiting=1)
+    running = Client(work)
+    await settled()
+    with pytest.raises(Problem, match="try again") as refused:
+        await Client(work).task
+    assert refused.value.headers == {"Retry-After": "1"}
+    await running.leave()
+
+
 async def test_who_has_gone_leaves_the_queue() -> None:
     work = LongWork(running=1, waiting=1)
     running, leaver = Client(work), Client(work)
@@ -80,10 +107,13 @@ async def test_a_place_is_free_again_after_an_error() -> None:
         async with work.place(gone):
             raise ValueError("its own")
     async with work.place(gone):
-        assert work.free.locked()
+        assert work.running == 1
 
 
 LONG = {
+    "log": ("GET", "/api/stages/{}/log", None),
+    "history": ("GET", "/api/stages/{}/history", None),
+    "new machine": ("POST", "/api/machines", {"name": "a", "character": "b"}),
     "step": ("POST", "/api/stages/{}/step", {}),
     "seek": ("POST", "/api/stages/{}/seek", {"tick": 0}),
     "frame": ("GET", "/api/stages/{}/frame.glb", None),
@@ -101,7 +131,7 @@ LONG = {
 async def full() -> AsyncIterator[httpx.AsyncClient]:
     """A client of a server whose places for long requests are all taken."""
     app: Any = create_app(Settings(main_stage=False))
-    app.app.state.long_work = LongWork(running=0, waiting=0)
+    app.app.app.state.long_work = LongWork(running=0, waiting=0)
     async with httpx.AsyncClient(
         transport=httpx.ASGITransport(app), base_url="http://localhost", headers={"If-Match": '"1"'}
     ) as client:

@@ -1,13 +1,15 @@
-"""The guard alone: which Host, Origin, Sec-Fetch-Site and body it lets in. tests/web/test_matrix.py tries it
-on every route.
+"""The guard alone: which Host, Origin and body it lets in.
+
+tests/reliability/test_r12_foreign_pages.py tries what it refuses on every route.
 """
 
 import asyncio
 from typing import Any
 
 import pytest
-from statwalk.web.security import SECURITY_HEADERS, Guard
-from statwalk.web.settings import LARGEST_BODY_BYTES, LOOPBACK_HOSTS
+from statwalk.web.same_origin import OwnNames
+from statwalk.web.security import Guard
+from statwalk.web.settings import LARGEST_BODY_BYTES, LOOPBACK
 
 JSON = {"content-type": "application/json", "content-length": "2"}
 
@@ -23,7 +25,12 @@ async def inside(scope: Any, receive: Any, send: Any) -> None:
 
 
 def knock(
-    kind: str = "http", method: str = "GET", path: str = "/api/stages", headers: Any = (), **given: str
+    kind: str = "http",
+    method: str = "GET",
+    path: str = "/api/stages",
+    headers: Any = (),
+    names: OwnNames = LOOPBACK,
+    **given: str,
 ) -> list[Any]:
     """What comes back from the guard for a request with these headers (a mapping, or pairs)."""
     pairs = list(headers.items() if isinstance(headers, dict) else headers) + [
@@ -45,7 +52,7 @@ def knock(
     async def send(message: Any) -> None:
         sent.append(message)
 
-    asyncio.run(Guard(inside, LOOPBACK_HOSTS)(scope, receive, send))
+    asyncio.run(Guard(inside, names)(scope, receive, send))
     return sent
 
 
@@ -55,68 +62,12 @@ def status(**request: Any) -> int:
 
 
 GOOD_HOSTS = ["127.0.0.1:8000", "localhost:8000", "[::1]:8000", "LOCALHOST:8000", "localhost"]
-BAD_HOSTS = [
-    "evil.example",
-    "127.0.0.1.evil.example",
-    "localhost.evil.example",
-    "127.0.0.1@evil",
-    "127.0.0.1:8000@evil",
-    "evil.example:8000",
-    "localhost:port",
-    "localhost:",
-    "localhost:8000:8000",
-    "",
-    " localhost",
-    "[::1",
-    "::1",
-    "0.0.0.0:8000",
-    "2130706433",
-    "localhost/",
-]
 
 
 @pytest.mark.parametrize("kind", ["http", "websocket"])
 @pytest.mark.parametrize("host", GOOD_HOSTS)
 def test_own_names_are_let_in(kind: str, host: str) -> None:
     assert status(kind=kind, host=host) in (200, 101)
-
-
-@pytest.mark.parametrize("kind", ["http", "websocket"])
-@pytest.mark.parametrize("host", BAD_HOSTS)
-def test_other_names_are_refused(kind: str, host: str) -> None:
-    assert status(kind=kind, host=host) == 421
-
-
-@pytest.mark.parametrize("kind", ["http", "websocket"])
-def test_no_host_and_two_hosts_are_refused(kind: str) -> None:
-    assert status(kind=kind) == 421
-    assert status(kind=kind, headers=[("host", "localhost:8000")] * 2) == 421
-
-
-BAD_ORIGINS = [
-    "https://evil.example",
-    "null",
-    "http://localhost:9999",
-    "http://localhost",
-    "http://localhost.evil.example:8000",
-    "http://evil.example/localhost:8000",
-    "http://localhost:8000.evil.example",
-    "http://localhost:8000@evil.example",
-    "http://127.0.0.1:8000",
-    "localhost:8000",
-    "file://localhost:8000",
-    "",
-]
-
-
-@pytest.mark.parametrize(
-    "request_",
-    [{"kind": "websocket"}, {"method": "GET"}, {"method": "POST"}],
-    ids=["websocket", "get", "post"],
-)
-@pytest.mark.parametrize("origin", BAD_ORIGINS)
-def test_foreign_origins_are_refused(request_: dict[str, str], origin: str) -> None:
-    assert status(**request_, host="localhost:8000", origin=origin) == 403
 
 
 @pytest.mark.parametrize("origin", ["http://localhost:8000", "HTTP://LOCALHOST:8000"])
@@ -128,14 +79,24 @@ def test_programs_without_origin_are_let_in() -> None:
     assert status(kind="websocket", host="localhost:8000") == 101
 
 
-@pytest.mark.parametrize("site", ["cross-site", "same-site", "nonsense"])
-def test_unsafe_methods_from_another_site_are_refused(site: str) -> None:
-    assert status(method="POST", host="localhost:8000", sec_fetch_site=site) == 403
-    assert status(kind="websocket", host="localhost:8000", sec_fetch_site=site) == 403
+SHARED = OwnNames(("anim.example",), "https://anim.example")
 
 
-def test_a_link_from_another_site_may_open_the_page() -> None:
-    assert status(host="localhost:8000", sec_fetch_site="cross-site", path="/") == 200
+@pytest.mark.parametrize(
+    ("host", "origin", "is_own"),
+    [
+        ("anim.example", "https://anim.example", True),
+        ("anim.example:443", "https://anim.example:443", True),
+        ("anim.example:8000", "https://anim.example", True),  # a proxy may add its own port
+        ("anim.example", "http://anim.example", False),
+        ("anim.example:8443", "https://anim.example:8443", False),
+        ("anim.example", "https://localhost", False),
+    ],
+)
+def test_a_server_with_a_public_address_knows_only_the_page_there(
+    host: str, origin: str, is_own: bool
+) -> None:
+    assert status(kind="websocket", names=SHARED, host=host, origin=origin) == (101 if is_own else 403)
 
 
 @pytest.mark.parametrize(
@@ -148,14 +109,3 @@ def test_a_body_must_be_json(kind: str) -> None:
 @pytest.mark.parametrize("length", [str(LARGEST_BODY_BYTES + 1), "99999999999999999999", "-1", "x"])
 def test_a_body_that_says_it_is_too_long_is_refused_unread(length: str) -> None:
     assert status(method="POST", host="localhost", headers=JSON | {"content-length": length}) == 413
-
-
-@pytest.mark.parametrize("path", ["@google.com", "http://evil.example/", "//evil.example/", "", "*"])
-def test_the_target_must_be_a_path(path: str) -> None:
-    assert status(host="localhost", path=path) == 400
-
-
-@pytest.mark.parametrize("host", ["localhost", "evil.example"])
-def test_every_answer_has_the_security_headers(host: str) -> None:
-    headers = {name.decode(): value.decode() for name, value in knock(host=host)[0]["headers"]}
-    assert headers.items() >= SECURITY_HEADERS.items()

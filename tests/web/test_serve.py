@@ -8,43 +8,20 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from pathlib import Path
 
 import httpx
 import pytest
 import tiny_model
 import typer
+from processes import command, served
 from serving import open_and_never_read, wait_for
 from statwalk.cli.serve import serve
 from watcher import Watcher
 from websockets.exceptions import ConnectionClosed
 
 MAIN = "/api/stages/main"
-
-
-def command(*arguments: str) -> list[str]:
-    return [sys.executable, "-m", "statwalk.cli", "serve", *arguments]
-
-
-@contextmanager
-def served(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """The process, and the address that it prints."""
-    environment = os.environ | {"COLUMNS": "200", "PYTHONUNBUFFERED": "1"}
-    process = subprocess.Popen(
-        command("--port", "0", *arguments), stdout=subprocess.PIPE, text=True, env=environment
-    )
-    assert process.stdout is not None
-    try:
-        line = process.stdout.readline()
-        assert "http://127.0.0.1:" in line
-        yield process, line.split("http://")[1].split("/")[0]
-    finally:
-        process.kill()
-        process.wait()
-        process.stdout.close()
 
 
 def test_sigterm_ends_it_with_viewers_connected_and_one_stalled() -> None:
@@ -107,6 +84,12 @@ def test_the_page_and_the_default_machine_are_there() -> None:
         main = httpx.get(f"http://{address}{MAIN}").json()
     assert page.headers["content-type"].startswith("text/html")
     assert (main["clock"], main["actors"][0]["machine"]) == ("real", "faq-walker")
+
+
+@pytest.mark.parametrize("host", ["127.0.0.2", "::1", "localhost"])
+def test_it_answers_at_the_loopback_address_that_you_name(host: str) -> None:
+    with served("--host", host) as (_, address):
+        assert httpx.get(f"http://{address}{MAIN}").status_code == 200
 
 
 def test_uploads_are_kept_in_the_data_folder(tmp_path: Path) -> None:

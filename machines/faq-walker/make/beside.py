@@ -12,7 +12,7 @@ import numpy as np
 import statwalk
 from curves import Array
 from mesh.body import make_body
-from skeleton import NAMES
+from skeleton import MORE, NAMES
 from statwalk.motion.clip import Clip
 from strip import SCALE, skinned, surface_of
 
@@ -29,7 +29,7 @@ WALKER = statwalk.load(Path(__file__).resolve().parents[1] / "walker.glb")
 
 def poses(clip: Clip, times: Array) -> Array:
     """World matrices (F, J, 3, 4) of the figure's joints."""
-    rows = [list(WALKER.skeleton.names).index(name) for name in NAMES]
+    rows = [list(WALKER.skeleton.names).index(name) for name in (*NAMES, *MORE)]
     return np.asarray(WALKER.world(clip.sample(times)), float)[:, rows, :3]
 
 

@@ -43,6 +43,17 @@ BONES: list[tuple[str, str, float, tuple[float, float, float]]] = [
 ]
 NAMES = [bone[0] for bone in BONES]
 INDEX = {name: index for index, name in enumerate(NAMES)}
+
+# joints beyond the FAQ's, by their parents: no clip moves them
+MORE: dict[str, str] = {
+    **{f"{side}.{part}": "Head" for part in ("eye", "lid") for side in SIDES},
+    "Jaw": "Head",
+    **{
+        f"{side}.{finger}": f"{side}.hand"
+        for side in SIDES
+        for finger in ("index", "middle", "ring", "little", "thumb")
+    },
+}
 PARENT = [INDEX.get(bone[1], -1) for bone in BONES]
 
 

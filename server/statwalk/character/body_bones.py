@@ -93,7 +93,8 @@ def _by_name(skeleton: Skeleton) -> dict[str, int]:
     named: dict[tuple[str, str], int] = {}
     for joint, name in enumerate(skeleton.names):
         side, words = words_of(name)
-        named.setdefault((side, "".join(words)), joint)
+        if name not in skeleton.muscle_bones:
+            named.setdefault((side, "".join(words)), joint)
     found: dict[str, int] = {}
     taken: set[int] = set()
 

@@ -27,6 +27,11 @@ def chain_joints(skeleton: Skeleton, names: Sequence[str], solver: str) -> tuple
     if solver == "two-bone" and len(names) != 3:
         raise ContentError("two-bone needs three joints: start, middle, end", place="chain")
     rows = [skeleton.index(name) for name in names]
+    for name in names:
+        if name in skeleton.muscle_bones:
+            raise ContentError(
+                f"{name} is a muscle bone, which only deforms the skin: no chain can turn it", place="chain"
+            )
     joints: tuple[int, ...] = (rows[0],)
     for above, below, name in zip(rows, rows[1:], names[1:], strict=False):
         between = joints_between(skeleton.parent, above, below)

@@ -24,6 +24,7 @@ from statwalk.maths.packed import ADDRESSES, opened, packed
 from statwalk.maths.pose import Pose
 from statwalk.maths.pose_buffer import PoseBuffer
 from statwalk.maths.simd.pose_layout import place_of
+from statwalk.skin.face_muscles import contracted, contractions_of
 from statwalk.solve.express import express as express_one
 from statwalk.solve.expression_tables import ExpressionProgram, ExpressionTables, expression_program
 
@@ -66,8 +67,9 @@ def express(
     given = dict(parameters or {})
     _check(frameid, rate, given)
     lines = _read(expressions, tuple(given)) if expressions else character.expressions
-    channels = channels_of(character.skeleton, lines, _refuse, tuple(given))
+    channels = channels_of(character, lines, _refuse, tuple(given))
     program = expression_program([lines], [], channels, tuple(given))
+    muscles = contractions_of(character.muscles, character.targets)
     poses = character.bind_pose if pose is None else pose
     lead = poses.rotation.shape[:-2]
     if poses.rotation.shape[-2:] != character.bind_pose.rotation.shape or len(lead) > 1:
@@ -76,7 +78,9 @@ def express(
     buffer = _buffer(character, poses if lead else Pose(*(part[None] for part in poses)))
     values = _run_on(buffer, program, list(given.values()), (float(frameid), frameid / rate))
     named = values_by_name(program, list(values.T) if lead else values[0].tolist())
-    return Expressed(buffer.poses() if lead else buffer.poses().take(0), *named)
+    expressed = buffer.poses()
+    expressed = expressed._replace(weights=contracted(expressed.weights, muscles))
+    return Expressed(expressed if lead else expressed.take(0), *named)
 
 
 def _buffer(character: Character, poses: Pose) -> PoseBuffer:

@@ -1,4 +1,6 @@
-"""The expressions of a machine and of its character (EX1): joints and channels by their numbers."""
+"""The expressions of a machine and of its character (EX1): joints, morph targets and channels by their
+numbers.
+"""
 
 from __future__ import annotations
 
@@ -6,20 +8,31 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+import numpy as np
+
 from statwalk.character.character import Character
 from statwalk.errors import StatwalkError, UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine
 from statwalk.machine.definition.expression_definition import (
     CHANNELS,
     CLOCKS,
+    WEIGHT,
     ExpressionMotion,
     channel_of_name,
 )
 from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.maths.formula.assignments import Assignment, CircleError, in_order
 from statwalk.maths.formula.postfix import Formula
-from statwalk.rig.skeleton import Skeleton
-from statwalk.solve.expression_tables import ExpressionProgram, JointChannel, expression_program
+from statwalk.maths.simd.pose_layout import first_channels
+from statwalk.skin.face_muscles import contractions_of
+from statwalk.solve.expression_tables import (
+    NO_SLOT,
+    POWERS,
+    ExpressionProgram,
+    JointChannel,
+    WeightChannel,
+    expression_program,
+)
 
 OWN = "."
 """begins the name of a variable of the character's own expressions, which the machine's never meet"""
@@ -33,7 +46,7 @@ class ExpressionValues(NamedTuple):
     variables: dict[str, float]
     """free variables; of two with one name the machine's"""
     channels: dict[str, float]
-    """channels of joints: degrees, metres, scales"""
+    """channels of joints: degrees, metres, scales; weights of morph targets"""
 
 
 def expressions_of(
@@ -43,8 +56,8 @@ def expressions_of(
 
     The character's run with the machine's, in the order of their dependencies.
 
-    :raises MachineError: when an expression names a joint that the character does not have, sets a channel
-        that the character sets itself, or forms a circle with the character's; with the line.
+    :raises MachineError: when an expression names a joint or a morph target that the character does not have,
+        sets a channel that the character sets itself, or forms a circle with the character's; with the line.
     """
     states = [state for table in definition.tables().values() for state in table.states.values()]
     groups: list[tuple[Assignment, ...]] = [_with_own(character, definition)]
@@ -55,19 +68,28 @@ def expressions_of(
         group_of_state.append(len(groups) - 1 if isinstance(state.motion, ExpressionMotion) else 0)
     parameters = [parameter.name for parameter in machine.parameters]
     every = [assignment for assignments in groups for assignment in assignments]
-    channels = channels_of(character.skeleton, every, definition.refuse, parameters)
-    return expression_program(groups, group_of_state, channels, parameters)
+    channels = channels_of(character, every, definition.refuse, parameters)
+    return expression_program(groups, group_of_state, channels, parameters, _contractions(character))
+
+
+def _contractions(character: Character) -> list[list[int]]:
+    """The channels of a pose of each muscle: contraction, square, cube, NO_SLOT none."""
+    joints = len(character.skeleton)
+    columns = np.array(contractions_of(character.muscles, character.targets), np.int64).reshape(-1, POWERS)
+    channels = first_channels("weights", columns, joints)
+    rows: list[list[int]] = np.where(columns < 0, NO_SLOT, channels).tolist()
+    return rows
 
 
 def channels_of(
-    skeleton: Skeleton, assignments: Iterable[Assignment], refuse: Refuse, parameters: Sequence[str] = ()
-) -> dict[str, JointChannel]:
+    character: Character, assignments: Iterable[Assignment], refuse: Refuse, parameters: Sequence[str] = ()
+) -> dict[str, JointChannel | WeightChannel]:
     """Returns the channels that assignments read and set, by name.
 
-    :raises StatwalkError: what `refuse` returns, when there is no joint of a name.
+    :raises StatwalkError: what `refuse` returns, when there is no joint or morph target of a name.
     """
     return {
-        name: _channel(skeleton, assignment, name, refuse)
+        name: _channel(character, assignment, name, refuse)
         for assignment in assignments
         for name in _channel_names(assignment)
         if name not in parameters
@@ -122,9 +144,15 @@ def _channel_names(assignment: Assignment) -> Iterator[str]:
     return (name for name in names if channel_of_name(name) is not None)
 
 
-def _channel(skeleton: Skeleton, assignment: Assignment, name: str, refuse: Refuse) -> JointChannel:
-    joint, channel = channel_of_name(name) or ("", "")
+def _channel(
+    character: Character, assignment: Assignment, name: str, refuse: Refuse
+) -> JointChannel | WeightChannel:
+    owner, channel = channel_of_name(name) or ("", "")
     try:
-        return JointChannel(skeleton.index(joint), CHANNELS.index(channel))
+        if channel == WEIGHT:
+            columns = np.array(character.target(owner), np.int64)
+            channels = first_channels("weights", columns, len(character.skeleton))
+            return WeightChannel(tuple(channels.tolist()))
+        return JointChannel(character.skeleton.index(owner), CHANNELS.index(channel))
     except UnknownNameError as error:
         raise refuse(f"expressions: {error}", assignment.line) from None

@@ -10,10 +10,11 @@ import numpy as np
 
 from statwalk.character.body_bones import ancestors, body_bones, words_of
 from statwalk.character.character import Character
-from statwalk.character.skin_points import SkinPoints, bound_points
-from statwalk.maths import transform
+from statwalk.character.skin_points import SkinPoints, bound_points, outermost
+from statwalk.maths import transform, vector
 from statwalk.maths.arrays import Bools, Floats, Ints
 from statwalk.maths.columns import lock_fields
+from statwalk.maths.elementary import sincos
 from statwalk.rig.evaluate import world_from_local
 
 SIDES = {"left": "Left", "right": "Right"}
@@ -72,7 +73,7 @@ class Foot:
         if min(self.leg) < 0:
             return max(float(world[self.ankle, 1, 3] - self.skin.heights(world).min()), 1e-3)
         hip, knee, ankle = (world[joint, :, 3] for joint in self.leg)
-        return float(np.linalg.norm(knee - hip) + np.linalg.norm(ankle - knee))
+        return float(vector.length(knee - hip) + vector.length(ankle - knee))
 
     @property
     def joints(self) -> list[int]:
@@ -148,7 +149,8 @@ def _foot(character: Character, name: str, joints: Mapping[str, int], world: Flo
     points = transform.apply(transform.invert(world[skin.carriers]), skin.at(world))
     at = skin.at(world)[:, ::2]
     ahead = at.mean(0) - world[ankle, ::2, 3]
-    along = at @ (ahead if np.linalg.norm(ahead) > 1e-6 else np.array([0.0, 1]))
+    x, z = ahead if np.abs(ahead).max() > 1e-6 else (0.0, 1.0)
+    along = at[:, 0] * x + at[:, 1] * z
     is_front = along > (along.min() + along.max()) / 2
     hangs = knee in ancestors(skeleton, ankle)
     toe = toe if toe in below else -1
@@ -173,6 +175,6 @@ def _spread(points: Floats, rows: Ints) -> Ints:
     if len(rows) <= MOST_POINTS:
         return rows
     turn, tilt = (grid.ravel() for grid in np.meshgrid(AZIMUTHS, TILTS))
-    directions = np.stack([np.cos(turn) * np.cos(tilt), -np.sin(tilt), np.sin(turn) * np.cos(tilt)])
-    outermost: Ints = rows[np.unique((points @ directions).argmax(0))]
-    return outermost
+    (sine, cosine), (down, out) = sincos(turn), sincos(tilt)
+    furthest: Ints = rows[outermost(points, np.stack([cosine * out, -down, sine * out]))]
+    return furthest

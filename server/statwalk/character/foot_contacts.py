@@ -145,11 +145,16 @@ def _drift(
     near = apart < np.maximum(ALIKE * np.linalg.norm(velocity, axis=-1), ALIKE * leg)[:, None]
     most = near[int(near.sum(1).argmax())]
     drift: Floats = velocity[most].mean(0)
-    pace = float(np.linalg.norm(drift))
+    pace = _size(drift)
     middle = world[:, :, ::2, 3].mean(1)
-    travel = float(np.linalg.norm(middle[-1] - middle[0])) / (step * (len(world) - 1))
+    travel = _size(middle[-1] - middle[0]) / (step * (len(world) - 1))
     runs = pace > ON_THE_SPOT * leg and most.mean() > VOTES and travel < pace / 4
     return drift if runs else np.zeros(2)
+
+
+def _size(way: Floats) -> float:
+    """The length of a way (2,)."""
+    return float(np.sqrt(way[0] * way[0] + way[1] * way[1]))
 
 
 def _stands(height: Floats, speed: Floats, leg: float) -> Bools:

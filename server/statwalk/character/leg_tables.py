@@ -20,10 +20,11 @@ from statwalk.character.foot_prints import (
     landings,
     unit_of,
 )
-from statwalk.character.skin_points import SkinPoints, bound_points
-from statwalk.maths import transform
+from statwalk.character.skin_points import SkinPoints, bound_points, outermost
+from statwalk.maths import transform, vector
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.columns import locked
+from statwalk.maths.elementary import sincos
 from statwalk.motion.blend_space import Motion
 from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.model_buffer import JointList
@@ -41,7 +42,7 @@ def leg_chain(character: Character, foot: Foot) -> Chain:
     """Returns the two-bone chain of a leg: hip, knee, ankle."""
     rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
     along = character.bind_pose.translation[foot.knee].astype(np.float64)
-    x, y, z = np.cross(bend_of(character, foot), along / np.linalg.norm(along)).tolist()
+    x, y, z = np.cross(bend_of(character, foot), vector.unit(along)).tolist()
     softening = SOFTENING * foot.length(rest)
     return Chain(
         "two-bone", foot.leg, hinge=(x, y, z), softening=softening, pole_kind=POLE_DIRECTION, turns_end=True
@@ -138,9 +139,10 @@ def _sole(character: Character, foot: Foot, rest: Floats) -> tuple[Ints, Floats]
     skin = skin if skin.count else SkinPoints.of_joints_themselves(foot.joints, len(character.skeleton))
     points = skin.at(rest)
     angles = np.arange(ROUND) * (2 * np.pi / ROUND)
+    sine, cosine = sincos(angles)
     directions = [(0.0, -1.0, 0.0)]
-    directions += [(np.cos(a) * lean, -1.0, np.sin(a) * lean) for lean in SLOPES for a in angles]
-    chosen = np.unique((points @ np.array(directions).T).argmax(0))
+    directions += [(c * lean, -1.0, s * lean) for lean in SLOPES for s, c in zip(sine, cosine, strict=True)]
+    chosen = outermost(points, np.array(directions).T)
     carriers = skin.carriers[chosen]
     return carriers, transform.apply(transform.invert(rest[carriers]), points[chosen])
 
@@ -149,14 +151,22 @@ def _ahead(foot: Foot, rest: Floats) -> Floats:
     """The horizontal direction from the ankle to the middle of the ball; forward if there is none."""
     points = foot.skin.at(rest)[foot.is_front] - rest[foot.ankle, :, 3]
     ahead = points.mean(0) * (1.0, 0.0, 1.0) if len(points) else np.zeros(3)
-    length = float(np.linalg.norm(ahead))
+    length = float(vector.length(ahead))
     return ahead / length if length > 1e-6 else np.array([0.0, 0.0, 1.0])
 
 
 def _local(rest: Floats, joint: int, direction: Floats) -> Floats:
     """A direction in the frame of a joint."""
-    local: Floats = rest[joint, :, :3].T @ direction
-    return local / max(float(np.linalg.norm(local)), 1e-12)
+    local = _turned_back(rest[joint, :, :3], direction)
+    return local / max(float(vector.length(local)), 1e-12)
+
+
+def _turned_back(turn: Floats, directions: Floats) -> Floats:
+    """Directions (…, 3) in the frames of turns (…, 3, 3), without a product of matrices: its last bits depend
+    on the processor.
+    """
+    x, y, z = (turn[..., axis, :] * directions[..., axis, None] for axis in range(3))
+    return x + y + z
 
 
 def bend_of(character: Character, foot: Foot) -> Floats:
@@ -169,11 +179,11 @@ def bend_of(character: Character, foot: Foot) -> Floats:
         world = world_from_local(character.skeleton, clip.sample(np.linspace(0, clip.duration, 16)))
         hip, knee, ankle = (world[:, joint, :, 3].astype(np.float64) for joint in foot.leg)
         onward = ankle - hip
-        onward /= np.maximum(np.linalg.norm(onward, axis=-1, keepdims=True), 1e-9)
+        onward /= np.maximum(vector.length(onward)[..., None], 1e-9)
         bend = knee - hip
-        bend -= (bend * onward).sum(-1, keepdims=True) * onward
-        total += np.einsum("tji,tj->i", world[:, foot.hip, :, :3].astype(np.float64), bend)
-    return total / float(np.linalg.norm(total))
+        bend -= vector.dot(bend, onward)[..., None] * onward
+        total += _turned_back(world[:, foot.hip, :, :3].astype(np.float64), bend).sum(0)
+    return total / float(vector.length(total))
 
 
 def _contacts(

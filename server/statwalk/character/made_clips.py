@@ -19,6 +19,7 @@ from statwalk.machine.definition.clip_definition import (
     LengthChange,
     SpeedChange,
     SquashChange,
+    SwitchChange,
 )
 from statwalk.motion.clip import Clip
 from statwalk.motion.filter_clip import filtered
@@ -29,6 +30,7 @@ from statwalk.motion.principles.exaggerate import exaggerate
 from statwalk.motion.principles.retime import retime, to_frames
 from statwalk.motion.principles.sides import Sides
 from statwalk.motion.principles.squash import squash
+from statwalk.motion.switched import switched
 from statwalk.rig.evaluate import world_from_local
 
 Refuse = Callable[[str, int], StatwalkError]
@@ -88,6 +90,8 @@ def _changed(character: Character, clip: Clip, change: ClipChange) -> Clip:
             return squash(clip, character.skeleton.index(joint), stretch, axis)
         case FilterChange(_, low_pass, spikes):
             return filtered(clip, low_pass, spikes)
+        case SwitchChange():
+            return switched(clip)
         case _:
             return sides_of(character).clip(clip)
 

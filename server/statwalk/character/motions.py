@@ -13,7 +13,8 @@ import numpy as np
 from statwalk.character.character import Character
 from statwalk.errors import ContentError, MachineError, UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine
-from statwalk.machine.definition.expression_definition import ExpressionMotion
+from statwalk.machine.compile.compile_states import MotionFacts, marks_of
+from statwalk.machine.definition.expression_definition import WEIGHT, ExpressionMotion
 from statwalk.machine.definition.machine_definition import (
     BlendDefinition,
     LayerDefinition,
@@ -22,7 +23,6 @@ from statwalk.machine.definition.machine_definition import (
 )
 from statwalk.maths.arrays import Floats
 from statwalk.maths.packed import PackedColumns, packed
-from statwalk.maths.phases import Marks
 from statwalk.motion.blend_space import BlendSpace, Motion, check_places
 from statwalk.motion.clip import Clip
 from statwalk.motion.layers import Mask, below
@@ -31,6 +31,10 @@ from statwalk.motion.single import Single
 from statwalk.motion.tables.build import tables_of
 from statwalk.motion.tables.motion_tables import MOTIONS, MotionTables
 from statwalk.rig.evaluate import world_from_local
+from statwalk.skin.face_muscles import contractions_of
+
+MUSCLES = "muscles"
+"""in a mask: all muscles of the character's face"""
 
 
 def motions_of(stock: Stock, machine: Machine, definition: MachineDefinition) -> tuple[Motion | None, ...]:
@@ -57,7 +61,7 @@ def _motion(
     if not isinstance(state.motion, BlendDefinition):
         return stock.single(state.motion, loop)
     blend = state.motion
-    places = np.array(list(blend.clips.values()), np.float64)
+    places, clips = np.array(list(blend.clips.values()), np.float64), stock.character.clips
     try:
         check_places(places, tuple(blend.clips))
     except ContentError as error:
@@ -68,23 +72,15 @@ def _motion(
         columns=tuple(machine.axis(row, name) for name in blend.over),
         marks=(
             machine.markers[row],
-            *(marks_of(stock.character.clips[clip], blend) for clip in list(blend.clips)[1:]),
+            *(marks_of(clip, clip_facts(clips[clip]), blend) for clip in list(blend.clips)[1:]),
         ),
         loop=loop,
     )
 
 
-def marks_of(clip: Clip, blend: BlendDefinition) -> Marks:
-    """Returns name and phase of each marker of a clip in a blend: the markers that the blend defines, then
-    the clip's own.
-    """
-    by_blend = blend.markers.get(clip.name, {})
-    own = [
-        (name, time / clip.duration)
-        for name, time in clip.markers
-        if name not in by_blend and clip.duration > 0
-    ]
-    return (*by_blend.items(), *own)
+def clip_facts(clip: Clip) -> MotionFacts:
+    """Returns the facts about a clip that a machine needs."""
+    return MotionFacts(clip.duration, clip.loop, clip.markers)
 
 
 MotionKey = tuple[object, ...]
@@ -181,11 +177,25 @@ def _mask(
 ) -> Mask:
     if not layer.mask:
         return everything
+    skeleton = character.skeleton
+    weights = {
+        column for name in layer.mask if name not in skeleton.names for column in _columns(character, name)
+    }
+    names = [name for name in layer.mask if name in skeleton.names or not _columns(character, name)]
     try:
-        roots = [character.skeleton.index(name) for name in layer.mask]
+        roots = [skeleton.index(name) for name in names]
     except UnknownNameError as error:
         raise definition.refuse(f"mask: {error}", layer.line) from None
     moved = below(character.skeleton.parent, roots)
     spans = [(part.weight_first, part.target_positions) for part in character.parts if moved[part.joint]]
     columns = {first + k for first, targets in spans if targets is not None for k in range(len(targets))}
-    return Mask(np.flatnonzero(moved), np.array(sorted(columns), np.int64))
+    return Mask(np.flatnonzero(moved), np.array(sorted(columns | weights), np.int64))
+
+
+def _columns(character: Character, name: str) -> tuple[int, ...]:
+    """The columns of a pose's weights that a name in a mask stands for: `muscles`, or `TARGET.weight`."""
+    if name == MUSCLES and character.muscles:
+        rows = contractions_of(character.muscles, character.targets)
+        return tuple(column for row in rows for column in row if column >= 0)
+    target, dot, channel = name.rpartition(".")
+    return character.targets.get(target, ()) if dot and channel == WEIGHT else ()

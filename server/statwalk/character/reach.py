@@ -18,6 +18,7 @@ from statwalk.machine.compile.machine import Machine
 from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.machine.definition.solver_definition import SolverDefinition
 from statwalk.machine.settings import parameter_indices
+from statwalk.maths import vector
 from statwalk.maths.columns import locked
 from statwalk.motion.layers import Mask
 from statwalk.rig.evaluate import world_from_local
@@ -55,7 +56,7 @@ def reach_chains(character: Character, machine: Machine, definition: MachineDefi
 def _chain(character: Character, machine: Machine, written: SolverDefinition) -> Chain:
     skeleton = character.skeleton
     joints, middle = chain_joints(skeleton, written.chain, written.solver)
-    x, y, z = (np.array(written.forward) / np.linalg.norm(written.forward)).tolist()
+    x, y, z = vector.unit(np.array(written.forward, np.float64)).tolist()
     is_moored = bool(written.anchor) and ends_at(skeleton, joints, written.anchor)
     return Chain(
         solver=written.solver,

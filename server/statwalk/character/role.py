@@ -17,7 +17,7 @@ from statwalk.character.feet import Foot
 from statwalk.character.foot_contacts import ClipContacts
 from statwalk.character.joint_limits import check_handles, limits_of
 from statwalk.character.made_clips import with_clips
-from statwalk.character.motions import Stock, frame_of, masks_of, motions_of, root_of
+from statwalk.character.motions import Stock, clip_facts, frame_of, masks_of, motions_of, root_of
 from statwalk.character.packed_role import PackedRole
 from statwalk.character.pose_tables import POSES, PoseTables, pose_tables
 from statwalk.character.role_feet import check_feet, contacts_in, feet_in
@@ -194,8 +194,11 @@ class Role:
 
     @cached_property
     def measures(self) -> bool:
-        """Returns whether a tick needs measurements of an actor, or the pace of a blend of clips."""
-        return self.blends or bool((self.machine.program.variable_kind >= 0).any())
+        """Returns whether a tick needs measurements of an actor: for conditions, or for values that states
+        keep from their entry.
+        """
+        program = self.machine.program
+        return bool((program.variable_kind >= 0).any() or len(program.entry_state))
 
     @cached_property
     def travels(self) -> bool:
@@ -243,6 +246,4 @@ class Role:
 
 def facts_of(character: Character) -> dict[str, MotionFacts]:
     """Returns the facts about a character's clips that a machine needs, by name."""
-    return {
-        name: MotionFacts(clip.duration, clip.loop, clip.markers) for name, clip in character.clips.items()
-    }
+    return {name: clip_facts(clip) for name, clip in character.clips.items()}

@@ -1,5 +1,5 @@
 """Points of a character's skin, posed for many poses at once: with linear blend skinning a point is a linear
-function of the matrices of the joints (RTCA 2.3.2). Not for ticks: it uses BLAS.
+function of the matrices of the joints (RTCA 2.3.2). Not for ticks: it takes long.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import numpy as np
 from statwalk.character.character import Character
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.columns import lock_fields
+from statwalk.maths.elementary import sincos
 from statwalk.rig.evaluate import world_from_local
 
 DIRECTIONS = 96
@@ -58,17 +59,29 @@ class SkinPoints:
         return self._row(world, 1)
 
     def _row(self, world: Floats, axis: int) -> Floats:
+        """Sums joint by joint: a product of matrices would have other last bits on another processor."""
         rows = world[..., axis, :]
-        flat = rows.reshape(*rows.shape[:-2], rows.shape[-2] * rows.shape[-1])
-        values: Floats = flat @ self.shares.reshape(-1, self.count).astype(flat.dtype)
+        values: Floats = np.zeros((*rows.shape[:-2], self.count), rows.dtype)
+        for joint, column in zip(*np.nonzero(self.shares.any(-1)), strict=True):
+            values += rows[..., joint, column, None] * self.shares[joint, column].astype(rows.dtype)
         return values
+
+
+def outermost(points: Floats, directions: Floats) -> Ints:
+    """Returns the rows of the points (V, 3) that lie furthest out in one of the directions (3, D); the same
+    rows on every processor, also where two points lie as far.
+    """
+    x, y, z = (points[:, axis, None] * directions[axis] for axis in range(3))
+    rows: Ints = np.unique((x + y + z).argmax(0))
+    return rows
 
 
 def _sphere() -> Floats:
     """(3, DIRECTIONS) unit vectors spread evenly: a spiral of golden angles."""
     height = 1 - (2 * np.arange(DIRECTIONS) + 1) / DIRECTIONS
     angle, radius = np.pi * (3 - np.sqrt(5)) * np.arange(DIRECTIONS), np.sqrt(1 - height * height)
-    return np.stack([radius * np.cos(angle), height, radius * np.sin(angle)])
+    sine, cosine = sincos(angle)
+    return np.stack([radius * cosine, height, radius * sine])
 
 
 def bound_points(character: Character, joints: Sequence[int]) -> SkinPoints:
@@ -92,7 +105,7 @@ def outermost_points(character: Character, whole: Sequence[int] = ()) -> SkinPoi
     shares: list[Floats] = [np.zeros((len(character.skeleton), 4, 0))]
     for joint in np.unique(_carriers(character)).tolist():
         points = bound_points(character, [joint])
-        furthest = np.unique((points.at(rest) @ _sphere()).argmax(0))
+        furthest = outermost(points.at(rest), _sphere())
         shares.append((points if joint in whole else points.take(furthest)).shares)
     return SkinPoints(np.concatenate(shares, -1))
 

@@ -16,7 +16,28 @@ from rich.markup import escape
 from statwalk.errors import StatwalkError
 from statwalk.maths.prepare import prepare, prepare_once
 
-VERBS = ("serve", "play", "verify", "measure", "new", "pose", "convert", "deduce")
+VERBS = (
+    "serve",
+    "play",
+    "replay",
+    "verify",
+    "measure",
+    "new",
+    "pose",
+    "convert",
+    "deduce",
+    "draw",
+    "rig",
+    "lod",
+    "access",
+    "top",
+    "doctor",
+    "backup",
+    "restore",
+)
+
+WITHOUT_KERNELS = frozenset({"access", "doctor", "backup", "restore"})
+"""verbs that run no compiled code"""
 
 
 def command(verb: str | None) -> typer.Typer:
@@ -63,7 +84,7 @@ def main() -> None:
     """Runs the verb of the command line; an error that a user's input causes prints one line, status 2."""
     verb = sys.argv[1] if sys.argv[1:2] and sys.argv[1] in VERBS else None
     try:
-        if verb:
+        if verb and verb not in WITHOUT_KERNELS:
             prepare() if verb == "serve" else prepare_once()
         command(verb)()
     except (StatwalkError, OSError) as error:

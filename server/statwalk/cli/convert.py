@@ -1,4 +1,6 @@
-"""`statwalk convert`: a capture or a model as a .glb; a capture also carried over to another character."""
+"""`statwalk convert`: a character or a capture in another format; a capture also carried over to another
+character.
+"""
 
 from __future__ import annotations
 
@@ -17,10 +19,14 @@ from statwalk.errors import ContentError
 from statwalk.files.bvh.bvh_file import Position
 from statwalk.files.captures import SUFFIXES, Reading, load_capture
 from statwalk.files.gltf.add_clip import model_with_clip
+from statwalk.files.model_formats import WRITTEN
 from statwalk.motion.filter_clip import Filter
-from statwalk.services.library.load import load
+from statwalk.services.library.convert import convert as write_as
+from statwalk.services.library.load import character_from
 
 EXAMPLES = """Examples:
+
+  statwalk convert fox.glb fox.bvh --clip Walk
 
   statwalk convert walk.bvh walk.glb --scale 0.0564
 
@@ -31,11 +37,12 @@ EXAMPLES = """Examples:
 console = Console(highlight=False)
 
 
-def _character_of(source: Path, how: Reading) -> Character:
-    if source.suffix.lower() in SUFFIXES:
-        return load_capture(source, how)
-    loaded = load(source)
-    return loaded if isinstance(loaded, Character) else loaded.character
+def _read(source: Path, how: Reading) -> Character:
+    return load_capture(source, how) if source.suffix.lower() in SUFFIXES else character_from(source)
+
+
+def _write(character: Character, out: Path, clip: str) -> None:
+    console.print(escape(str(write_as(character, out, clip=clip))), soft_wrap=True)
 
 
 def _bones(pairs: list[str]) -> dict[str, str]:
@@ -59,9 +66,9 @@ def _tell(report: Retargeted) -> None:
 
 def convert(
     source: Annotated[
-        Path, typer.Argument(help="A capture (.bvh, .trc), or any character that statwalk reads.")
+        Path, typer.Argument(help="A model, a capture (.bvh, .trc), or any character that statwalk reads.")
     ],
-    out: Annotated[Path, typer.Argument(help="The .glb file to write.")],
+    out: Annotated[Path, typer.Argument(help=f"The file to write: {', '.join(WRITTEN)}.")],
     onto: Annotated[
         Path | None,
         typer.Option(help="The character that gets the clip; without one, the source itself is written."),
@@ -83,28 +90,24 @@ def convert(
     ] = None,
     target_bone: Annotated[list[str] | None, typer.Option(help="BONE=JOINT of --onto.")] = None,
 ) -> None:
-    """Writes a capture as a .glb, alone or carried over to another character."""
-    if out.suffix.lower() != ".glb":
-        raise typer.BadParameter(f"the file to write is a .glb, not {out.name}")
+    """Writes a character in another format, and says what that cannot hold; a capture also carried over to
+    another character.
+    """
+    if out.suffix.lower() not in WRITTEN:
+        raise typer.BadParameter(f"the file to write is one of {', '.join(WRITTEN)}, not {out.name}")
     wanted = Filter(low_pass, spikes)
     how = Reading(position, scale, wanted if onto is None else Filter())
     if how != Reading() and source.suffix.lower() not in SUFFIXES:
         raise typer.BadParameter("position, scale, and filters without --onto are for captures (.bvh, .trc)")
     if onto is None:
-        character = _character_of(source, how)
-        out.write_bytes(character.model_glb)
-        console.print(
-            escape(f"{out}: {len(character.skeleton)} joints, {len(character.clips)} clips"), soft_wrap=True
-        )
+        _write(_read(source, how), out, clip)
         return
-    target = _character_of(onto, Reading())
+    target = _read(onto, Reading())
     if not target.model_glb:
         raise ContentError("this character has no model to write", file=str(onto))
     carried = Wish(_bones(bone or []), _bones(target_bone or []), start, end)
     wish = CaptureWish(clip, name, carried, wanted)
-    character, added, report = with_capture(target, _character_of(source, how), wish)
-    out.write_bytes(
-        replace(character, model_glb=model_with_clip(character, character.clips[added])).model_glb
-    )
-    console.print(escape(f"{out}: the clip {added}, {len(report.bones)} bones carried over"), soft_wrap=True)
+    character, added, report = with_capture(target, _read(source, how), wish)
+    _write(replace(character, model_glb=model_with_clip(character, character.clips[added])), out, added)
+    console.print(escape(f"the clip {added}: {len(report.bones)} bones carried over"), soft_wrap=True)
     _tell(report)

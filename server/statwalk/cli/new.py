@@ -24,7 +24,7 @@ console = Console(highlight=False)
 
 
 def new(
-    model: Annotated[Path, typer.Argument(help="A .glb or .gltf model with animations.")],
+    model: Annotated[Path, typer.Argument(help="A model with animations: .glb, .gltf, .md2 or .x.")],
     folder: Annotated[
         Path | None,
         typer.Argument(help="The folder to write; by default, ./ and the model's name without its suffix."),

@@ -15,7 +15,8 @@ from rich.table import Table
 from statwalk.character.role import Role
 from statwalk.errors import UnknownNameError
 from statwalk.files.scene import FILE_NAME as SCENE_FILE
-from statwalk.services.library.load import load, load_scene, shipped_machines, shipped_scenes
+from statwalk.services.library.load import load, shipped_machines
+from statwalk.services.library.load_scene import load_scene, shipped_scenes
 from statwalk.stage.stage import Actor, Stage
 
 EXAMPLES = """Examples:

@@ -11,9 +11,10 @@ from rich.console import Console
 from rich.markup import escape
 
 from statwalk.character.character import Character
+from statwalk.cli.character_source import CharacterSource
 from statwalk.errors import StatwalkError
 from statwalk.maths.pose import Pose
-from statwalk.services.library.load import load
+from statwalk.services.library.load import character_from
 
 EXAMPLES = """Examples:
 
@@ -27,14 +28,14 @@ console = Console(highlight=False)
 errors = Console(stderr=True, highlight=False)
 
 
-def _numbers(character: Character, pose: Pose) -> dict[str, Any]:
+def _numbers(character: Character, pose: Pose, skinning: str) -> dict[str, Any]:
     """Returns the arrays of the file by name.
 
     world (J,4,4), local (J,10) as T xyz, R xyzw, S xyz, names (J,), node_index (J,), weights (W,); vertices
     and normals (V,3) of all parts, one after the other; parts (P,5): node, mesh and primitive in the file,
     first vertex, number of vertices.
     """
-    parts = character.vertices(pose)
+    parts = character.vertices(pose, skinning)
     counts = [len(part.positions) for part in parts]
     empty = np.zeros((0, 3), np.float32)
     normals = [np.zeros_like(part.positions) if part.normals is None else part.normals for part in parts]
@@ -51,25 +52,17 @@ def _numbers(character: Character, pose: Pose) -> dict[str, Any]:
     }
 
 
-def _character_of(source: Path) -> Character:
-    """Returns the character of a file, or the character of a machine."""
-    loaded = load(source)
-    return loaded if isinstance(loaded, Character) else loaded.character
-
-
 def pose(
-    file: Annotated[
-        Path,
-        typer.Argument(
-            help="A model or character file, a folder with a model or a machine, or a shipped machine."
-        ),
-    ],
+    file: CharacterSource,
     out: Annotated[Path, typer.Option(help="The .npz file to write.")],
     clip: Annotated[str, typer.Option(help="The clip; without one, the pose at rest.")] = "",
     time: Annotated[
         float, typer.Option(help="Seconds from the clip's start; outside the clip its first or last pose.")
     ] = 0.0,
     loop: Annotated[bool, typer.Option("--loop", help="Wrap the time at the clip's end.")] = False,
+    skinning: Annotated[
+        str, typer.Option(help="linear, dual-quaternion, rigid or parts; by default the character's own.")
+    ] = "",
 ) -> None:
     """Writes one pose of a character: world and local transforms, joint names, vertices and normals."""
     if not np.isfinite(time):
@@ -78,9 +71,9 @@ def pose(
         raise typer.BadParameter(f"--out is the folder {out}; it must be a file")
     out_file = out if out.suffix == ".npz" else out.with_name(f"{out.name}.npz")
     try:
-        character = _character_of(file)
+        character = character_from(file)
         sampled = character.clip(clip).sample(time, loop=loop) if clip else character.bind_pose
-        arrays = _numbers(character, sampled)
+        arrays = _numbers(character, sampled, skinning)
         np.savez(out_file, **arrays)
     except (StatwalkError, OSError) as error:
         errors.print(f"[bold red]statwalk pose:[/] {escape(str(error))}", soft_wrap=True)

@@ -10,6 +10,7 @@ from statwalk.errors import ContentError
 from statwalk.files.bvh import read_bvh
 from statwalk.files.bvh.bvh_file import Position
 from statwalk.files.gltf import write
+from statwalk.files.md2.md2_file import Inbetween
 from statwalk.files.trc.trc_file import read_trc
 from statwalk.motion.filter_clip import Filter, filtered
 
@@ -20,16 +21,18 @@ _BEGINS = {b"HIERARCHY": ".bvh", b"PATHFILETYPE": ".trc"}
 
 @dataclass(frozen=True)
 class Reading:
-    """How a capture is read.
+    """How a file is read: a capture, or an .md2.
 
     position   whether BVH position channels replace a joint's offset, or are added to it
     scale      multiplies all lengths
-    filter     what is taken out of its clip
+    filter     what is taken out of a capture's clip
+    inbetween  whether the vertices of an .md2 go from frame to frame, or switch
     """
 
     position: Position = "replace"
     scale: float = 1.0
     filter: Filter = field(default_factory=Filter)
+    inbetween: Inbetween = "linear"
 
 
 def kind_of(start: bytes) -> str:

@@ -1,5 +1,5 @@
 """A checked character as one file: the arrays of a Character in NumPy's .npz, and a JSON tree of the objects
-that the arrays belong to.
+that the arrays belong to. Expressions are kept as text.
 
 The process that reads an uploaded model writes the file, so that no other process has to read the model
 again. The reader builds only the classes listed here, and no array may hold objects: the file can contain
@@ -20,15 +20,19 @@ from numpy.typing import NDArray
 
 from statwalk.character.character import Character
 from statwalk.errors import ContentError
+from statwalk.machine.definition.expression_lines import read_lines
+from statwalk.maths.clamp_table import JointLimit
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Clip
 from statwalk.motion.keys.channel import Channel, Marker
 from statwalk.motion.keys.channel_table import ChannelTable, ClipChannels
 from statwalk.motion.keys.key_times import KeyTimes
 from statwalk.rig.skeleton import Skeleton
+from statwalk.skin.collapses import Collapses, DetailLevel
+from statwalk.skin.face_muscles import Muscle
 from statwalk.skin.primitive import Primitive, Skin
 
-FORMAT = 3
+FORMAT = 7
 """increase when a field of one of the classes changes: files of an older format are then written again"""
 _TREE = "tree"
 _OWN_FILE = "model_glb"
@@ -41,8 +45,12 @@ _CLASSES: dict[str, type] = {
         Character,
         Clip,
         ClipChannels,
+        Collapses,
+        DetailLevel,
+        JointLimit,
         KeyTimes,
         Marker,
+        Muscle,
         Pose,
         Primitive,
         ChannelTable,
@@ -55,8 +63,10 @@ _CLASSES: dict[str, type] = {
 def write_character(character: Character, file: Path) -> None:
     """Writes a character, without its .glb, to `file`."""
     writer = _Writer()
-    root = writer.value(character)
-    tree = json.dumps({"format": FORMAT, "objects": writer.objects, "root": root}).encode()
+    lines = [[line.line, line.text] for line in character.expressions]
+    root = writer.value(replace(character, expressions=()))
+    content = {"format": FORMAT, "objects": writer.objects, "root": root, "expressions": lines}
+    tree = json.dumps(content).encode()
     with file.open("wb") as opened:
         np.savez(opened, **{_TREE: np.frombuffer(tree, np.uint8)}, **writer.arrays)  # type: ignore[arg-type]
 
@@ -74,11 +84,12 @@ def read_character(file: Path, model_glb: bytes) -> Character:
                     "this checked character was written by another version of statwalk", file=str(file)
                 )
             character = _Reader(tree["objects"], arrays).value(tree["root"])
+            lines = read_lines([(line, text) for line, text in tree["expressions"]], ())
     except (OSError, EOFError, KeyError, TypeError, ValueError, zipfile.BadZipFile) as error:
         raise ContentError(f"this is no checked character: {error}", file=str(file)) from None
     if not isinstance(character, Character):
         raise ContentError("this is no checked character", file=str(file))
-    return replace(character, model_glb=model_glb)
+    return replace(character, model_glb=model_glb, expressions=lines)
 
 
 class _Writer:

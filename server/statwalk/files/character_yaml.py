@@ -8,11 +8,15 @@
       wave: {keys: wave.txt, interpolation: {rotation: nurbs, translation: linear}}
     expressions: |                # what moves with what, whichever machine plays it
       Wheel.rotate_z = -2 * Crank.rotate_z
+    skinning: dual-quaternion     # or linear (the default), rigid, parts
+    digital_skin: arm.skin.txt    # vertices for each bone, and one list of polygons, in place of tetrahedra
+    muscle_bones: [Biceps]        # bones that only deform the skin
+    bulges: {…}                   # muscles that bulge with the angle of a joint (bulges_part)
 
-`model: robot.glb` in place of `skeleton` names a model, whose clips it may change (`of:`).
+`model: robot.glb` in place of `skeleton` names a model; the file may change its clips (`of:`) and its face.
 
-Every bone becomes a joint and a rigid tetrahedron (FAQ Q28). A bone at the end of a limb, and a bone with a
-keyed length, gets a second joint, `NAME.end`, at its end point.
+Every bone becomes a joint and a rigid tetrahedron (FAQ Q28). Bones at the end of a limb, and with a keyed
+length, get a second joint, `NAME.end`, at their end.
 """
 
 from __future__ import annotations
@@ -21,25 +25,28 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
 from statwalk.character.character import Character
 from statwalk.character.expressions import channels_of
 from statwalk.character.made_clips import Refuse, with_clips
 from statwalk.character.made_clips import changed as with_changes
 from statwalk.errors import ContentError, TextError, UnknownNameError
-from statwalk.files import clip_changes, tetrahedra
+from statwalk.files import clip_changes
+from statwalk.files.bone_character import bone_character
+from statwalk.files.bulges_part import with_bulges_of
+from statwalk.files.digital_skin_part import with_skin_of
 from statwalk.files.expressions import expressions
-from statwalk.files.faq.key_frame_clip import ClipForm, check_names, clip_of, keyed_lengths
+from statwalk.files.faq.key_frame_clip import ClipForm, check_names, clip_of
 from statwalk.files.faq.key_frame_text import KeyFrame, read_keys
 from statwalk.files.faq.skeleton_text import SHIPPED, read_skeleton, read_text
 from statwalk.files.gltf import write
+from statwalk.files.gltf.add_parts import model_with_parts
+from statwalk.files.gltf.carried import with_carried
 from statwalk.files.joint_limits import joint_limits, table_limits
 from statwalk.files.model_character import model_of, with_made_clips
+from statwalk.files.muscle_bones import muscle_bones
+from statwalk.files.with_face import KEYS, with_face, without_face
 from statwalk.files.yaml.yaml_text import Node, parse
 from statwalk.machine.definition.limit_definition import LimitDefinition
-from statwalk.maths import pose as poses
-from statwalk.maths.arrays import Floats
 from statwalk.maths.clamp_table import JointLimit
 from statwalk.motion.clip import Clip
 from statwalk.motion.keys.channel import Path as Property
@@ -47,9 +54,13 @@ from statwalk.motion.keys.channel_table import PATHS
 from statwalk.motion.keys.interpolations import INTERPOLATIONS
 from statwalk.rig.bones import Bones
 from statwalk.rig.skeleton import Skeleton
-from statwalk.skin.primitive import Primitive, Skin
+from statwalk.skin.skinning import Skinning, skinning_of
 
-_KEYS = ("name", "skeleton", "model", "scale", "joints", "limits", "clips", "expressions")
+_KEYS = (
+    *("name", "skeleton", "model", "scale", "joints", "limits", "clips", "expressions", "skinning"),
+    *("digital_skin", "muscle_bones", "bulges"),
+    *KEYS,
+)
 _CLIP_KEYS = ("keys", "interpolation", "loop", *clip_changes.CHANGES)
 _SCALES = (1e-6, 1e6)
 
@@ -65,17 +76,21 @@ def load_character(path: Path) -> Character:
         raise root.refuse("a character needs a skeleton (skeleton: mammal.txt) or a model (model: robot.glb)")
     if "model" in entries:
         model = model_of(entries["model"], _beside(entries["model"], path.parent), entries)
-        return _with_rules(root, with_made_clips(model, entries, _refuser(root)), 1.0, path.parent)
-    bones = _skeleton(entries["skeleton"], path.parent)
+        made_clips = with_made_clips(with_face(model, entries), entries, _refuser(root))
+        skinned = _with_digital_skin(entries, made_clips, 1.0, path.parent)
+        ruled = _with_rules(root, skinned, 1.0, path.parent)
+        if ruled.parts is not made_clips.parts:
+            ruled = replace(ruled, model_glb=model_with_parts(ruled))
+        return with_carried(ruled)
+    bones = _skeleton(without_face(entries)["skeleton"], path.parent)
     scale = entries["scale"].number(*_SCALES) if "scale" in entries else 1.0
     clips = entries["clips"].entries() if "clips" in entries else {}
     made = {name: clip_changes.clip(node) for name, node in clips.items() if "of" in node.entries()}
     keyed = {name: node for name, node in clips.items() if name not in made}
     frames = {name: _frames(node, bones, path.parent) for name, node in keyed.items()}
     name = entries["name"].text() if "name" in entries else path.stem
-    character, form = _bone_character(
-        name, bones, scale, [frame for clip_frames in frames.values() for frame in clip_frames]
-    )
+    all_frames = [frame for clip_frames in frames.values() for frame in clip_frames]
+    character, form = bone_character(name, bones, scale, all_frames)
     own = {name: _clip(name, node, form, frames[name]) for name, node in keyed.items()}
     changed = {
         name: with_changes(character, clip, clip_changes.changes(keyed[name].entries()), _refuser(root))
@@ -83,15 +98,45 @@ def load_character(path: Path) -> Character:
     }
     animated = with_clips(replace(character, clips=changed), made, _refuser(root))
     animated = replace(animated, made=frozenset())  # the model carries them as its own
-    ruled = _with_rules(root, animated, scale, path.parent)
+    skinned = _with_digital_skin(entries, animated, scale, path.parent)
+    ruled = _with_rules(root, skinned, scale, path.parent)
     return replace(ruled, model_glb=write.model_glb(ruled))
 
 
+def _with_digital_skin(
+    entries: Mapping[str, Node], character: Character, scale: float, folder: Path
+) -> Character:
+    """Returns the character with its digital skin: in place of the tetrahedra, or beside a model's parts."""
+    if (node := entries.get("digital_skin")) is None:
+        return character
+    bare = character if character.model_glb else replace(character, parts=(), skins=(), materials=())
+    return with_skin_of(node, bare, lambda name: _beside(name, folder), scale)
+
+
 def _with_rules(root: Node, character: Character, scale: float, folder: Path) -> Character:
-    """Returns the character with its limits and expressions."""
-    lines = expressions(root.entries(*_KEYS).get("expressions"))
-    channels_of(character.skeleton, lines, _refuser(root))  # an unknown joint is an error now
-    return replace(character, limits=_limits(root, character.skeleton, scale, folder), expressions=lines)
+    """Returns the character with its limits, expressions and way of skinning, before the model's own."""
+    entries = root.entries(*_KEYS)
+    lines = expressions(entries["expressions"]) if "expressions" in entries else character.expressions
+    channels_of(character, lines, _refuser(root))  # an unknown joint is an error now
+    limits = {**character.limits, **_limits(root, character.skeleton, scale, folder)}
+    skeleton = muscle_bones(entries.get("muscle_bones"), character.skeleton)
+    ruled = replace(
+        character,
+        skeleton=skeleton,
+        limits=limits,
+        expressions=lines,
+        skinning=_skinning(root, character),
+    )
+    return with_bulges_of(entries["bulges"], ruled) if "bulges" in entries else ruled
+
+
+def _skinning(root: Node, character: Character) -> Skinning:
+    if (node := root.entries(*_KEYS).get("skinning")) is None:
+        return character.skinning
+    try:
+        return skinning_of(node.text())
+    except UnknownNameError as error:
+        raise node.refuse(str(error)) from None
 
 
 def _refuser(root: Node) -> Refuse:
@@ -156,10 +201,9 @@ def _frames(node: Node, bones: Bones, folder: Path) -> tuple[KeyFrame, ...]:
 
 def _clip(name: str, node: Node, form: ClipForm, frames: Sequence[KeyFrame]) -> Clip:
     entries = node.entries(*_CLIP_KEYS)
-    how = _interpolations(entries.get("interpolation"))
     loop = "loop" in entries and entries["loop"].truth()
     try:
-        clip = clip_of(name, form, frames, how, loop)
+        clip = clip_of(name, form, frames, _interpolations(entries.get("interpolation")), loop)
         clip.tracks  # noqa: B018 - refuses a B-spline that cannot pass through its keys here, not in a tick
     except ContentError as error:
         raise node.refuse(f"clip {name}: {error.message}") from None
@@ -178,59 +222,3 @@ def _interpolation(node: Node) -> str:
     if node.text() not in INTERPOLATIONS:
         raise node.unknown("interpolation", node.text(), INTERPOLATIONS)
     return node.text()
-
-
-def _bone_character(
-    name: str, bones: Bones, scale: float, frames: Sequence[KeyFrame]
-) -> tuple[Character, ClipForm]:
-    """Returns the character at rest, without clips, and the ClipForm that its clips are built from."""
-    metric = Bones(bones.skeleton, bones.length * scale, bones.direction)
-    keyed = keyed_lengths(bones, frames)
-    limb_ends = set(range(len(bones.skeleton))) - set(bones.skeleton.parent.tolist())
-    bones_with_end = sorted({bone for bone in limb_ends if bones.length[bone] > 0} | keyed.keys())
-    end_joint_of = {bone: len(bones.skeleton) + row for row, bone in enumerate(bones_with_end)}
-    skeleton = _with_ends(bones.skeleton, bones_with_end)
-    parts, skins = _parts(metric, {bone: keyed[bone] * scale for bone in keyed}, end_joint_of, len(skeleton))
-    rest = poses.rest(len(skeleton))
-    rest.translation[: len(bones.skeleton)] = metric.pose().translation
-    rest.translation[len(bones.skeleton) :] = metric.attachment()[bones_with_end]
-    node_index = np.arange(len(skeleton), dtype=np.int32)
-    character = Character(
-        name, skeleton, node_index, rest, skins=skins, parts=parts, materials=(tetrahedra.MATERIAL,)
-    )
-    return character, ClipForm(metric, scale, end_joint_of, rest)
-
-
-def _with_ends(skeleton: Skeleton, bones_with_end: Sequence[int]) -> Skeleton:
-    """Returns the skeleton with one more joint, after all others, for the end of each bone in
-    `bones_with_end`.
-    """
-    names = tuple(f"{skeleton.names[bone]}.end" for bone in bones_with_end)
-    for name in set(names) & set(skeleton.names):
-        raise TextError(
-            f"{name} is reserved for the end of {name.removesuffix('.end')}; give this bone another name"
-        )
-    return Skeleton(
-        skeleton.names + names, np.concatenate([skeleton.parent, np.array(bones_with_end, np.int32)])
-    )
-
-
-def _parts(
-    bones: Bones, keyed: Mapping[int, float], end_joint_of: Mapping[int, int], node: int
-) -> tuple[tuple[Primitive, ...], tuple[Skin, ...]]:
-    """Returns a rigid part for each bone that has a length, and one skinned part for all bones with a keyed
-    length.
-
-    `keyed` is the greatest keyed length in metres, by bone.
-    """
-    rigid = tetrahedra.rigid_parts(
-        bones, [bone for bone in np.flatnonzero(bones.length > 0).tolist() if bone not in keyed]
-    )
-    longest_length: Floats = bones.length.copy()
-    for bone, length in keyed.items():
-        longest_length[bone] = max(longest_length[bone], length)
-    drawn_end_joint_of = {bone: end_joint_of[bone] for bone in keyed if longest_length[bone] > 0}
-    if not drawn_end_joint_of:
-        return rigid, ()
-    part, skin = tetrahedra.growing_part(bones, longest_length, drawn_end_joint_of, len(rigid), node)
-    return (*rigid, part), (skin,)

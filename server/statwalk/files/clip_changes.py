@@ -6,12 +6,14 @@ clips:
   leap: {of: jump, anticipate: {amount: 0.3, seconds: 0.25}}
   drop: {of: land, squash: {joint: hips, stretch: {0: 1, 0.1: 0.7, 0.4: 1}}}
   calm: {of: captured, filter: {low_pass: 6, spikes: true}}
+  stiff: {of: run, inbetween: switched}
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 
+from statwalk.files.md2.md2_file import INBETWEENS
 from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.definition.clip_definition import (
     AnticipateChange,
@@ -24,6 +26,7 @@ from statwalk.machine.definition.clip_definition import (
     MirrorChange,
     SpeedChange,
     SquashChange,
+    SwitchChange,
 )
 from statwalk.maths.easing import EASINGS
 from statwalk.motion.filter_clip import HIGHEST_CUTOFF, Filter
@@ -134,6 +137,12 @@ def _filter(node: Node) -> ClipChange:
     return FilterChange(node.line, wanted.low_pass, wanted.spikes)
 
 
+def _inbetween(node: Node) -> ClipChange | None:
+    if node.text() not in INBETWEENS:
+        raise node.unknown("way from key to key", node.text(), INBETWEENS)
+    return SwitchChange(node.line) if node.text() == "switched" else None
+
+
 def read_filter(node: Node | None) -> Filter:
     """Reads `filter: {low_pass: 6, spikes: true}`; none filters nothing.
 
@@ -169,4 +178,5 @@ CHANGES: Mapping[str, Callable[[Node], ClipChange | None]] = {
     "squash": _squash,
     "mirror": _mirror,
     "filter": _filter,
+    "inbetween": _inbetween,
 }

@@ -10,14 +10,11 @@ from pathlib import Path
 
 from statwalk.character.character import Character
 from statwalk.character.made_clips import Refuse, with_clips
-from statwalk.errors import ContentError
-from statwalk.files import captures, clip_changes
+from statwalk.files import clip_changes, model_formats
 from statwalk.files.gltf.add_clip import model_with_clip
-from statwalk.files.gltf.read import read_model
 from statwalk.files.yaml.yaml_text import Node
 
-SUFFIXES = (".glb", ".gltf", *captures.SUFFIXES)
-LARGEST_BYTES = 64 << 20
+SUFFIXES = model_formats.MODEL_SUFFIXES
 _ONLY_WITH_SKELETON = ("scale",)
 
 
@@ -34,15 +31,8 @@ def model_of(node: Node, path: Path, entries: Mapping[str, Node]) -> Character:
         raise node.refuse(
             f"{node.text()[:80]!r} must name a {kinds} or {SUFFIXES[-1]} file in the folder of this file"
         )
-    if path.stat().st_size > LARGEST_BYTES:
-        raise node.refuse(f"a model may have {LARGEST_BYTES >> 20} MiB at most")
     name = entries["name"].text() if "name" in entries else path.stem
-    if path.suffix.lower() in captures.SUFFIXES:
-        return replace(captures.load_capture(path), name=name)
-    try:
-        return read_model(path.read_bytes(), name, path.parent)
-    except ContentError as error:
-        raise error.in_file(str(path)) from None
+    return replace(model_formats.format_of(path).load_file(path), name=name)
 
 
 def with_made_clips(character: Character, entries: Mapping[str, Node], refuse: Refuse) -> Character:
@@ -50,8 +40,16 @@ def with_made_clips(character: Character, entries: Mapping[str, Node], refuse: R
 
     :raises ContentError: when a clip is not made of another, or a change is impossible.
     """
-    made = clip_changes.clips(entries.get("clips"))
+    made = clip_changes.clips(_without_faces(entries.get("clips")))
     whole = with_clips(character, made, refuse)
     for name in made:
         whole = replace(whole, model_glb=model_with_clip(whole, whole.clips[name]))
     return replace(whole, made=frozenset())
+
+
+def _without_faces(node: Node | None) -> Node | None:
+    """The clips that key no faces."""
+    if node is None or not node.is_mapping:
+        return node
+    kept = {name: clip for name, clip in node.entries().items() if "faces" not in clip.entries()}
+    return replace(node, value=kept)

@@ -9,7 +9,10 @@ from __future__ import annotations
 import numpy as np
 
 from statwalk.maths import quat, vector
-from statwalk.maths.arrays import Floats
+from statwalk.maths.arrays import Bools, Floats
+
+SKEW = 1e-3
+"""largest cosine between two axes that count as at right angles"""
 
 
 def from_trs(translation: Floats, rotation: Floats, scale: Floats) -> Floats:
@@ -21,6 +24,34 @@ def from_trs(translation: Floats, rotation: Floats, scale: Floats) -> Floats:
     np.multiply(linear.T, scale.T[:, None], out=columns[:3])
     columns[3] = translation.T
     return columns.T
+
+
+def to_trs(a: Floats) -> tuple[Floats, Floats, Floats]:
+    """Returns translation (…, 3), rotation (…, 4) xyzw and scale (…, 3) of transforms without skew; a
+    mirrored transform gets a negative X scale.
+    """
+    columns = np.swapaxes(a[..., :3], -1, -2)
+    scale = vector.length(columns)
+    axes = np.where(scale[..., None] == 0, np.eye(3), columns / np.where(scale == 0, 1, scale)[..., None])
+    for flat in range(3):
+        left, right = (flat + 1) % 3, (flat + 2) % 3
+        only = (scale[..., flat] == 0) & (scale[..., left] > 0) & (scale[..., right] > 0)
+        axes[only, flat] = vector.cross(axes[only, left], axes[only, right])
+    mirror = np.where(np.linalg.det(axes) < 0, -1.0, 1.0)
+    axes[..., 0, :] *= mirror[..., None]
+    scale[..., 0] *= mirror
+    return a[..., 3].copy(), quat.from_matrix(np.swapaxes(axes, -1, -2)), scale
+
+
+def is_skewed(a: Floats) -> Bools:
+    """Returns (…) whether the axes of a transform are not at right angles: it has no translation, rotation
+    and scale of its own.
+    """
+    columns = np.swapaxes(a[..., :3], -1, -2)
+    size = vector.length(columns)[..., None]
+    axes = columns / np.where(size == 0, 1, size)
+    angles = axes @ np.swapaxes(axes, -1, -2) * (1 - np.eye(3))
+    return np.asarray(np.abs(angles).max((-1, -2)) > SKEW)
 
 
 def mul(a: Floats, b: Floats) -> Floats:

@@ -6,15 +6,15 @@ SK1; FAQ Q2 and Q11; RTCA Listing 10.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
-from statwalk.errors import TextError, UnknownNameError
+from statwalk.errors import ContentError, TextError, UnknownNameError
 from statwalk.maths.arrays import Ints
 from statwalk.maths.columns import lock_fields
 
@@ -26,6 +26,8 @@ class Skeleton:
     names: tuple[str, ...]
     parent: NDArray[np.int32]
     """(J,) index of the parent; -1 for a root"""
+    muscle_bones: frozenset[str] = frozenset()
+    """the joints that only deform the skin (DS6, RTCA 2.3.2): no bones of the body"""
 
     def __post_init__(self) -> None:
         lock_fields(self)
@@ -63,6 +65,20 @@ class Skeleton:
     @cached_property
     def _index(self) -> dict[str, int]:
         return {name: joint for joint, name in reversed(tuple(enumerate(self.names)))}
+
+    def with_muscle_bones(self, names: Iterable[str]) -> Skeleton:
+        """Returns the skeleton in which these joints are the muscle bones.
+
+        :raises ContentError: when another joint hangs on a muscle bone.
+        :raises UnknownNameError: when the skeleton has no joint of a name.
+        """
+        muscles = frozenset(names)
+        rows = {self.index(name) for name in muscles}
+        for joint, parent in enumerate(self.parent.tolist()):
+            if parent in rows and joint not in rows:
+                name, muscle = self.names[joint], self.names[parent]
+                raise ContentError(f"{name} hangs on {muscle}: only muscle bones hang on a muscle bone")
+        return replace(self, muscle_bones=muscles)
 
     def index(self, name: str) -> int:
         """Returns the joint of that name (the first, if a file repeats a name).

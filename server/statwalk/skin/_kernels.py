@@ -20,10 +20,13 @@ from statwalk.maths.simd.lane_functions import (
 )
 from statwalk.maths.simd.lanes import LANES, broadcast, load, spread, store
 from statwalk.maths.simd.pose_lanes import load3, store3
+from statwalk.skin.dual_lanes import carried, stretched
+from statwalk.skin.dual_palette import LINEAR, RIGID
 from statwalk.skin.repair import (
     FINITE,
     LAST,
     MATRIX,
+    NUMBERS,
     RAW,
     TILE,
     XYZ,
@@ -31,7 +34,7 @@ from statwalk.skin.repair import (
     mended_normals,
     mended_points,
 )
-from statwalk.skin.vertex_lanes import blend_matrices, bound, cut, moved, square
+from statwalk.skin.vertex_lanes import blend_lanes, blend_matrices, bound, cut, moved, square, write_bone
 
 ONE = np.float32(1)
 SMALLEST, LARGEST = np.float32(1e-30), np.float32(1e30)
@@ -99,32 +102,32 @@ def palette(world: Any, joints: Any, inverse_bind: Any, out: Any) -> None:
     floats each.
     """
     for bone in range(joints.shape[0]):
-        joint = joints[bone]
-        for row in range(3):
-            a, b, c, d = (
-                world[joint, row, 0],
-                world[joint, row, 1],
-                world[joint, row, 2],
-                world[joint, row, 3],
-            )
-            for column in range(4):
-                product = a * inverse_bind[bone, 0, column]
-                product += b * inverse_bind[bone, 1, column]
-                product += c * inverse_bind[bone, 2, column]
-                out[MATRIX * bone + 4 * row + column] = product
-            out[MATRIX * bone + 4 * row + 3] += d
+        write_bone(world, joints[bone], inverse_bind, bone, out, MATRIX * bone, 1)
+
+
+@kernel(read(FLOAT, 4), read(INT, 1), read(FLOAT, 3), write(FLOAT, 1))
+def palette_lanes(world: Any, joints: Any, inverse_bind: Any, out: Any) -> None:
+    """Writes `palette` for world matrices (N,J,3,4) of up to sixteen actors, 12 times 16 floats a bone; the
+    last actor fills all further lanes.
+    """
+    for bone in range(joints.shape[0]):
+        for lane in range(LANES):
+            actor = min(lane, world.shape[0] - 1)
+            at = NUMBERS * LANES * bone + lane
+            write_bone(world[actor], joints[bone], inverse_bind, bone, out, at, LANES)
 
 
 @kernel(
-    read(FLOAT, 1), read(LONG, 2), read(LONG, 2), read(INT, 1), read(FLOAT, 1), read(FLOAT, 1),
-    read(FLOAT, 1), write(FLOAT, 1), write(FLOAT, 1), write(FLOAT, 2), write(FLOAT, 1),
+    LONG, read(FLOAT, 1), read(FLOAT, 1), read(LONG, 2), read(LONG, 2), read(INT, 1), read(FLOAT, 1),
+    read(FLOAT, 1), read(FLOAT, 1), write(FLOAT, 1), write(FLOAT, 1), write(FLOAT, 2), write(FLOAT, 1),
 )  # fmt: skip
 def skinned(
-    palette: Any, spans: Any, blocks: Any, bones: Any, weights: Any, positions: Any, rest_normals: Any,
-    out_positions: Any, out_normals: Any, bounds: Any, scratch: Any,
+    way: int, palette: Any, stretches: Any, spans: Any, blocks: Any, bones: Any, weights: Any,
+    positions: Any, rest_normals: Any, out_positions: Any, out_normals: Any, bounds: Any, scratch: Any,
 ) -> None:  # fmt: skip
     """Poses all parts: writes points and unit normals (V,3), flat, and the bounds (P,6) of each part.
 
+    way LINEAR: the palette has matrices; RIGID and STRETCHED: dual quaternions, as `dual_palette` writes them
     spans (P,2) first vertex and number of vertices of each part; blocks (B,2) the first influence of a block
     and the number of influences of each vertex; bones (floats into the palette) and weights, vertex by
     vertex; points and normals at rest in blocks: 16 x, 16 y, 16 z.
@@ -138,7 +141,17 @@ def skinned(
             shortest, longest, farthest, first_block, end = one, one, one, block, min(tile + TILE, count)
             for begin in range(tile, end, LANES):
                 blend_matrices(bones, weights, blocks[block, 0], blocks[block, 1], palette, scratch)
-                x, y, z, u, v, w = moved(columns(scratch, 0), positions, rest_normals, XYZ * block)
+                m = columns(scratch, 0)
+                if way == LINEAR:
+                    x, y, z, u, v, w = moved(
+                        m, load3(positions, XYZ * block), load3(rest_normals, XYZ * block)
+                    )
+                elif way == RIGID:
+                    x, y, z, u, v, w = carried(m, positions, rest_normals, XYZ * block)
+                else:
+                    blend_matrices(bones, weights, blocks[block, 0], blocks[block, 1], stretches, scratch)
+                    n = columns(scratch, 0)
+                    x, y, z, u, v, w = stretched(m, n, positions, rest_normals, XYZ * block)
                 lx, ly, lz, hx, hy, hz = (
                     least(x, lx),
                     least(y, ly),
@@ -173,3 +186,31 @@ def skinned(
         bound(bounds, part, 2, lz, hz, scratch)
         if not finite:
             bounded(bounds, part, out_positions, first, count)
+
+
+@kernel(
+    read(LONG, 1), read(INT, 1), read(FLOAT, 1), read(FLOAT, 1), read(FLOAT, 1), write(FLOAT, 1),
+    returns=LONG,
+)  # fmt: skip
+def skinned_crowd(starts: Any, bones: Any, weights: Any, at_rest: Any, palette: Any, out: Any) -> Any:
+    """Poses one mesh for sixteen actors: writes points and unit normals (V,6,16), flat; returns whether all
+    lengths are such that their roots are accurate.
+
+    starts (V + 1,) the first influence of each vertex; bones (floats into the palette) and weights, vertex by
+    vertex; at_rest (V,6) points and normals, flat; palette (K,12,16) matrices of sixteen actors, flat.
+    """
+    one, smallest, largest = broadcast(ONE), broadcast(SMALLEST), broadcast(LARGEST)
+    shortest, longest, farthest = one, one, one
+    for vertex in range(starts.shape[0] - 1):
+        at = 6 * vertex
+        point = spread(at_rest, at), spread(at_rest, at + 1), spread(at_rest, at + 2)
+        normal = spread(at_rest, at + 3), spread(at_rest, at + 4), spread(at_rest, at + 5)
+        m = blend_lanes(bones, weights, starts[vertex], starts[vertex + 1], palette)
+        x, y, z, u, v, w = moved(m, point, normal)
+        squared = square(u, v, w)
+        shortest, longest = lowest_bits(shortest, squared), highest_bits(longest, squared)
+        farthest, size = highest_bits(farthest, square(x, y, z)), one / root(squared)
+        store3(out, at * LANES, (x, y, z))
+        store3(out, (at + 3) * LANES, (u * size, v * size, w * size))
+    is_accurate = all_between(shortest, smallest, largest) and all_between(longest, smallest, largest)
+    return LONG(1) if is_accurate and all_between(farthest, smallest, largest) else LONG(0)

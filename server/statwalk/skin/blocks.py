@@ -17,6 +17,8 @@ from statwalk.maths.arrays import Floats
 from statwalk.maths.simd import aligned
 from statwalk.maths.simd.lanes import LANES
 from statwalk.skin import _kernels
+from statwalk.skin.dual_bones import DualBones
+from statwalk.skin.dual_palette import LINEAR
 from statwalk.skin.morph import Morph
 from statwalk.skin.repair import MATRIX, SCRATCH, XYZ
 from statwalk.skin.soft import Palette
@@ -34,15 +36,19 @@ class Blocks:
         vertices: tuple[MorphedBlocks, MorphedBlocks],
         palette: Palette,
         influences: tuple[NDArray[np.intp], NDArray[np.float32]],
+        *,
+        is_dual: bool = False,
     ) -> None:
         """Prepares parts at `spans`: positions and normals, the palette, bones and weights (V,I) of all
-        vertices.
+        vertices; `is_dual`: blended as dual quaternions.
 
         :raises IndexError: when a vertex follows a bone that is not in the palette; kernels do not check.
         """
         bones, weights = influences
         if bones.max(initial=0) >= max(1, len(palette.joints)):
             raise IndexError(f"a vertex follows bone {bones.max()} of {len(palette.joints)}")
+        self.dual = DualBones(bones, weights, len(palette.joints)) if is_dual else None
+        bones = self.dual.numbers if self.dual else bones
         counts = _influence_counts(spans, weights)
         mask = np.arange(weights.shape[1]) < np.repeat(counts, LANES)[:, None]
         source = sources(spans)
@@ -89,9 +95,14 @@ class Blocks:
             _kernels.palette(
                 np.ascontiguousarray(world, np.float32), self.joints, self.inverse_bind, self.palette
             )
+            way, palette, stretches = LINEAR, self.palette, self.palette
+            if self.dual:
+                way, palette, stretches = self.dual.pose(self.palette), self.dual.turns, self.dual.stretches
             rest, rest_normals = self.vertices[0].posed(weights), self.vertices[1].posed(weights)
             _kernels.skinned(
-                self.palette,
+                way,
+                palette,
+                stretches,
                 self.spans,
                 self.table,
                 self.bones,

@@ -37,6 +37,8 @@ class Surface:
     palette: Palette
     bones: NDArray[np.intp]
     weights: NDArray[np.float32]
+    is_dual: bool = False
+    """whether bones are blended as dual quaternions, not as matrices"""
 
     def pose_into(
         self,
@@ -61,7 +63,10 @@ class Surface:
         """Returns the parts in one pose, named by their indices in the file."""
         flat = np.empty((2, self.positions.size), np.float32)
         self.pose_into(world, weights, flat[0], flat[1], np.empty((len(self.parts), 6), np.float32))
-        positions, normals = flat.reshape(2, -1, 3)
+        return self.parts_of(*flat.reshape(2, -1, 3))
+
+    def parts_of(self, positions: NDArray[np.float32], normals: NDArray[np.float32]) -> list[Part]:
+        """Returns the parts of posed vertices (V,3), named by their indices in the file."""
         return [
             Part(
                 part.node,
@@ -78,11 +83,12 @@ class Surface:
         """Returns the vertices in blocks for the kernels, made on first use."""
         shown = [(self.positions, self.position_morphs), (self.normals, self.normal_morphs)]
         points, normals = (MorphedBlocks(self.spans, rest, morphs) for rest, morphs in shown)
-        return Blocks(self.spans, (points, normals), self.palette, (self.bones, self.weights))
+        influences = self.bones, self.weights
+        return Blocks(self.spans, (points, normals), self.palette, influences, is_dual=self.is_dual)
 
 
-def surface(parts: Sequence[Primitive], skins: Sequence[Skin]) -> Surface:
-    """Returns the surface of a character's primitives."""
+def surface(parts: Sequence[Primitive], skins: Sequence[Skin], *, is_dual: bool = False) -> Surface:
+    """Returns the surface of a character's primitives; `is_dual`: bones are blended as dual quaternions."""
     ends = np.cumsum([len(part.positions) for part in parts]).tolist()
     spans = tuple(slice(end - len(part.positions), end) for part, end in zip(parts, ends, strict=True))
     first_bone = np.cumsum([0, *(len(skin.joints) for skin in skins)]).tolist()
@@ -103,6 +109,7 @@ def surface(parts: Sequence[Primitive], skins: Sequence[Skin]) -> Surface:
         ),
         bones=bones,
         weights=weights,
+        is_dual=is_dual,
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.columns import lock_fields
+from statwalk.skin.collapses import Collapses
 
 TRIANGLES = 4
 
@@ -43,6 +44,7 @@ class Primitive:
                              None
     weight_first             the first of this mesh's M columns in a pose's weights
     attributes               independent of the pose, by glTF's names: TEXCOORD_n (V,2), COLOR_n (V,4)
+    collapses                the order in which vertices collapse (DS10), or None
     """
 
     joint: int
@@ -61,6 +63,7 @@ class Primitive:
     target_normals: NDArray[np.float32] | None = None
     weight_first: int = 0
     attributes: Mapping[str, NDArray[np.float32]] = field(default_factory=dict)
+    collapses: Collapses | None = None
 
 
 class Part(NamedTuple):

@@ -17,6 +17,8 @@ XYZ = 3 * LANES
 """floats of a block's points: 16 x, 16 y, 16 z"""
 MATRIX = 16
 """floats of a bone's matrix: three rows of four, and four zeros"""
+NUMBERS = 12
+"""numbers of a bone's matrix: three rows of four"""
 RAW = MATRIX * LANES
 """index in the scratch of a tile's normals, not yet of unit length, in blocks"""
 LAST = RAW + 3 * TILE

@@ -10,9 +10,26 @@ from typing import Any
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.simd.lane_functions import fused, turned
-from statwalk.maths.simd.lanes import LANES, load_at, spread, store
-from statwalk.maths.simd.pose_lanes import load3
+from statwalk.maths.simd.lanes import LANES, load, load_at, spread, store
 from statwalk.skin.repair import LAST, MATRIX, XYZ
+
+
+@inlined
+def write_bone(world: Any, joint: int, inverse_bind: Any, bone: int, out: Any, at: int, step: int) -> None:
+    """Writes the 12 numbers of the matrix world (J,3,4) · inverse bind (K,3,4) of a bone, `step` apart."""
+    for row in range(3):
+        a, b, c, d = (
+            world[joint, row, 0],
+            world[joint, row, 1],
+            world[joint, row, 2],
+            world[joint, row, 3],
+        )
+        for column in range(4):
+            product = a * inverse_bind[bone, 0, column]
+            product += b * inverse_bind[bone, 1, column]
+            product += c * inverse_bind[bone, 2, column]
+            out[at + (4 * row + column) * step] = product
+        out[at + (4 * row + 3) * step] += d
 
 
 @inlined
@@ -39,33 +56,80 @@ def blend_matrices(bones: Any, weights: Any, start: int, count: int, palette: An
 
 
 @inlined
-def _cross(a: Any, b: Any) -> Any:
+def blend_lanes(bones: Any, weights: Any, first: int, end: int, palette: Any) -> Any:
+    """Returns the blended matrix of one vertex for sixteen actors, row by row; its influences go from
+    `first` to before `end`, and the palette has sixteen lanes.
+    """
+    m = _scaled(palette, bones[first], spread(weights, first))
+    for influence in range(first + 1, end):
+        m = _blended(palette, bones[influence], spread(weights, influence), m)
+    return m
+
+
+@inlined
+def _scaled(palette: Any, at: int, weight: Any) -> Any:
+    return (
+        weight * load(palette, at),
+        weight * load(palette, at + LANES),
+        weight * load(palette, at + 2 * LANES),
+        weight * load(palette, at + 3 * LANES),
+        weight * load(palette, at + 4 * LANES),
+        weight * load(palette, at + 5 * LANES),
+        weight * load(palette, at + 6 * LANES),
+        weight * load(palette, at + 7 * LANES),
+        weight * load(palette, at + 8 * LANES),
+        weight * load(palette, at + 9 * LANES),
+        weight * load(palette, at + 10 * LANES),
+        weight * load(palette, at + 11 * LANES),
+    )
+
+
+@inlined
+def _blended(palette: Any, at: int, weight: Any, m: Any) -> Any:
+    return (
+        fused(weight, load(palette, at), m[0]),
+        fused(weight, load(palette, at + LANES), m[1]),
+        fused(weight, load(palette, at + 2 * LANES), m[2]),
+        fused(weight, load(palette, at + 3 * LANES), m[3]),
+        fused(weight, load(palette, at + 4 * LANES), m[4]),
+        fused(weight, load(palette, at + 5 * LANES), m[5]),
+        fused(weight, load(palette, at + 6 * LANES), m[6]),
+        fused(weight, load(palette, at + 7 * LANES), m[7]),
+        fused(weight, load(palette, at + 8 * LANES), m[8]),
+        fused(weight, load(palette, at + 9 * LANES), m[9]),
+        fused(weight, load(palette, at + 10 * LANES), m[10]),
+        fused(weight, load(palette, at + 11 * LANES), m[11]),
+    )
+
+
+@inlined
+def cross(a: Any, b: Any) -> Any:
+    """Returns the cross products of sixteen pairs of vectors."""
     x, y, z = a[2] * b[1], a[0] * b[2], a[1] * b[0]
     return fused(a[1], b[2], -x), fused(a[2], b[0], -y), fused(a[0], b[1], -z)
 
 
 @inlined
-def _dot(row: Any, x: Any, y: Any, z: Any) -> Any:
-    return fused(row[2], z, fused(row[1], y, row[0] * x))
+def dot(a: Any, b: Any) -> Any:
+    """Returns the dot products of sixteen pairs of vectors."""
+    return fused(a[2], b[2], fused(a[1], b[1], a[0] * b[0]))
 
 
 @inlined
-def moved(m: Any, positions: Any, rest_normals: Any, at: int) -> Any:
+def moved(m: Any, point: Any, normal: Any) -> Any:
     """Returns sixteen points under the matrices `m`, and their normals under the inverse transposes, times
     the size of the determinants.
     """
-    x, y, z = load3(positions, at)
-    u, v, w = load3(rest_normals, at)
     first, second, third = (m[0], m[1], m[2]), (m[4], m[5], m[6]), (m[8], m[9], m[10])
-    a, b, c = _cross(second, third), _cross(third, first), _cross(first, second)
-    sign = _dot(first, a[0], a[1], a[2])  # a mirror's is negative
+    a, b, c = cross(second, third), cross(third, first), cross(first, second)
+    sign = dot(first, a)  # a mirror's is negative
     return (
-        _dot(first, x, y, z) + m[3],
-        _dot(second, x, y, z) + m[7],
-        _dot(third, x, y, z) + m[11],
-        turned(_dot(a, u, v, w), sign),
-        turned(_dot(b, u, v, w), sign),
-        turned(_dot(c, u, v, w), sign),
+        dot(first, point) + m[3],
+        dot(second, point) + m[7],
+        dot(third, point) + m[11],
+        turned(dot(a, normal), sign),
+        turned(dot(b, normal), sign),
+        turned(dot(c, normal), sign),
     )
 
 

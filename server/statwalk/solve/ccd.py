@@ -12,7 +12,7 @@ from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_elementary import of
 from statwalk.maths.simd.lane_functions import any_above, most, root, where_below
-from statwalk.maths.simd.lane_quat import conjugate, minus, plus, rotated, scaled, vector_square
+from statwalk.maths.simd.lane_quat import minus, plus, rotated, rotated_back, scaled, vector_square
 from statwalk.maths.simd.lane_vector import length, where3_below
 from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import load3, load4, store3, store4
@@ -27,7 +27,8 @@ ZERO, ONE = np.float32(0), np.float32(1)
 def solve_ccd(
     chains: Any, clamps: Any, number: int, goal: Any, active: Any, best: Any, whole: Any, scratch: Any
 ) -> Any:
-    """Turns the joints until the end is within the chain's tolerance of the goal; returns the iterations.
+    """Turns the joints until the end is within the chain's tolerance of the goal; returns the iterations
+    and the distance of the best pose.
 
     `active`: above 0 in lanes with work to do; `best`: the distance of the pose at BEST.
     """
@@ -46,7 +47,7 @@ def solve_ccd(
         best = keep_better(scratch, count - 1, better, distance, best)
         active, last = goes_on(active, distance, last, tolerance, whole), distance
     take_best(scratch, count - 1)
-    return iterations
+    return iterations, best
 
 
 @inlined
@@ -61,7 +62,7 @@ def _sweep(chains: Any, clamps: Any, number: int, goal: Any, scratch: Any) -> An
     for place in range(count - 1):
         aim = minus(seen, load3(scratch, place * JOINT + OFFSET))
         store3(scratch, place * JOINT + AIM, aim)
-        seen = rotated(conjugate(load4(scratch, place * JOINT + LOCAL)), aim)
+        seen = rotated_back(load4(scratch, place * JOINT + LOCAL), aim)
     end = load3(scratch, (count - 1) * JOINT + OFFSET)
     for step in range(count - 1):
         place = count - 2 - step

@@ -11,10 +11,11 @@ from typing import Any
 import numpy as np
 
 from statwalk.maths.compiling import inlined
+from statwalk.maths.simd.lane_bits import natural
 from statwalk.maths.simd.lane_elementary import of
-from statwalk.maths.simd.lane_functions import any_above, least, most, where_below
+from statwalk.maths.simd.lane_functions import any_above, fused, least, most, where_below
 from statwalk.maths.simd.lane_quat import minus, mul, normalized, plus, rotated, slerp
-from statwalk.maths.simd.lane_vector import added, length, times
+from statwalk.maths.simd.lane_vector import added, dot, length, times
 from statwalk.maths.simd.lanes import LANES, broadcast, store
 from statwalk.maths.simd.pose_lanes import ROTATION, SCALE, either4, joint_at, load3, load4, store3, store4
 
@@ -61,14 +62,15 @@ def base_frame(chains: Any, number: int, values: Any, block: int) -> Any:
 @inlined
 def read_chain(chains: Any, number: int, values: Any, block: int, scale: Any, scratch: Any) -> None:
     """Writes the rotations and places of the chain's joints into the scratch."""
-    first = chains.first[number]
+    first = natural(chains.first[number])
     for place in range(chains.first[number + 1] - first):
         at = joint_at(values, block, chains.joint[first + place])
         store4(scratch, place * JOINT + LOCAL, load4(values, at + ROTATION))
         store3(scratch, place * JOINT + OFFSET, times(scale, load3(values, at)))
         scale = times(scale, load3(values, at + SCALE))
-        store(scratch, place * JOINT + CUT, broadcast(ZERO))
-        store(scratch, place * JOINT + NOTED, broadcast(ZERO))
+        if chains.is_noted[number]:
+            store(scratch, place * JOINT + CUT, broadcast(ZERO))
+            store(scratch, place * JOINT + NOTED, broadcast(ZERO))
 
 
 @inlined
@@ -133,7 +135,7 @@ def softened(target: Any, start: Any, reach: Any, softening: Any) -> Any:
 def write_joint(values: Any, at: int, solved: Any, weight: Any) -> Any:
     """Writes a joint's rotation: from that of the pose (weight 0) to the solved one (1); returns it."""
     old, zero, one = load4(values, at + ROTATION), broadcast(ZERO), broadcast(ONE)
-    alike = old[0] * solved[0] + old[1] * solved[1] + old[2] * solved[2] + old[3] * solved[3]
+    alike = fused(old[3], solved[3], dot(old, solved))
     solved = (
         where_below(alike, zero, -solved[0], solved[0]),
         where_below(alike, zero, -solved[1], solved[1]),

@@ -105,6 +105,8 @@ class Chains(NamedTuple):
     """the joint without a parent above a chain's start"""
     note: Annotated[NDArray[np.int32], "row"]
     """the column of `keep` that says how far the joint's limits cut its last turn; -1: none"""
+    is_noted: Annotated[NDArray[np.bool_], "chain"]
+    """whether a joint of the chain has a column in `note`"""
     is_free: Annotated[NDArray[np.bool_], "chain"]
     """whether no joint that turns has limits or a sensitivity below 1"""
 
@@ -143,6 +145,7 @@ def chain_tables(
             is_moored=np.array([chain.is_moored for chain in chains], bool),
             top=np.array([top_of(parent, chain.joints[0]) for chain in chains], np.int32),
             note=np.array([(notes or {}).get(joint, -1) for joint in sum(joints, ())], np.int32),
+            is_noted=np.array([not set(chain.joints).isdisjoint(notes or {}) for chain in chains], bool),
             is_free=np.array([_is_free(chain, limits) for chain in chains], bool),
         )
     )

@@ -35,6 +35,10 @@ def express(
     evaluate_group(x, group, parameters, row, frame, time, values, stack, pose, at, lane)
     for touched in range(x.first_joint[group], x.first_joint[group + 1]):
         _store_joint(x, touched, values, pose, at, lane)
+    for touched in range(x.first_weight[group], x.first_weight[group + 1]):
+        slot = x.weight_store[touched]
+        if slot >= 0:
+            pose[at, x.weight[touched], lane] = np.float32(_single(values[slot]))
 
 
 @called
@@ -48,6 +52,10 @@ def evaluate_group(
         values[FIRST_PARAMETER + parameter] = number(parameters[row, parameter])
     for touched in range(x.first_joint[group], x.first_joint[group + 1]):
         _load_joint(x, touched, values, pose, at, lane)
+    for touched in range(x.first_weight[group], x.first_weight[group + 1]):
+        slot = x.weight_load[touched]
+        if slot >= 0:
+            values[slot] = float(pose[at, x.weight[touched], lane])
     for line in range(x.first_assignment[group], x.first_assignment[group + 1]):
         first, end = x.first_step[line], x.first_step[line + 1]
         values[x.slot[line]] = number(result(x.opcode, x.operand, first, end, values, stack))

@@ -21,10 +21,12 @@ FRAME_SLOT, TIME_SLOT, FIRST_PARAMETER = 0, 1, 2
 AXES = 9
 """channels of a joint: rotation, translation, scale, three each"""
 NO_SLOT = -1
+POWERS = 3
+"""targets of a muscle at most: the contraction, its square, its cube"""
 
 
 class ExpressionTables(NamedTuple):
-    """G groups, A assignments, T touched joints of all groups."""
+    """G groups, A assignments, T touched joints and M touched morph weights of all groups."""
 
     group: Annotated[NDArray[np.int32], "state"]
     """the group of each state's motion, 0: its motion is no expression"""
@@ -43,6 +45,17 @@ class ExpressionTables(NamedTuple):
     """(T, 9) the slots that take a channel's value before the group runs, NO_SLOT none"""
     store: Annotated[NDArray[np.int32], "touched, channel"]
     """(T, 9) the slots whose values a channel takes afterwards, NO_SLOT none"""
+    first_weight: Annotated[NDArray[np.int32], "group"]
+    """(G + 1,)"""
+    weight: Annotated[NDArray[np.int32], "weight"]
+    """(M,) the channel of a pose that holds each morph weight"""
+    weight_load: Annotated[NDArray[np.int32], "weight"]
+    weight_store: Annotated[NDArray[np.int32], "weight"]
+    """(M,) the slots that take a morph weight and that it takes, NO_SLOT none"""
+    contraction: Annotated[NDArray[np.int32], "muscle, power"]
+    """(K, 3) the channels of a pose that hold the contraction of each muscle, its square and its cube,
+    NO_SLOT none
+    """
 
 
 class JointChannel(NamedTuple):
@@ -50,6 +63,14 @@ class JointChannel(NamedTuple):
 
     joint: int
     axis: int
+
+
+class WeightChannel(NamedTuple):
+    """The channels of a pose that hold the weights of the morph targets of one name; all are set, the first
+    is read.
+    """
+
+    channels: tuple[int, ...]
 
 
 class ExpressionProgram(NamedTuple):
@@ -69,22 +90,27 @@ class ExpressionProgram(NamedTuple):
 def expression_program(
     groups: Sequence[Sequence[Assignment]],
     group_of_state: Sequence[int],
-    channels: Mapping[str, JointChannel],
+    channels: Mapping[str, JointChannel | WeightChannel],
     parameters: Sequence[str],
+    contractions: Sequence[Sequence[int]] = (),
 ) -> ExpressionProgram:
-    """Returns the program of groups of sorted assignments; `channels` has all names that are channels."""
+    """Returns the program of groups of sorted assignments; `channels` has all names that are channels,
+    `contractions` are the rows of `ExpressionTables.contraction`.
+    """
     builder = _Builder(channels, parameters)
     for assignments in groups:
         builder.add(assignments)
     slots = {line.target: builder.slot_of(0, line.target) for line in groups[0]}
-    tables, deepest = builder.tables(group_of_state), max(builder.deepest, 1)
+    tables, deepest = builder.tables(group_of_state, contractions), max(builder.deepest, 1)
     return ExpressionProgram(tables, tuple(groups[0]), slots, builder.count, deepest)
 
 
 class _Builder:
     """The columns of the tables so far."""
 
-    def __init__(self, channels: Mapping[str, JointChannel], parameters: Sequence[str]) -> None:
+    def __init__(
+        self, channels: Mapping[str, JointChannel | WeightChannel], parameters: Sequence[str]
+    ) -> None:
         self.channels = channels
         self.fixed = {"frameid": FRAME_SLOT, "time": TIME_SLOT} | {
             name: FIRST_PARAMETER + row for row, name in enumerate(parameters)
@@ -96,6 +122,7 @@ class _Builder:
         self.slots: list[int] = []
         self.code: list[tuple[int, float]] = []
         self.touched: list[tuple[int, list[int], list[int]]] = []
+        self.first_weight, self.weights = [0], list[tuple[int, int, int]]()
 
     def slot_of(self, group: int, name: str) -> int:
         """Returns the slot of a name in a group; a new one for a name that is not yet known there."""
@@ -121,19 +148,29 @@ class _Builder:
         self._touch(group, assignments)
 
     def _touch(self, group: int, assignments: Sequence[Assignment]) -> None:
-        """Adds the joints whose channels the group reads or sets."""
+        """Adds the joints and morph weights whose channels the group reads or sets."""
         names_set = {line.target for line in assignments}
         read = {name for line in assignments for name in line.formula.scope} - names_set
         rows: dict[int, tuple[list[int], list[int]]] = {}
         for name in (*sorted(read), *sorted(names_set)):
-            if name in self.channels:
-                joint, axis = self.channels[name]
+            channel = self.channels.get(name)
+            if isinstance(channel, WeightChannel):
+                self._touch_weights(channel, self.slot_of(group, name), is_set=name in names_set)
+            elif channel is not None:
+                joint, axis = channel
                 row = rows.setdefault(joint, ([NO_SLOT] * AXES, [NO_SLOT] * AXES))
                 row[name in names_set][axis] = self.slot_of(group, name)
         for joint, (load, store) in sorted(rows.items()):
             self._complete(load, store)
             self.touched.append((joint, load, store))
         self.first_joint.append(len(self.touched))
+        self.first_weight.append(len(self.weights))
+
+    def _touch_weights(self, weight: WeightChannel, slot: int, *, is_set: bool) -> None:
+        if is_set:
+            self.weights += [(channel, NO_SLOT, slot) for channel in weight.channels]
+        else:
+            self.weights.append((weight.channels[0], slot, NO_SLOT))
 
     def _complete(self, load: list[int], store: list[int]) -> None:
         """Keeps the angles that are not set where others of the joint are."""
@@ -145,7 +182,9 @@ class _Builder:
                         self.count += 1
                     store[axis] = load[axis]
 
-    def tables(self, group_of_state: Sequence[int]) -> ExpressionTables:
+    def tables(
+        self, group_of_state: Sequence[int], contractions: Sequence[Sequence[int]]
+    ) -> ExpressionTables:
         """Returns the arrays."""
 
         def rows(column: int) -> NDArray[np.int32]:
@@ -163,5 +202,10 @@ class _Builder:
                 joint=np.array([joint for joint, _, _ in self.touched], np.int32),
                 load=rows(1),
                 store=rows(2),
+                first_weight=np.array(self.first_weight, np.int32),
+                weight=np.array([channel for channel, _, _ in self.weights], np.int32),
+                weight_load=np.array([load for _, load, _ in self.weights], np.int32),
+                weight_store=np.array([store for _, _, store in self.weights], np.int32),
+                contraction=np.array(contractions, np.int32).reshape(-1, POWERS),
             )
         )  # fmt: skip

@@ -19,7 +19,7 @@ from statwalk.maths.simd.lane_functions import (
     where_below,
     with_sign,
 )
-from statwalk.maths.simd.lane_quat import conjugate, minus, mul, normalized, plus, rotated, vector_square
+from statwalk.maths.simd.lane_quat import minus, mul, normalized, plus, rotated, rotated_back, vector_square
 from statwalk.maths.simd.lane_vector import added, cross, length
 from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import load3, load4, store3, store4
@@ -71,7 +71,7 @@ def _step(chains: Any, clamps: Any, number: int, goal: Any, gain: Any, per_lengt
     seen = goal
     for place in range(count - 1):
         aim = minus(seen, load3(scratch, place * JOINT + OFFSET))
-        seen = rotated(conjugate(load4(scratch, place * JOINT + LOCAL)), aim)
+        seen = rotated_back(load4(scratch, place * JOINT + LOCAL), aim)
         store3(scratch, place * JOINT + AIM, seen)
     end = load3(scratch, (count - 1) * JOINT + OFFSET)
     for step in range(count - 1):
@@ -82,7 +82,7 @@ def _step(chains: Any, clamps: Any, number: int, goal: Any, gain: Any, per_lengt
             seen, bone = load3(scratch, at + AIM), load3(scratch, at + JOINT + OFFSET)
             for axis in range(3):
                 turn = _turn(axis, bone, minus(seen, end), per_length, part)
-                seen, q = rotated(conjugate(turn), seen), mul(q, turn)
+                seen, q = rotated_back(turn, seen), mul(q, turn)
             q = limited(chains, clamps, first + place, normalized(q), scratch, at)
             store4(scratch, at + LOCAL, q)
         end = plus(load3(scratch, at + OFFSET), rotated(q, end))

@@ -30,7 +30,7 @@ from statwalk.solve.chain_lanes import (
     place_joints,
     read_chain,
 )
-from statwalk.solve.fabrik import pull_back, pull_forth, turn_to_points
+from statwalk.solve.fabrik import fixed, pull_back, pull_forth, turn_to_points
 from statwalk.solve.hanging import FREE, LINK, NEW, OF_CHAIN, OF_JOINT, OLD, SINCE
 from statwalk.solve.iterate import note_cuts
 from statwalk.solve.reach_tables import WEIGHT
@@ -169,7 +169,8 @@ def _turn(
         store4(scratch, place * JOINT + LOCAL, load4(coming, where + ROTATION))
     store3(scratch, POINT, offset)
     goal, tolerance = last, spread(chains.tolerance, number)
-    missed = length(minus(goal, pull_forth(scratch, count, one)))
+    end, drawn = pull_forth(scratch, count, one, fixed(load3(scratch, JOINT + AIM)))
+    missed = length(minus(goal, end))
     held = where_below(zero, load(work, LINKS + (count - 1) * LINK + FREE), zero, one)
     if not h.holds[k, 0]:
         held = zero  # the root gives way
@@ -177,8 +178,8 @@ def _turn(
     for _ in range(PULLS):
         if not any_above(held, zero):
             break
-        pull_back(scratch, count, goal)
-        missed = length(minus(goal, pull_forth(scratch, count, held)))
+        end, drawn = pull_forth(scratch, count, held, pull_back(scratch, count, goal, drawn))
+        missed = length(minus(goal, end))
         held = where_below(tolerance, missed, held, zero)
     turn_to_points(chains, clamps, number, POINT, scratch)
     note_cuts(chains, number, one, scratch)

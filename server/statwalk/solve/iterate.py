@@ -10,8 +10,16 @@ from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.clamp_lanes import clamp_rotation
 from statwalk.maths.simd.lane_elementary import of
-from statwalk.maths.simd.lane_functions import any_above, either, size, where_below
-from statwalk.maths.simd.lane_quat import conjugate, minus, mul, renormalized, rotated, slerp, vector_square
+from statwalk.maths.simd.lane_functions import any_above, either, root, size, where_below
+from statwalk.maths.simd.lane_quat import (
+    minus,
+    mul,
+    renormalized,
+    rotated,
+    rotated_back,
+    slerp,
+    vector_square,
+)
 from statwalk.maths.simd.lane_turns import between, half_way
 from statwalk.maths.simd.lane_vector import cross, length, per_root, perpendicular, unit, where3_below
 from statwalk.maths.simd.lanes import broadcast, load, spread, store
@@ -80,7 +88,7 @@ def aimed(chains: Any, clamps: Any, row: int, bone: Any, aim: Any, q: Any, scrat
     """
     if chains.sensitivity[row] < ONE:
         return turned_by(chains, clamps, row, between(bone, aim), q, scratch, at)
-    turn, square = half_way(bone, aim)
+    turn, square = half_way(bone, aim, root(vector_square(bone) * vector_square(aim)))
     q, factor = mul(turn, renormalized(q)), per_root(square)  # q is known before the turn: nothing waits
     q = q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor
     return limited(chains, clamps, row, q, scratch, at)
@@ -132,6 +140,14 @@ def take_best(scratch: Any, count: int) -> None:
 
 
 @inlined
+def take_better(scratch: Any, count: int, better: Any) -> None:
+    """Puts the best rotations in the place of the last in lanes with `better` 0."""
+    for place in range(count):
+        at = place * JOINT
+        store4(scratch, at + LOCAL, either4(better, load4(scratch, at + LOCAL), load4(scratch, at + BEST)))
+
+
+@inlined
 def goes_on(active: Any, distance: Any, last: Any, tolerance: Any, whole: Any) -> Any:
     """Returns `active` in lanes that are neither at the target nor without progress since the `last`
     distance, else 0.
@@ -159,7 +175,7 @@ def _stretch(chains: Any, clamps: Any, number: int, goal: Any, mask: Any, scratc
             bone = rotated(q, load3(scratch, at + JOINT + OFFSET))
             q = either4(mask, aimed(chains, clamps, first + place, bone, aim, q, scratch, at), q)
             store4(scratch, at + LOCAL, q)
-        goal = rotated(conjugate(q), aim)
+        goal = rotated_back(q, aim)
 
 
 @inlined
@@ -172,9 +188,12 @@ def _in_line(goal: Any, whole: Any, count: int, scratch: Any) -> Any:
     square, nothing, width = vector_square(aim), of(IN_LINE) * whole * whole, zero
     end = minus(load3(scratch, (count - 1) * JOINT + POINT), start)
     line = where3_below(square, nothing, end, aim)
+    limit = nothing * vector_square(line)
     for place in range(1, count):
         width = width + vector_square(cross(minus(load3(scratch, place * JOINT + POINT), start), line))
-    in_line = where_below(width, nothing * vector_square(line), one, zero)
+        if not any_above(limit, width):
+            break
+    in_line = where_below(width, limit, one, zero)
     reach = whole * of(1 - 1e-4)
     return where_below(square, reach * reach, in_line, zero)
 
@@ -193,7 +212,7 @@ def _bend(
         at = place * JOINT
         if chains.sensitivity[first + place] > ZERO:
             half = of(0.5 * KICK) if place == 0 else of(-KICK)
-            axis = rotated(conjugate(load4(scratch, at + TURN)), across)
+            axis = rotated_back(load4(scratch, at + TURN), across)
             turn = axis[0] * half, axis[1] * half, axis[2] * half, broadcast(ONE)
             q = load4(scratch, at + LOCAL)
             bent = turned_by(chains, clamps, first + place, renormalized(turn), q, scratch, at)

@@ -20,9 +20,9 @@ from typing import Any
 import numpy as np
 
 from statwalk.maths.compiling import inlined
-from statwalk.maths.reference import called
-from statwalk.maths.simd.lane_functions import any_above, either
-from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, rotated
+from statwalk.maths.simd.lane_bits import natural
+from statwalk.maths.simd.lane_functions import any_above, either, where_below
+from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, rotated, rotated_back
 from statwalk.maths.simd.lane_vector import length
 from statwalk.maths.simd.lanes import LANES, broadcast, load, spread, store
 from statwalk.maths.simd.pose_lanes import either3, joint_at, load3, load4, store3, store4
@@ -63,10 +63,10 @@ from statwalk.solve.iterate import begin, limited
 from statwalk.solve.look_at import missed, solve_look_at
 from statwalk.solve.two_bone import clamp_limb, solve_two_bone
 
-ZERO = np.float32(0)
+ZERO, ONE, UNKNOWN = np.float32(0), np.float32(1), np.float32(-1)
 
 
-@called
+@inlined
 def solve_chain_block(
     chains: Any, clamps: Any, number: int, values: Any, block: int, rows: Any, at: int, scratch: Any,
     keep: Any,
@@ -74,33 +74,37 @@ def solve_chain_block(
     """Turns the joints of one chain of a block's actors, and writes its output rows; an actor of weight 0
     keeps its bits.
     """
+    number, block = natural(number), natural(block)
     weight, zero = load(rows, at + WEIGHT * LANES), broadcast(ZERO)
     distance, iterations = zero, zero
     if any_above(weight, zero):
         position, rotation, scale = base_frame(chains, number, values, block)
         read_chain(chains, number, values, block, scale, scratch)
-        to_base = conjugate(rotation)
-        target = rotated(to_base, minus(load3(rows, at + TARGET * LANES), position))
-        pole = rotated(to_base, load3(rows, at + POLE * LANES))
+        target = rotated_back(rotation, minus(load3(rows, at + TARGET * LANES), position))
+        pole = rotated_back(rotation, load3(rows, at + POLE * LANES))
         start = load3(scratch, OFFSET)
         end = start
         if chains.pole_kind[number] == POLE_POINT:
-            base = rotated(to_base, position)
+            base = rotated_back(rotation, position)
             pole = minus(pole, plus(base, target if chains.is_moored[number] else start))
         if chains.is_moored[number]:  # the end stays: as seen from the start, it goes the other way
             end = end_of(scratch, _count(chains, number))
             target = minus(plus(start, end), target)
         if chains.is_carried[number]:
             add_turns(chains, clamps, number, scratch)
-        iterations = _solve(chains, clamps, number, target, pole, weight, scratch)
+        iterations, known = _solve(chains, clamps, number, target, pole, weight, scratch)
         if chains.is_carried[number]:
             take_turns(chains, number, values, block, scratch)
-        end_rotation = mul(to_base, load4(rows, at + ROTATION * LANES))
-        distance = _write(chains, clamps, number, values, block, target, end_rotation, weight, scratch)
+        _write(chains, number, values, block, weight, scratch)
+        if chains.turns_end[number]:
+            end_rotation = mul(conjugate(rotation), load4(rows, at + ROTATION * LANES))
+            _turn_end(chains, clamps, number, values, block, end_rotation, weight, scratch)
+        distance = _distance(chains, number, target, known, weight, scratch)
         if chains.is_moored[number]:
             away = minus(end, end_of(scratch, _count(chains, number)))
             _move_top(chains, number, values, block, rotated(rotation, away), weight)
-        keep_notes(chains, number, block, weight, scratch, keep)
+        if chains.is_noted[number]:
+            keep_notes(chains, number, block, weight, scratch, keep)
     store(rows, at + DISTANCE * LANES, either(weight, distance, zero))
     store(rows, at + ITERATIONS * LANES, either(weight, iterations, zero))
 
@@ -121,7 +125,7 @@ def _move_top(chains: Any, number: int, values: Any, block: int, way: Any, weigh
 @inlined
 def keep_notes(chains: Any, number: int, block: int, weight: Any, scratch: Any, keep: Any) -> None:
     """Writes what the limits cut in the lanes of actors with a weight above 0."""
-    first = chains.first[number]
+    first = natural(chains.first[number])
     for place in range(_count(chains, number)):
         column, at = chains.note[first + place], place * JOINT + NOTED
         if column >= 0:
@@ -141,51 +145,71 @@ def forget_notes(chains: Any, keep: Any, block: int) -> None:
 
 @inlined
 def _solve(chains: Any, clamps: Any, number: int, target: Any, pole: Any, weight: Any, scratch: Any) -> Any:
-    """Runs the chain's solver, which leaves its rotations at LOCAL; returns its iterations."""
-    solver, count = chains.solver[number], chains.first[number + 1] - chains.first[number]
+    """Runs the chain's solver, which leaves its rotations at LOCAL; returns its iterations, and how far the
+    end is from the target, below 0 where that has to be measured.
+    """
+    solver, count = chains.solver[number], _count(chains, number)
+    zero, unknown = broadcast(ZERO), broadcast(UNKNOWN)
     if solver == LOOK_AT:
-        return solve_look_at(chains, clamps, number, target, weight, scratch)
+        return solve_look_at(chains, clamps, number, target, weight, scratch), unknown
     softening = spread(chains.softening, number)
     if solver == TWO_BONE:
         middle = chains.middle[number]
         at = 3 * number
         hinge = spread(chains.hinge, at), spread(chains.hinge, at + 1), spread(chains.hinge, at + 2)
-        target = solve_two_bone(scratch, count, middle, target, pole, hinge, softening)
+        target, distance = solve_two_bone(scratch, count, middle, target, pole, hinge, softening)
         if chains.is_free[number]:
-            return broadcast(ZERO)
+            return zero, distance
         clamp_limb(chains, clamps, number, middle, scratch)
     whole = chain_length(scratch, count)
     if solver != TWO_BONE:
         target = softened(target, load3(scratch, OFFSET), whole, softening)
     best = begin(chains, clamps, number, target, pole, whole, scratch)
-    if solver == FABRIK:
-        return solve_fabrik(chains, clamps, number, target, weight, best, whole, scratch)
     if solver == FORCE:
-        return solve_force(chains, clamps, number, target, weight, best, whole, scratch)
-    return solve_ccd(chains, clamps, number, target, weight, best, whole, scratch)
+        return solve_force(chains, clamps, number, target, weight, best, whole, scratch), unknown
+    if solver == FABRIK:
+        iterations, best = solve_fabrik(chains, clamps, number, target, weight, best, whole, scratch)
+    else:
+        iterations, best = solve_ccd(chains, clamps, number, target, weight, best, whole, scratch)
+    return iterations, where_below(zero, softening, unknown, best)
 
 
 @inlined
-def _write(
-    chains: Any, clamps: Any, number: int, values: Any, block: int, target: Any, end_rotation: Any,
-    weight: Any, scratch: Any,
-) -> Any:  # fmt: skip
-    """Writes the rotations into the pose; returns the distance from the target."""
-    first, count = chains.first[number], chains.first[number + 1] - chains.first[number]
-    is_look_at = chains.solver[number] == LOOK_AT
-    for place in range(count if is_look_at else count - 1):
+def _write(chains: Any, number: int, values: Any, block: int, weight: Any, scratch: Any) -> None:
+    """Writes the rotations into the pose; where a weight is below 1, also to LOCAL."""
+    is_partial = any_above(broadcast(ONE), weight)
+    first, turned = natural(chains.first[number]), _count(chains, number)
+    for place in range(turned if chains.solver[number] == LOOK_AT else turned - 1):
         if chains.sensitivity[first + place] > ZERO:
             where = joint_at(values, block, chains.joint[first + place])
             solved = write_joint(values, where, load4(scratch, place * JOINT + LOCAL), weight)
-            store4(scratch, place * JOINT + LOCAL, solved)
-    if is_look_at:
-        return missed(chains, number, target, scratch)
-    if chains.turns_end[number]:
-        place_joints(scratch, count, LOCAL)
-        where = joint_at(values, block, chains.joint[first + count - 1])
-        above = conjugate(load4(scratch, (count - 1) * JOINT + TURN))
-        last = (count - 1) * JOINT
-        turned = limited(chains, clamps, first + count - 1, mul(above, end_rotation), scratch, last)
-        write_joint(values, where, turned, weight)
+            if is_partial:
+                store4(scratch, place * JOINT + LOCAL, solved)
+
+
+@inlined
+def _turn_end(
+    chains: Any, clamps: Any, number: int, values: Any, block: int, end_rotation: Any, weight: Any,
+    scratch: Any,
+) -> None:  # fmt: skip
+    """Gives the end a rotation in the chain's frame, within its limits."""
+    row, last = chains.first[number + 1] - 1, (_count(chains, number) - 1) * JOINT
+    place_joints(scratch, _count(chains, number), LOCAL)
+    turned = mul(conjugate(load4(scratch, last + TURN)), end_rotation)
+    turned = limited(chains, clamps, row, turned, scratch, last)
+    write_joint(values, joint_at(values, block, chains.joint[row]), turned, weight)
+    if chains.is_noted[number]:
         store(scratch, last + NOTED, load(scratch, last + CUT))
-    return length(minus(target, end_of(scratch, count)))
+
+
+@inlined
+def _distance(chains: Any, number: int, target: Any, known: Any, weight: Any, scratch: Any) -> Any:
+    """The distance of the end from the target: what the solver knows, if that is all written."""
+    if chains.solver[number] == LOOK_AT:
+        return missed(chains, number, target, scratch)
+    zero = broadcast(ZERO)
+    unwritten = either(weight, broadcast(ONE) - weight, zero)
+    if any_above(unwritten, zero) or any_above(zero, known):
+        measured = length(minus(target, end_of(scratch, _count(chains, number))))
+        known = where_below(known, zero, measured, where_below(zero, unwritten, measured, known))
+    return known

@@ -9,7 +9,7 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.simd.lane_elementary import of
 from statwalk.maths.simd.lane_functions import any_above, least, most, root, size
-from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, rotated, scaled, vector_square
+from statwalk.maths.simd.lane_quat import minus, mul, plus, rotated, rotated_back, scaled, vector_square
 from statwalk.maths.simd.lane_turns import between, between_frames, half_turn
 from statwalk.maths.simd.lane_vector import (
     added,
@@ -42,43 +42,47 @@ def solve_two_bone(
     scratch: Any, count: int, middle: int, target: Any, pole: Any, hinge_of_start: Any, softening: Any
 ) -> Any:
     """Turns the first and the middle joint so that the last of `count` joints comes to the target; returns
-    the softened target.
+    the softened target, and how far the end is from the target.
 
     `pole` is the direction in which the middle joint bends; zero: as it bends now. For a target out of
     reach the limb is straight and points at it; for a target that is too near it is folded. A knee keeps the
     axis about which it is bent now, or bends about `hinge_of_start` in the frame of the first joint if that
     is not zero; then a knee that is bent backwards is bent forwards again.
 
-    All is computed in the frame of the first joint.
+    Bones and hinges are in the frame of the first joint, all else is in that of its parent.
     """
     start, first = load3(scratch, OFFSET), load4(scratch, LOCAL)
     upper, lower, above = _bones(scratch, count, middle)
-    smallest, into = of(SHORTEST * SHORTEST), conjugate(first)
+    smallest, one = of(SHORTEST * SHORTEST), broadcast(ONE)
     upper_square, lower_square = most(vector_square(upper), smallest), most(vector_square(lower), smallest)
-    per_upper, per_lower = per_root(upper_square), per_root(lower_square)
-    upper_length, lower_length = upper_square * per_upper, lower_square * per_lower
-    whole = upper_length + lower_length
-    target = softened(target, start, whole, softening)
-    aim, per_lengths = rotated(into, minus(target, start)), per_upper * per_lower
+    upper_length, lower_length = root(upper_square), root(lower_square)
+    per_lengths, whole = one / (upper_length * lower_length), upper_length + lower_length
+    per_upper = per_lengths * lower_length
+    raw = cross(upper, lower)
+    soft = softened(target, start, whole, softening)
+    aim = minus(soft, start)
 
-    onward = _onward(aim, upper, lower, whole)
-    sideways = _sideways(rotated(into, pole), upper, onward, upper_square)
+    onward, aim_length, per_reach = _onward(aim, first, upper, lower, whole)
+    sideways = _sideways(pole, first, upper, onward, upper_square)
     apart = size(upper_length - lower_length)
-    reach = least(most(most(length(aim), apart), whole * of(NEAREST)), whole)
-    along, aside = _corner(upper_length - lower_length, apart, whole, reach)
-    old_x = scaled(upper, per_upper)
+    reach = least(most(most(aim_length, apart), whole * of(NEAREST)), whole)
+    if any_above(size(reach - aim_length), broadcast(ZERO)):  # too far or too near
+        per_reach = one / reach
+    along, aside = _corner(upper_length - lower_length, apart, whole, reach, per_reach)
     new_x = scaled(added(scaled(onward, along), sideways, aside), per_upper)
     new_hinge = cross(sideways, onward)
-    raw = cross(upper, lower)
-    hinge = _old_hinge(raw, per_lengths, old_x, new_x, new_hinge, hinge_of_start)
-    store4(scratch, LOCAL, mul(first, between_frames(old_x, hinge, new_x, new_hinge)))
+    hinge = _old_hinge(raw, per_lengths, upper, first, new_x, new_hinge, hinge_of_start)
+    turned = between_frames(scaled(upper, per_upper), hinge, new_x, new_hinge)
+    store4(scratch, LOCAL, turned)
     old = dot(upper, lower) * per_lengths, dot(raw, hinge) * per_lengths
     new_cosine = (reach * reach - upper_square - lower_square) * (broadcast(HALF) * per_lengths)
     if middle > 1:
-        hinge = rotated(conjugate(above), hinge)
+        hinge = rotated_back(above, hinge)
     turn, at = _bend(hinge, old, (new_cosine, aside * reach * per_lengths)), middle * JOINT + LOCAL
     store4(scratch, at, mul(turn, load4(scratch, at)))
-    return target
+    if any_above(softening, broadcast(ZERO)):
+        return soft, length(added(minus(target, start), onward, -reach))
+    return soft, size(aim_length - reach)
 
 
 @inlined
@@ -104,13 +108,13 @@ def _bones(scratch: Any, count: int, middle: int) -> Any:
 
 
 @inlined
-def _corner(difference: Any, apart: Any, whole: Any, reach: Any) -> Any:
+def _corner(difference: Any, apart: Any, whole: Any, reach: Any, per_reach: Any) -> Any:
     """How far the middle joint is from the first one along the line to the target, and from that line; of
     the sides' difference (with and without sign), their sum, and the third side of the triangle.
     """
     # four times the area (Heron): exact where the triangle is flat
     area = root(most((whole + reach) * (whole - reach) * (reach + apart) * (reach - apart), broadcast(ZERO)))
-    half, per_reach = broadcast(HALF), broadcast(ONE) / reach
+    half = broadcast(HALF)
     return (difference * whole * per_reach + reach) * half, area * (half * per_reach)
 
 
@@ -133,26 +137,30 @@ def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any)
 
 
 @inlined
-def _onward(aim: Any, upper: Any, lower: Any, whole: Any) -> Any:
-    """The unit vector to the target; for a target at the start, to the end as it is; for an end at the start,
-    along the first bone.
+def _onward(aim: Any, first: Any, upper: Any, lower: Any, whole: Any) -> Any:
+    """The unit vector to the target, its distance, and 1 over the distance; for a target at the start,
+    the unit vector to the end as it is, for an end at the start, along the first bone, and 0.
     """
     nothing, square = whole * whole * of(NEAREST * NEAREST), vector_square(aim)
+    distance = root(square)
     if any_above(nothing, square):
         reached = plus(upper, lower)
         reached = where3_below(vector_square(reached), nothing, upper, reached)
-        aim = where3_below(square, nothing, reached, aim)
-    return unit(aim)
+        aim = where3_below(square, nothing, rotated(first, reached), aim)
+        return unit(aim), distance, broadcast(ZERO)
+    per_distance = broadcast(ONE) / distance
+    return scaled(aim, per_distance), distance, per_distance
 
 
 @inlined
-def _sideways(pole: Any, upper: Any, onward: Any, upper_square: Any) -> Any:
+def _sideways(pole: Any, first: Any, upper: Any, onward: Any, upper_square: Any) -> Any:
     """The unit vector at right angles to `onward` on the side of the pole; of the present bend if the pole is
     parallel to `onward`; any if that is parallel too.
     """
     aside = added(pole, onward, -dot(pole, onward))
     square, nothing = vector_square(aside), most(of(STRAIGHT) * vector_square(pole), of(NO_POLE))
     if any_above(nothing, square):
+        upper = rotated(first, upper)
         present = added(upper, onward, -dot(upper, onward))
         is_bent = of(STRAIGHT) * upper_square
         present = where3_below(is_bent, vector_square(present), present, perpendicular(onward))
@@ -162,7 +170,7 @@ def _sideways(pole: Any, upper: Any, onward: Any, upper_square: Any) -> Any:
 
 @inlined
 def _old_hinge(
-    raw: Any, per_lengths: Any, old_x: Any, new_x: Any, new_hinge: Any, hinge_of_start: Any
+    raw: Any, per_lengths: Any, upper: Any, first: Any, new_x: Any, new_hinge: Any, hinge_of_start: Any
 ) -> Any:
     """The unit axis about which the limb is bent: `hinge_of_start`, if there is one; else along `raw`; for a
     straight limb the axis with which it turns least.
@@ -174,9 +182,11 @@ def _old_hinge(
         of(STRAIGHT),
     )
     if any_above(straight, square):
-        hinge = where3_below(square, straight, rotated(between(new_x, old_x), new_hinge), hinge)
+        least_turn = between(rotated_back(first, new_x), upper)
+        hinge = where3_below(square, straight, rotated(least_turn, rotated_back(first, new_hinge)), hinge)
     given = vector_square(hinge_of_start)
     if any_above(given, broadcast(ZERO)):
-        across = unit(added(hinge_of_start, old_x, -dot(hinge_of_start, old_x)))
+        along = unit(upper)
+        across = unit(added(hinge_of_start, along, -dot(hinge_of_start, along)))
         hinge = where3_below(broadcast(ZERO), given, across, hinge)
     return hinge

@@ -145,11 +145,15 @@ class Actor:
         joints = transform.from_matrix4(cast.role.character.world(self.pose).astype(np.float64))
         return transform.to_matrix4(transform.mul(self.matrix, joints))
 
-    def vertices(self) -> list[Part]:
-        """Returns every drawn primitive, positions and normals (V, 3) in stage space."""
+    def vertices(self, skinning: str = "") -> list[Part]:
+        """Returns every drawn primitive, positions and normals (V, 3) in stage space; `skinning` as in
+        `Character.vertices`.
+
+        :raises UnknownNameError: when there is no such way of skinning.
+        """
         cast = self._find(self.id).cast
         matrix = self.matrix
-        return [_moved(part, matrix) for part in cast.role.character.vertices(self.pose)]
+        return [_moved(part, matrix) for part in cast.role.character.vertices(self.pose, skinning)]
 
     @property
     def clamped(self) -> tuple[ClampedJoint, ...]:

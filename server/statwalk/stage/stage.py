@@ -5,7 +5,7 @@ A stage is the only object here that changes; all states follow from its log alo
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import count
 from math import isfinite
 
@@ -14,6 +14,7 @@ from statwalk.errors import StageError, UnknownNameError
 from statwalk.machine.settings import settings
 from statwalk.machine.travel import Plan, plan, reachable
 from statwalk.stage.actor import Actor, Found
+from statwalk.stage.history.log_codec import dump
 from statwalk.stage.history.timeline import LONGEST_HISTORY, Timeline
 from statwalk.stage.migrate.migrate import check_joints
 from statwalk.stage.state.cast import Cast
@@ -67,6 +68,16 @@ class Stage(Timeline):
         if name not in self.roles:
             raise UnknownNameError("role", name, {role.name for role in self.roles.values()})
         return self.roles[self._state.versions.get(name, name)]
+
+    def dump(self) -> list[str]:
+        """Returns the log as JSON lines, for `replay`."""
+        return list(self.dumping())
+
+    def dumping(self) -> Iterator[str]:
+        """Yields the log as it is now as JSON lines, for `replay`; the stage may go on in between."""
+        log = self._log.until(self.head, takes_waiting=True)
+        header = {"seed": self.seed, "rate": self.rate, "head": self.head, "hash": self.head_hash}
+        return dump(log, header, self.beginning)
 
     # actors and roles
 

@@ -92,8 +92,8 @@ def decide(cast: Cast, memory: Memory, inputs: Inputs, dt: float, now: int, seed
     role, machine, measured_from = cast.role, memory.machine(cast.machine), NOT_MEASURED
     memory.key(cast.ids, seed)
     if role.measures:
-        tables = role.packed.motions.argument, role.packed.poses.argument, memory.poses.argument
-        measured_from = MeasuredFrom(*tables, cast.shown.values, cast.position, cast.root_delta)
+        shown = cast.shown.values, cast.position, cast.root_delta
+        measured_from = MeasuredFrom(role.packed.poses.argument, *shown)
     around, effects = memory.surroundings, memory.effects
     memory.effects = step_machines(
         role.packed.program, machine, dt, now, inputs, around, effects, measured_from

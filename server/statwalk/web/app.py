@@ -7,29 +7,42 @@ import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from anyio import CapacityLimiter, to_thread
-from fastapi import FastAPI
+from fastapi import Depends, FastAPI
 from starlette.types import ASGIApp
 
+from statwalk.services.access.authenticator import Authenticator
 from statwalk.services.hosting.file_watch import FileWatch
 from statwalk.services.hosting.registry import Registry
+from statwalk.services.hosting.reopen import reopen
+from statwalk.services.hosting.store.store import Store
 from statwalk.services.hosting.ticker import Ticker
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import ModelStore
 from statwalk.web import errors, openapi, page
+from statwalk.web.dependencies import shown_to_link
 from statwalk.web.long_work import LongWork
+from statwalk.web.metrics import Metrics
+from statwalk.web.rate_limits import RateGuard, RateLimits
+from statwalk.web.request_log import RequestLog
 from statwalk.web.routes import (
     actors,
     captures,
     characters,
     curves,
     deduce,
+    details,
+    downloads,
     edits,
     explain,
+    health,
     history,
+    links,
     machines,
     new_machines,
+    rigs,
     scenes,
     stages,
     uploads,
@@ -43,6 +56,7 @@ MOST_PAST_WORK = 4
 DESCRIPTION = "Animates characters from state tables. Errors are application/problem+json (RFC 9457)."
 ROUTES = (
     characters,
+    downloads,
     deduce,
     uploads,
     machines,
@@ -51,10 +65,14 @@ ROUTES = (
     stages,
     scenes,
     history,
+    links,
     actors,
     captures,
+    details,
+    rigs,
     explain,
     curves,
+    health,
     stream,
 )
 
@@ -62,15 +80,20 @@ ROUTES = (
 def create_app(settings: Settings | None = None) -> ASGIApp:
     """Returns the server as an ASGI application; it reads machine files now, and models on first use.
 
-    :raises ContentError: when a machine folder is refused.
+    :raises ContentError: when a machine folder is refused, or the database is no database of statwalk.
+    :raises ConflictError: when another server keeps its stages in the same data folder.
+    :raises StorageError: when the data folder cannot be written.
     """
-    return Guard(_routes(settings or Settings()), (settings or Settings()).hosts)
+    settings = settings or Settings()
+    app = _routes(settings)
+    return RequestLog(Guard(app, settings.names, settings.authenticator), app.state.metrics)
 
 
 def _routes(settings: Settings) -> FastAPI:
     """Returns the application inside the guard."""
     catalogue = Catalogue(settings.folders, ModelStore(settings.data) if settings.data else None)
-    registry = Registry(catalogue, messages.fact, settings.limits)
+    store = Store(settings.kept, catalogue.texts.__getitem__) if settings.kept else None
+    registry = Registry(catalogue, messages.fact, settings.limits, store=store)
     app = FastAPI(
         title="statwalk",
         description=DESCRIPTION,
@@ -80,15 +103,22 @@ def _routes(settings: Settings) -> FastAPI:
         redoc_url=None,
         lifespan=lifespan,
     )
+    app.state.metrics = Metrics()
+    registry.measure_ticks = app.state.metrics.measure_ticks
+    app.state.rates = RateLimits(settings.limits)
     app.state.registry = registry
+    app.state.names, app.state.authenticator = settings.names, settings.authenticator
     app.state.long_work = LongWork()
     app.state.past_limiter = CapacityLimiter(MOST_PAST_WORK)
+    app.state.input_limiters = WeakKeyDictionary()
     app.state.file_watch = FileWatch(registry.versions) if settings.watch else None
     for route in ROUTES:
-        app.include_router(route.router, responses=openapi.REFUSALS)
+        app.include_router(route.router, responses=openapi.REFUSALS, dependencies=[Depends(shown_to_link)])
+    app.add_middleware(RateGuard, rates=app.state.rates, registry=registry)
     errors.install(app)
     openapi.install(app)
     page.install(app, settings.page)
+    reopen(registry, registry.main_content(settings.scene))
     if settings.main_stage:
         registry.open_main(settings.scene)
     return app
@@ -103,26 +133,34 @@ def openapi_document() -> dict[str, Any]:
 async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     """Runs the ticker and the housekeeping while the server runs."""
     registry: Registry = app.state.registry
-    ticker = Ticker(registry.all)
+    ticker = app.state.ticker = Ticker(registry.all)
     registry.wake = ticker.wake
     ticker.start()
-    housekeeping = asyncio.ensure_future(_housekeeping(registry, app.state.file_watch))
+    housekeeping = asyncio.ensure_future(_housekeeping(app, registry, app.state.file_watch))
     try:
         yield
     finally:
         housekeeping.cancel()
         ticker.stop()
+        registry.save()
+        if registry.store:
+            registry.store.close()
 
 
-async def _housekeeping(registry: Registry, watch: FileWatch | None) -> None:
+async def _housekeeping(app: FastAPI, registry: Registry, watch: FileWatch | None) -> None:
     """Once a second: sends each stage's status to its viewers, disconnects viewers that do not acknowledge
-    frames, closes idle stages, and reads saved machine files.
+    frames or whose access has ended, closes idle stages, keeps how far each stage is, and reads saved machine
+    files.
     """
+    authenticator: Authenticator | None = app.state.authenticator
     while True:
         await asyncio.sleep(1.0)
-        now = time.monotonic()
+        now = registry.now()
         for host in registry.all():
             host.look_after_viewers(now)
         registry.drop_idle(now)
+        if authenticator:
+            authenticator.disconnect_ended(time.monotonic(), registry.stages)
+        await to_thread.run_sync(registry.save)
         if watch:
             await to_thread.run_sync(watch.look)

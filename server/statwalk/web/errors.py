@@ -20,23 +20,32 @@ from statwalk.errors import (
     CancelledError,
     ConflictError,
     ContentError,
+    LimitError,
+    OverdueError,
     RefusedEditError,
     StageError,
     StatwalkError,
+    StorageError,
     UnknownNameError,
     VersionConflictError,
 )
+from statwalk.web.allowed_methods import allowed_methods
+from statwalk.web.request_log import note_limit
 from statwalk.web.schemas.finding import finding_views
 
 MOST_ERRORS = 20
 """how many errors an answer lists"""
-LONGEST_FIELD = 200
+LONGEST_FIELD, LONGEST_MESSAGE, LONGEST_DETAIL = 200, 500, 2_000
+"""letters: an answer quotes names of the request, which may be long"""
+MOST_KNOWN = 2_000
+"""names that an answer lists"""
+LARGEST_PROBLEM_BYTES = 128 << 10
 MEDIA_TYPE = "application/problem+json"
 
 
 class Problem(HTTPException):
     """Refuses a request: the HTTP `status`, what is wrong (`detail`) in which `field`, the `known` names that
-    would be right, and `more` members of the answer.
+    would be right, `more` members and `headers` of the answer. `limit` names the limit that was reached.
     """
 
     def __init__(
@@ -47,9 +56,11 @@ class Problem(HTTPException):
         field: str = "",
         known: Iterable[str] | None = None,
         more: Mapping[str, Any] = MappingProxyType({}),
+        headers: Mapping[str, str] | None = None,
+        limit: str = "",
     ) -> None:
-        super().__init__(status_code=status, detail=detail)
-        self.field, self.more = field, more
+        super().__init__(status_code=status, detail=detail, headers=headers)
+        self.field, self.more, self.limit = field, more, limit
         self.known = None if known is None else list(known)
 
     def body(self) -> dict[str, Any]:
@@ -79,16 +90,41 @@ def answer(body: dict[str, Any], headers: dict[str, str] | None = None) -> Respo
 
 
 def _encoded(body: dict[str, Any]) -> bytes:
-    """Encodes a problem. JSON cannot hold an unpaired surrogate: a problem that quotes one gets
-    another detail.
+    """Encodes a problem within `LARGEST_PROBLEM_BYTES`: one that quotes too much is left with its detail.
+
+    JSON cannot hold an unpaired surrogate: a problem that quotes one gets another detail.
     """
+    short = _shortened(body)
     try:
-        return orjson.dumps(body)
+        data = orjson.dumps(short)
+        return (
+            data
+            if len(data) <= LARGEST_PROBLEM_BYTES
+            else orjson.dumps(members(short["status"], short["detail"], short["errors"]))
+        )
     except orjson.JSONEncodeError:
         return orjson.dumps(members(body["status"], "the request holds text that is not Unicode"))
 
 
-NAMED_BY_PATH = {"stage": "stage_id", "actor": "actor_id", "machine": "name", "character": "name"}
+def _shortened(body: dict[str, Any]) -> dict[str, Any]:
+    """Returns a problem with short texts, and short lists of errors and known names."""
+    short = body | {
+        "detail": body["detail"][:LONGEST_DETAIL],
+        "errors": [
+            {"field": entry["field"][:LONGEST_FIELD], "message": entry["message"][:LONGEST_MESSAGE]}
+            for entry in body["errors"][:MOST_ERRORS]
+        ],
+    }
+    return short | {"known": body["known"][:MOST_KNOWN]} if "known" in body else short
+
+
+NAMED_BY_PATH = {
+    "stage": "stage_id",
+    "actor": "actor_id",
+    "machine": "name",
+    "character": "name",
+    "link": "link_id",
+}
 """for each kind of name, the path parameter that holds the name"""
 
 
@@ -106,20 +142,24 @@ def from_error(error: StatwalkError, path: Mapping[str, Any] = MappingProxyType(
             return Problem(422, str(error), field=field, more=more)
         case VersionConflictError():
             return Problem(412, str(error), field="If-Match")  # the header that names the version
-        case ConflictError(field=field):
-            return Problem(409, str(error), field=field)
-        case StageError():
-            return Problem(409, str(error))
-        case BusyError() | CancelledError():
+        case LimitError(field=field, limit=limit):
+            return Problem(409, str(error), field=field, limit=limit)
+        case ConflictError() | StageError():
+            return Problem(409, str(error), field=getattr(error, "field", ""))
+        case OverdueError():
+            return Problem(503, str(error), limit="work_seconds")
+        case StorageError(is_full=True):
+            return Problem(507, str(error))
+        case BusyError() | CancelledError() | StorageError():
             return Problem(503, str(error))
         case ContentError(place=place):
-            return Problem(422, str(error), field=place)
+            return Problem(422, str(error.without_folder()), field=place)
     return Problem(400, str(error))
 
 
 def _field_errors(error: RequestValidationError) -> list[dict[str, str]]:
     entries = error.errors()[:MOST_ERRORS]
-    return [{"field": field_name(entry["loc"])[:LONGEST_FIELD], "message": entry["msg"]} for entry in entries]
+    return [{"field": field_name(entry["loc"]), "message": entry["msg"]} for entry in entries]
 
 
 def field_name(place: Sequence[str | int]) -> str:
@@ -129,24 +169,35 @@ def field_name(place: Sequence[str | int]) -> str:
     return ".".join(str(part) for part in place[1:]) or str(place[0])
 
 
-def _on_http_error(_: Request, error: Exception) -> Response:
+def _on_http_error(request: Request, error: Exception) -> Response:
     """Answers a `Problem`, and the router's 404 and 405."""
     if isinstance(error, Problem):
+        note_limit(request.scope, error.limit)
         return answer(error.body(), dict(error.headers or {}))
     assert isinstance(error, HTTPException)
+    if error.status_code in (404, 405) and (methods := allowed_methods(request)):
+        return _on_other_method(request.method, ", ".join(methods))
     return answer(members(error.status_code, str(error.detail)), dict(error.headers or {}))
+
+
+def _on_other_method(method: str, allowed: str) -> Response:
+    """Answers a method that an address does not have, and OPTIONS."""
+    if method == "OPTIONS":
+        return Response(status_code=204, headers={"Allow": allowed})
+    return answer(members(405, f"this address answers to {allowed}"), {"Allow": allowed})
 
 
 def _on_domain_error(request: Request, error: Exception) -> Response:
     assert isinstance(error, StatwalkError)
-    return answer(from_error(error, request.path_params).body())
+    return _on_http_error(request, from_error(error, request.path_params))
 
 
 def _on_invalid(_: Request, error: Exception) -> Response:
     """A request that does not fit its model."""
     assert isinstance(error, RequestValidationError)
     errors, more = _field_errors(error), len(error.errors()) - MOST_ERRORS
-    detail = "; ".join(f"{entry['field']}: {entry['message']}" for entry in errors)[:2_000]
+    detail = "; ".join(f"{entry['field'][:LONGEST_FIELD]}: {entry['message']}" for entry in errors)
+    detail = detail[: LONGEST_DETAIL - 100]  # leaves room for the number of the others
     return answer(members(422, f"{detail}; and {more} more" if more > 0 else detail, errors))
 
 

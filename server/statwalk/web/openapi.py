@@ -10,18 +10,17 @@ from pydantic import TypeAdapter
 from pydantic.json_schema import JsonSchemaMode
 
 from statwalk.web.errors import MEDIA_TYPE
+from statwalk.web.refusals import MEANINGS, refusals
 from statwalk.web.schemas.log import LogHeader, LogLine
 from statwalk.web.schemas.problem import ProblemView
 from statwalk.web.schemas.server_messages import ServerMessage
 from statwalk.web.schemas.viewer_messages import ViewerMessage
 
-REFUSALS: dict[int | str, dict[str, Any]] = {
-    status: {"$ref": "#/components/responses/Problem"} for status in ("4XX", "5XX")
-}
-"""the responses that every route may give besides its own"""
-PROBLEM = {
-    "description": "a refusal",
-    "content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/ProblemView"}}},
+REFUSALS: dict[int | str, dict[str, Any]] = {"4XX": {"description": "a refusal"}}
+"""stands for the refusals of a route until `_list_refusals` names them; FastAPI would describe its own 422"""
+PROBLEM = {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/ProblemView"}}}
+RESPONSES = {
+    str(status): {"description": meaning, "content": PROBLEM} for status, meaning in MEANINGS.items()
 }
 SCHEMAS: dict[str, tuple[Any, JsonSchemaMode]] = {
     "ProblemView": (ProblemView, "serialization"),
@@ -43,12 +42,27 @@ def _describe(describe_routes: Callable[[], dict[str, Any]]) -> Callable[[], dic
         document = describe_routes()
         components = document["components"]
         if "responses" not in components:
-            components["responses"] = {"Problem": PROBLEM}
+            components["responses"] = RESPONSES
             components["schemas"] |= _schemas()
+            _list_refusals(document["paths"])
             _drop_titles([document["paths"], components])
         return document
 
     return describe
+
+
+def _list_refusals(paths: dict[str, Any]) -> None:
+    """Gives each operation the statuses of its refusals in place of those that stand for them; a header that
+    has a refusal of its own (428) is required.
+    """
+    for path, operations in paths.items():
+        for method, operation in operations.items():
+            kept = {status: kind for status, kind in operation["responses"].items() if status != "4XX"}
+            listed = refusals(method.upper(), path, operation)
+            named = {str(status): {"$ref": f"#/components/responses/{status}"} for status in listed}
+            operation["responses"] = dict(sorted((kept | named).items()))
+            for parameter in operation.get("parameters", ()):
+                parameter["required"] |= parameter["name"] == "If-Match"
 
 
 def _schemas() -> dict[str, Any]:

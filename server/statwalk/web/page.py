@@ -6,11 +6,13 @@ import os
 from pathlib import Path
 
 from fastapi import FastAPI
+from starlette.exceptions import HTTPException
 from starlette.responses import HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
 FOR_GOOD = "public, max-age=31536000, immutable"
+ALLOW = {"Allow": "GET, HEAD, OPTIONS"}
 NOT_BUILT = (
     "<!doctype html><meta charset=utf-8><title>statwalk</title><p>The viewer is not built. Run in "
     "static/: npm ci, then npm run build."
@@ -19,6 +21,18 @@ NOT_BUILT = (
 
 class Page(StaticFiles):
     """Static files with the cache headers of a Vite build."""
+
+    async def get_response(self, path: str, scope: Scope) -> Response:
+        """Returns the answer for a path; another method than GET is a 404 where no file is, else a 405.
+
+        :raises HTTPException: 404 or 405.
+        """
+        response = await super().get_response(path, {**scope, "method": "GET"})
+        if scope["method"] == "GET":  # the guard passes HEAD as GET
+            return response
+        if scope["method"] == "OPTIONS":
+            return Response(status_code=204, headers=ALLOW)
+        raise HTTPException(405, f"this address answers to {ALLOW['Allow']}", headers=ALLOW)
 
     def file_response(
         self,

@@ -1,7 +1,7 @@
 /** Calls the REST interface; a refusal becomes an ApiError with the server's words. */
 
-import type { Finding, LogHeader, LogLine, NewCell, NewClip, Problem } from "./protocol";
-import type { NewCurves, NewSolve } from "./types/api.generated";
+import type { Finding, LogHeader, LogLine, NewCell, NewClip, Problem, Skinning } from "./protocol";
+import type { NewCurves, NewRig, NewSolve } from "./types/api.generated";
 import type { Answer, Extras, Method, Places, Route } from "./types/routes";
 
 export class ApiError extends Error {
@@ -47,9 +47,10 @@ async function send(
   url: URL,
   body: object | undefined,
   version: number | undefined,
+  signal?: AbortSignal,
 ): Promise<Response> {
   const headers: Record<string, string> = version === undefined ? {} : { "if-match": `"${version}"` };
-  const options: RequestInit = { method: method.toUpperCase(), headers };
+  const options: RequestInit = { method: method.toUpperCase(), headers, ...(signal && { signal }) };
   if (body)
     Object.assign(options, {
       headers: { ...headers, "content-type": "application/json" },
@@ -72,8 +73,25 @@ export async function ask<M extends Method, P extends Route<M>>(
     filled(path, places as object, (extras.query ?? {}) as object),
     extras.body as object | undefined,
     extras.version,
+    extras.signal,
   );
   return (reply.status === 204 ? undefined : await reply.json()) as Answer<M, P>;
+}
+
+/** Reads the file of a stage's posed frame at `tick`; `skinning`: of all characters, null: each its own. */
+export async function frameFile(
+  stage_id: string,
+  tick: number,
+  skinning: Skinning | null,
+): Promise<ArrayBuffer> {
+  const query = skinning === null ? { tick } : { tick, skinning };
+  const reply = await send(
+    "get",
+    filled("/api/stages/{stage_id}/frame.glb", { stage_id }, query),
+    undefined,
+    undefined,
+  );
+  return reply.arrayBuffer();
 }
 
 /** Reads a log: JSON lines, or one JSON array. */
@@ -107,6 +125,7 @@ export const deduce = (file: string) => ask("post", "/api/deduce", {}, { body: {
 export const solve = (name: string, body: NewSolve) =>
   ask("post", "/api/characters/{name}/solve", { name }, { body });
 export const characters = () => ask("get", "/api/characters", {});
+export const formats = (name: string) => ask("get", "/api/characters/{name}/formats", { name });
 export const mapping = (name: string) => ask("get", "/api/characters/{name}/mapping", { name });
 export const removeCharacter = (name: string) => ask("delete", "/api/characters/{name}", { name });
 export const character = (name: string) => ask("get", "/api/characters/{name}", { name });
@@ -114,12 +133,17 @@ export const bones = (name: string) => ask("get", "/api/characters/{name}/bones"
 /** Carries a clip of another character over to character `name`. */
 export const carryClip = (name: string, body: NewClip) =>
   ask("post", "/api/characters/{name}/clips", { name }, { body });
+/** Gives character `name` a skeleton and a skin; takes seconds. */
+export const rig = (name: string, body: NewRig, signal: AbortSignal) =>
+  ask("post", "/api/characters/{name}/rig", { name }, { body, signal });
 /**
  * Makes a machine for an uploaded character; a clip with an empty state is left out. `root`: the joint that moves
  * the character through the world.
  */
 export const makeMachine = (name: string, character: string, states: Record<string, string>, root = "") =>
   ask("post", "/api/machines", {}, { body: { name, character, mapping: states, root } });
+/** Reads what this browser may do. */
+export const access = () => ask("get", "/api/access", {});
 export const stages = () => ask("get", "/api/stages", {});
 export const stage = (stage_id: string) => ask("get", "/api/stages/{stage_id}", { stage_id });
 export const history = (stage_id: string) => ask("get", "/api/stages/{stage_id}/history", { stage_id });

@@ -74,6 +74,17 @@ describe("Connection", () => {
     expect(FakeLine.opened).toHaveLength(1);
   });
 
+  it("gives up when it is turned away, until it is told to retry", () => {
+    const { connection, line } = connected();
+    line.drops();
+    connection.refuse("no token");
+    vi.runAllTimers();
+    expect(handlers.link).toHaveBeenLastCalledWith("refused", "no token");
+    expect(FakeLine.opened).toHaveLength(1);
+    connection.retryNow();
+    expect(FakeLine.opened).toHaveLength(2);
+  });
+
   it("sends nothing while the line is not open", () => {
     const { connection, line } = connected();
     line.open = false;

@@ -4,6 +4,7 @@ import {
   type ClientMessage,
   type FrameKind,
   type ServerMessage,
+  type Skinning,
   SUBPROTOCOL,
   parseMessage,
 } from "./protocol";
@@ -37,6 +38,7 @@ export class Connection {
   private attempts = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private heard = false;
+  private turnedAway = false;
 
   constructor(
     private readonly handlers: Handlers,
@@ -46,15 +48,14 @@ export class Connection {
   private url = (): string => "";
 
   /**
-   * Closes the old connection and connects to a stage; `frames` is asked for the kind of frames at each
-   * attempt.
+   * Closes the old connection and connects to a stage; `frames` and `skinning` are asked for the kind of
+   * frames, and the server's way of skinning, at each attempt.
    */
-  connect(stage: string, frames: () => FrameKind): void {
+  connect(stage: string, frames: () => FrameKind, skinning: () => Skinning | null = () => null): void {
     this.url = () => {
-      const place = new URL(
-        `api/stages/${encodeURIComponent(stage)}/stream?frames=${frames()}`,
-        document.baseURI,
-      );
+      const path = `api/stages/${encodeURIComponent(stage)}/stream?frames=${frames()}`;
+      const way = skinning();
+      const place = new URL(way ? `${path}&skinning=${way}` : path, document.baseURI);
       place.protocol = place.protocol === "https:" ? "wss:" : "ws:";
       return place.href;
     };
@@ -69,9 +70,16 @@ export class Connection {
     return true;
   }
 
+  /** Gives up until `retryNow`: the server lets this browser in no more; `detail` is for the user. */
+  refuse(detail: string): void {
+    this.close();
+    this.turnedAway = true;
+    this.handlers.link("refused", detail);
+  }
+
   /** Retries at once. */
   retryNow(): void {
-    if (this.timer === undefined) return;
+    if (this.timer === undefined && !this.turnedAway) return;
     this.attempts = 0;
     this.start();
   }
@@ -86,7 +94,7 @@ export class Connection {
 
   private start(): void {
     this.close();
-    this.heard = false;
+    this.heard = this.turnedAway = false;
     this.handlers.link("connecting", this.attempts ? `trying again (${this.attempts})` : "connecting");
     const line = this.open(this.url(), SUBPROTOCOL);
     const mine = (): boolean => this.line === line;

@@ -3,10 +3,7 @@ import { GlbError, chunksOf, layoutOf, tickOf, view } from "./glb";
 
 const gltf = {
   asset: { version: "2.0", extras: { tick: "0000000123" } },
-  nodes: [
-    { children: [1], extras: { joints: 3 } },
-    { mesh: 0, translation: [1, 2, 3] },
-  ],
+  nodes: [{ children: [1], extras: { joints: 3 } }, { mesh: 0, translation: [1, 2, 3] }, { mesh: 0 }],
   meshes: [{ primitives: [{ attributes: { POSITION: 0, NORMAL: 1 }, indices: 2, material: 0 }] }],
   materials: [{ name: "skin" }],
   accessors: [
@@ -56,6 +53,10 @@ describe("glb", () => {
   it("hangs the nodes under their parents", () => {
     const { nodes, primitives } = layoutOf(chunks);
     expect([primitives[0]!.node, nodes[1]!.parent, nodes[1]!.translation]).toEqual([1, 0, [1, 2, 3]]);
+  });
+
+  it("knows whose each primitive is", () => {
+    expect(layoutOf(chunks).primitives.map(({ actor }) => actor)).toEqual([0, -1]);
   });
 
   it("finds the matrices of each actor's joints", () => {

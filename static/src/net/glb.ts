@@ -11,6 +11,8 @@ export interface GlbChunks {
 /** A primitive and the places of its arrays in the BIN chunk. */
 export interface PrimitiveLayout {
   node: number;
+  /** The place of its actor among the actors; -1: it belongs to none. */
+  actor: number;
   material: number;
   positions: ArraySlice;
   normals: ArraySlice | null;
@@ -105,7 +107,16 @@ function slice(gltf: GltfJson, accessor: number | undefined): ArraySlice | null 
   return { offset, count, size: SIZES[type] ?? 1, componentType, normalized, stride: view?.byteStride ?? 0 };
 }
 
-function primitivesOf(gltf: GltfJson, node: number, mesh: number): PrimitiveLayout[] {
+/** Returns the place among `actorNodes` of the node above `node`, or of itself; -1: there is none. */
+function actorOf(nodes: GlbLayout["nodes"], actorNodes: readonly number[], node: number): number {
+  for (let at = node; at >= 0; at = nodes[at]!.parent) {
+    const actor = actorNodes.indexOf(at);
+    if (actor >= 0) return actor;
+  }
+  return -1;
+}
+
+function primitivesOf(gltf: GltfJson, node: number, mesh: number, actor: number): PrimitiveLayout[] {
   return (gltf.meshes?.[mesh]?.primitives ?? []).flatMap(({ attributes, indices, material, mode = 4 }) => {
     const positions = slice(gltf, attributes["POSITION"]);
     if (!positions) return [];
@@ -114,6 +125,7 @@ function primitivesOf(gltf: GltfJson, node: number, mesh: number): PrimitiveLayo
     return [
       {
         node,
+        actor,
         material: material ?? -1,
         positions,
         normals,
@@ -131,10 +143,11 @@ export function layoutOf(chunks: GlbChunks): GlbLayout {
   const gltf = JSON.parse(new TextDecoder().decode(chunks.json)) as GltfJson;
   const nodes: GlbLayout["nodes"] = (gltf.nodes ?? []).map((node) => ({ ...node, parent: -1 }));
   (gltf.nodes ?? []).forEach((node, i) => node.children?.forEach((child) => (nodes[child]!.parent = i)));
+  const actorNodes = [...nodes.keys()].filter((node) => slice(gltf, gltf.nodes![node]!.extras?.joints));
   const primitives = (gltf.nodes ?? []).flatMap((node, i) =>
-    node.mesh === undefined ? [] : primitivesOf(gltf, i, node.mesh),
+    node.mesh === undefined ? [] : primitivesOf(gltf, i, node.mesh, actorOf(nodes, actorNodes, i)),
   );
-  const actors = (gltf.nodes ?? []).flatMap(({ extras }) => slice(gltf, extras?.joints) ?? []);
+  const actors = actorNodes.map((node) => slice(gltf, gltf.nodes![node]!.extras!.joints)!);
   const materialNames = (gltf.materials ?? []).map((material) => material.name);
   return { primitives, actors, nodes, materialNames };
 }

@@ -51,11 +51,13 @@ export function putCharacter(
   file: Blob,
   progress: (share: number) => void,
   signal: AbortSignal,
+  inbetween: "linear" | "switched" = "linear",
 ): Promise<UploadedCharacter> {
   return new Promise((resolve, reject) => {
     // fetch reports no progress of an upload.
     const request = new XMLHttpRequest();
-    request.open("PUT", new URL(`api/characters/${encodeURIComponent(name)}`, document.baseURI));
+    const query = inbetween === "linear" ? "" : `?inbetween=${inbetween}`;
+    request.open("PUT", new URL(`api/characters/${encodeURIComponent(name)}${query}`, document.baseURI));
     request.setRequestHeader("content-type", "application/octet-stream");
     request.upload.addEventListener("progress", ({ loaded, total }) => progress(total ? loaded / total : 0));
     request.upload.addEventListener("load", () => progress(1));

@@ -5,11 +5,13 @@ import { Connection, type Link } from "../net/connection";
 import { type GlbChunks, chunksOf, tickOf } from "../net/glb";
 import { Meter, RoundTrip } from "../net/meter";
 import type {
+  Access,
   Action,
   EventKind,
   FrameKind,
   Hello,
   Refused,
+  Skinning,
   ServerMessage,
   Status,
   Verdict,
@@ -24,12 +26,18 @@ import { MachineReader } from "./machineReader";
 
 export class Session extends MachineReader {
   readonly link = new Signal<{ state: Link; detail: string }>({ state: "connecting", detail: "" });
-  readonly status = new Signal<Pick<Status, "paused" | "speed" | "viewers">>({
+  /** What this browser may do, or null while the page does not know. */
+  readonly access = new Signal<Access | null>(null);
+  readonly status = new Signal<Pick<Status, "paused" | "speed" | "viewers" | "pace" | "trouble">>({
     paused: false,
     speed: 1,
     viewers: 1,
+    pace: 1,
+    trouble: "",
   });
   readonly frames = new Signal<FrameKind>("pose");
+  /** The way of skinning of all characters, or null: each its own. */
+  readonly skinning = new Signal<Skinning | null>(null);
   private readonly scrubber = new Scrubber((message) => this.connection.send(message));
   /** The past tick that this page shows, or null while it follows the stage. */
   readonly looking = this.scrubber.looking;
@@ -41,6 +49,8 @@ export class Session extends MachineReader {
   readonly leaving = new Event<null>();
   readonly received = new Meter();
   readonly trip = new RoundTrip();
+  /** When the newest message came that is no frame; the server sends one a second at least. */
+  heardAt = 0;
   /** The newest frame of each stream, until it is drawn. */
   pose: PoseFrame | null = null;
   glb: GlbChunks | null = null;
@@ -49,6 +59,8 @@ export class Session extends MachineReader {
   first = 0;
   hash = "";
   private lastPhase: number | null = null;
+  /** The stage, and the tick at which it came back, of the newest notice about it. */
+  private toldRestored = "";
   private refs = 1;
   readonly connection: Connection;
 
@@ -58,6 +70,7 @@ export class Session extends MachineReader {
       link: (state, detail) => {
         if (state === "lost") this.history.markGap();
         this.link.set({ state, detail });
+        if (state === "live") void this.readAccess();
       },
       message: (message) => this.hear(message),
       frame: (delivery) => this.take(delivery),
@@ -74,7 +87,11 @@ export class Session extends MachineReader {
     this.state.set(null);
     this.tellStates([]);
     this.pose = this.glb = null;
-    this.connection.connect(stage, () => this.frames.value);
+    this.connection.connect(
+      stage,
+      () => this.frames.value,
+      () => this.skinning.value,
+    );
   }
 
   retry(): void {
@@ -136,6 +153,7 @@ export class Session extends MachineReader {
   }
 
   private hear(message: ServerMessage): void {
+    this.heardAt = performance.now();
     if (message.type === "hello") this.greet(message);
     else if (message.type === "status") this.report(message);
     else if (message.type === "verdict") this.judge(message);
@@ -159,19 +177,34 @@ export class Session extends MachineReader {
     if (same && restarted) this.machine.set(null);
     this.stage = hello.stage;
     Object.assign(this, { tick: hello.tick, head: hello.head, first: hello.first });
-    this.status.set({ paused: hello.paused, speed: hello.speed, viewers: hello.viewers });
+    this.learnStatus(hello);
     this.hello.set(hello);
+    this.tellRestored(hello);
     if (!this.place()) this.actor.set(hello.casts[0]?.actors[0]?.id ?? null);
     if (restarted) this.scrubber.forget();
     else this.scrubber.again();
     void this.learn(hello, restarted);
   }
 
-  private report({ head, first, paused, speed, viewers }: Status): void {
-    Object.assign(this, { head: Math.max(head, this.head), first });
+  /** Says it once, and within a minute of the restart: later it is no news. */
+  private tellRestored({ stage, restored, head, rate }: Hello): void {
+    const key = `${stage} ${restored}`;
+    if (restored === null || key === this.toldRestored || head - restored > 60 * rate) return;
+    this.toldRestored = key;
+    this.notices.emit(`Restored: the server was started again, and this stage goes on at tick ${restored}.`);
+  }
+
+  private report(status: Status): void {
+    Object.assign(this, { head: Math.max(status.head, this.head), first: status.first });
+    this.learnStatus(status);
+  }
+
+  private learnStatus({ paused, speed, viewers, pace, trouble }: Status | Hello): void {
     const old = this.status.value;
-    if (old.paused !== paused || old.speed !== speed || old.viewers !== viewers)
-      this.status.set({ paused, speed, viewers });
+    const now = { paused, speed, viewers, pace, trouble };
+    if (JSON.stringify(old) !== JSON.stringify(now)) this.status.set(now);
+    if (trouble && trouble !== old.trouble) this.notices.emit(`Nothing is kept now: ${trouble}.`);
+    if (old.trouble && !trouble) this.notices.emit("Everything is kept again.");
   }
 
   private judge(verdict: Verdict): void {
@@ -203,13 +236,27 @@ export class Session extends MachineReader {
   }
 
   private async findStage(): Promise<void> {
-    const gone = await api.stage(this.stage).then(
-      () => false,
-      (error: unknown) => error instanceof api.ApiError && error.status === 404,
+    const refusal = await api.stage(this.stage).then(
+      () => null,
+      (error: unknown) => (error instanceof api.ApiError ? error : null),
     );
-    if (!gone || this.stage === "main") return;
+    if (refusal?.status === 401) this.connection.refuse(refusal.message);
+    if (refusal?.status === 403) await this.findShared(refusal.message);
+    if (refusal?.status !== 404 || this.stage === "main") return;
     this.notices.emit(`Stage ${this.stage} is gone: you now watch main.`);
     this.watch("main");
+  }
+
+  /** Watches the one stage that this browser may watch; `detail` says why not the present one. */
+  private async findShared(detail: string): Promise<void> {
+    await this.readAccess();
+    const stage = this.access.value?.stage ?? null;
+    if (stage === null || stage === this.stage) return this.connection.refuse(detail);
+    this.watch(stage);
+  }
+
+  private async readAccess(): Promise<void> {
+    this.access.set(await api.access().catch(() => this.access.value));
   }
 
   /** Sends an event to the watched actor; in the past it makes a fork. */
@@ -237,7 +284,17 @@ export class Session extends MachineReader {
     if (frames === this.frames.value) return;
     this.pose = this.glb = null;
     this.frames.set(frames);
-    this.connection.send({ type: "frames", frames });
+    this.choose();
+  }
+
+  skin(skinning: Skinning | null): void {
+    this.skinning.set(skinning);
+    if (this.frames.value === "glb") this.choose();
+  }
+
+  /** Tells the server which frames this page wants. */
+  private choose(): void {
+    this.connection.send({ type: "frames", frames: this.frames.value, skinning: this.skinning.value });
   }
 
   /** Runs a REST request on the stage; a refusal is shown. */

@@ -18,6 +18,11 @@ describe("planBones", () => {
     expect(plan).toEqual({ joints: [1, 3], segments: [[1, 3]] });
   });
 
+  it("draws a muscle bone without a segment", () => {
+    const plan = planBones({ nodes: [0, 1, 2], parents: [-1, 0, 0], muscle_bones: [2] }, new Set([0, 1, 2]));
+    expect(plan).toEqual({ joints: [0, 1, 2], segments: [[0, 1]] });
+  });
+
   it("bridges a joint that is not drawn", () => {
     expect(planBones({ nodes: [0, 1, 2], parents: [-1, 0, 1] }, new Set([0, 2])).segments).toEqual([[0, 2]]);
   });

@@ -9,6 +9,8 @@ const LAG_S = 0.18;
 const CUT_HEIGHTS = 0.8;
 /** Of the turntable. */
 const SECONDS_PER_TURN = 12;
+/** The share of the picture that controls may take from what is framed. */
+const MOST_COVERED = 0.4;
 const AZIMUTH = 0.52;
 const ELEVATION = 0.14;
 /** With several actors: from behind and above, so that you see what lies ahead. */
@@ -98,8 +100,10 @@ export class FollowCamera {
     return this.controls.update(dt) || way > 1e-5;
   }
 
-  resize(width: number, height: number): void {
-    this.camera.aspect = width / Math.max(height, 1);
-    this.camera.updateProjectionMatrix();
+  /** Fits a picture of `width` × `height` pixels; what is framed stays above the lowest `covered` pixels. */
+  resize(width: number, height: number, covered = 0): void {
+    const free = Math.max(height - Math.min(covered, MOST_COVERED * height), 1);
+    this.camera.aspect = width / free;
+    this.camera.setViewOffset(width, free, 0, 0, width, height);
   }
 }

@@ -24,16 +24,15 @@ export function framed(box: THREE.Box3, framing: Framing): THREE.Box3 {
 }
 
 /** Returns the box of an actor and the actors near it, around its root; `own`: its own box. */
-export function withCompany(actor: PosedModel, own: THREE.Box3, others: Iterable<PosedModel>): THREE.Box3 {
+export function withCompany(actor: PosedModel, own: THREE.Box3, others: readonly PosedModel[]): THREE.Box3 {
   const reach = own.getSize(new THREE.Vector3()).length() * COMPANY_REACH;
   const near = new THREE.Box3().setFromCenterAndSize(
     new THREE.Vector3(),
     new THREE.Vector3().setScalar(2 * reach),
   );
   const all = own.clone();
-  for (const other of others) {
-    const away = other.root.position.clone().sub(actor.root.position);
-    if (near.containsPoint(away)) all.union(other.box().translate(away));
-  }
+  const place = actor.position;
+  const company = others.filter((other) => near.containsPoint(other.position.sub(place)));
+  for (const other of company) all.union(other.box(company.length).translate(other.position.sub(place)));
   return all;
 }

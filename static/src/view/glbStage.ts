@@ -13,6 +13,9 @@ import {
   layoutOf,
   view,
 } from "../net/glb";
+import { NOBODY } from "./actorPick";
+import { type Body, stroke } from "./bodies";
+import { dropNormals, refreshNormals } from "./normals";
 
 const TRIANGLES = 4;
 
@@ -37,6 +40,10 @@ function geometryOf(bin: Uint8Array, layout: PrimitiveLayout): THREE.BufferGeome
     : geometry;
 }
 
+/** One id for all vertices: they are drawn as the first, and only, instance. */
+const idOf = (actor: number): THREE.InstancedBufferAttribute =>
+  new THREE.InstancedBufferAttribute(new Float32Array([actor]), 1);
+
 /** Fits a material to a primitive: flat if it has no normals, coloured by vertex if it has colours. */
 function fitted(material: THREE.Material, { normals, colours }: PrimitiveLayout): THREE.Material {
   const flatShading = normals === null;
@@ -46,7 +53,8 @@ function fitted(material: THREE.Material, { normals, colours }: PrimitiveLayout)
   return Object.assign(material.clone(), { flatShading, vertexColors });
 }
 
-function worldOf(layout: GlbLayout, node: number): THREE.Matrix4 {
+/** Returns the world matrix of a node. */
+export function worldOf(layout: GlbLayout, node: number): THREE.Matrix4 {
   const world = new THREE.Matrix4();
   for (let at = node; at >= 0; at = layout.nodes[at]!.parent) {
     const { translation, rotation, scale } = layout.nodes[at]!;
@@ -61,7 +69,7 @@ function worldOf(layout: GlbLayout, node: number): THREE.Matrix4 {
 
 export class GlbStage {
   readonly root = new THREE.Group();
-  readonly meshes: THREE.Mesh[] = [];
+  readonly meshes: Body[] = [];
   /** Of each actor of the shown frame the world matrices of its root and its joints, column by column. */
   actors: Float32Array[] = [];
   private layout: GlbLayout | null = null;
@@ -74,25 +82,24 @@ export class GlbStage {
     private readonly material: MaterialLookup,
   ) {}
 
-  /** Shows a frame; returns whether it has a new layout, and so new meshes. */
-  apply(chunks: GlbChunks): boolean {
+  /** Shows a frame of the actors `ids`; returns whether it has a new layout, and so new meshes. */
+  apply(chunks: GlbChunks, ids: readonly number[]): boolean {
     const shape = `${chunks.json.length}/${chunks.bin.length}`;
     const fresh = shape !== this.shape;
-    if (fresh) this.build(chunks, shape);
+    if (fresh) this.build(chunks, shape, ids);
     else this.rewrite(chunks.bin);
     this.actors = this.layout!.actors.map((slice) => view(chunks.bin, slice) as Float32Array);
     return fresh;
   }
 
-  private build(chunks: GlbChunks, shape: string): void {
+  private build(chunks: GlbChunks, shape: string, ids: readonly number[]): void {
     this.clear();
     this.layout = layoutOf(chunks);
     this.shape = shape;
-    this.layout.primitives = this.layout.primitives.filter(({ mode }) => mode >= TRIANGLES);
     for (const primitive of this.layout.primitives) {
       const name = this.layout.materialNames[primitive.material];
-      const material = fitted(this.material(primitive.material, name) ?? this.plain, primitive);
-      const mesh = new THREE.Mesh(geometryOf(chunks.bin, primitive), material);
+      const mesh = this.bodyOf(chunks.bin, primitive, this.material(primitive.material, name));
+      mesh.geometry.setAttribute("actorId", idOf(ids[primitive.actor] ?? NOBODY));
       mesh.applyMatrix4(worldOf(this.layout, primitive.node));
       Object.assign(mesh, { frustumCulled: false, castShadow: this.shadows, receiveShadow: this.shadows });
       this.meshes.push(mesh);
@@ -100,11 +107,19 @@ export class GlbStage {
     }
   }
 
+  private bodyOf(bin: Uint8Array, primitive: PrimitiveLayout, material: THREE.Material | undefined): Body {
+    const geometry = geometryOf(bin, primitive);
+    return primitive.mode < TRIANGLES
+      ? stroke(geometry, primitive.mode, material)
+      : new THREE.Mesh(geometry, fitted(material ?? this.plain, primitive));
+  }
+
   private rewrite(bin: Uint8Array): void {
     this.layout!.primitives.forEach((primitive, i) => {
       const { position, normal } = this.meshes[i]!.geometry.attributes;
       this.copy(bin, primitive.positions, position as THREE.BufferAttribute);
       if (primitive.normals) this.copy(bin, primitive.normals, normal as THREE.BufferAttribute);
+      if (this.meshes[i] instanceof THREE.Mesh) refreshNormals(this.meshes[i]);
     });
   }
 
@@ -116,6 +131,7 @@ export class GlbStage {
   /** Removes the meshes and the layout. */
   clear(): void {
     for (const mesh of this.meshes) mesh.geometry.dispose();
+    for (const mesh of this.meshes) if (mesh instanceof THREE.Mesh) dropNormals(mesh);
     this.root.clear();
     this.meshes.length = 0;
     this.actors = [];

@@ -114,19 +114,18 @@ export class Ground {
   }
 }
 
-/** Makes a soft dark spot, the shadow of a character in low quality. */
-export function contactShadow(): THREE.Mesh {
+/** Makes soft dark spots, the shadows of `count` characters in low quality. */
+export function contactShadows(count: number): THREE.InstancedMesh {
   const material = new THREE.ShaderMaterial({
     transparent: true,
     depthWrite: false,
     vertexShader:
       "varying vec2 at; void main() { at = uv * 2.0 - 1.0; " +
-      "gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
+      "gl_Position = projectionMatrix * modelViewMatrix * instanceMatrix * vec4(position, 1.0); }",
     fragmentShader:
       "varying vec2 at; void main() { float d = max(0.0, 1.0 - length(at)); " +
       "gl_FragColor = vec4(0.0, 0.0, 0.0, 0.42 * d * d); }",
   });
-  const spot = new THREE.Mesh(new THREE.PlaneGeometry(2, 2).rotateX(-Math.PI / 2), material);
-  spot.renderOrder = -1;
-  return spot;
+  const spots = new THREE.InstancedMesh(new THREE.PlaneGeometry(2, 2).rotateX(-Math.PI / 2), material, count);
+  return Object.assign(spots, { renderOrder: -1, frustumCulled: false });
 }

@@ -120,7 +120,7 @@ export class JointHandles {
   private pixel(place: THREE.Vector3): number {
     const { camera } = this.scene.view;
     const high = 2 * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)) * camera.position.distanceTo(place);
-    return high / Math.max(this.scene.canvas.clientHeight, 1);
+    return high / Math.max(camera.view?.fullHeight ?? this.scene.canvas.clientHeight, 1);
   }
 
   private ball(): THREE.Mesh {

@@ -72,10 +72,9 @@ export class LimitOverlay {
     const ends = this.ends();
     for (const limit of limits) {
       const joint = this.actor.cast.names.indexOf(limit.joint);
-      const node = this.actor.joints[joint];
-      if (!node) continue;
+      if (!this.actor.has(joint)) continue;
       const tip = ends.get(joint) ?? new THREE.Vector3(0, 0.1, 0);
-      this.drawn.push(this.made(limit, joint, this.actor.joints.indexOf(node.parent), tip));
+      this.drawn.push(this.made(limit, joint, this.actor.cast.parents[joint]!, tip));
     }
     const points = new THREE.BufferAttribute(new Float32Array(this.drawn.length * 6), 3);
     this.needles.geometry.setAttribute("position", points);
@@ -118,8 +117,8 @@ export class LimitOverlay {
     const plan = planBones(cast, model.skinJoints);
     const ends = new Map(boneEnds(plan, cast, model).map(({ joint, at }) => [joint, at]));
     for (const [from, to] of plan.segments) {
-      const at = this.actor.joints[to]?.position;
-      if (at?.lengthSq() && !ends.has(from)) ends.set(from, at.clone());
+      const at = this.actor.local(to)?.position;
+      if (at?.lengthSq() && !ends.has(from)) ends.set(from, at);
     }
     return ends;
   }
@@ -151,8 +150,7 @@ export class LimitOverlay {
     const circles = this.circles.geometry.getAttribute("position") as THREE.BufferAttribute;
     const [world, end] = [new THREE.Matrix4(), new THREE.Vector3()];
     this.drawn.forEach(({ joint, parent, group, frame, tip }, k) => {
-      const above = parent < 0 ? this.actor.root.matrixWorld.elements : this.actor.jointWorld(parent);
-      group.matrix.fromArray(above).multiply(frame);
+      group.matrix.fromArray(this.actor.jointWorld(parent)).multiply(frame);
       group.matrixWorldNeedsUpdate = true;
       world.fromArray(this.actor.jointWorld(joint));
       end.setFromMatrixPosition(world).toArray(points.array, 6 * k);

@@ -1,9 +1,10 @@
-/** Loads a character's model.glb once and clones it for every actor. */
+/** Loads a character's model.glb once for all its actors. */
 
 import * as THREE from "three";
 import { GLTFLoader, type GLTFParser } from "three/examples/jsm/loaders/GLTFLoader.js";
-import { clone } from "three/examples/jsm/utils/SkeletonUtils.js";
+import { dressStroke, isStroke } from "./bodies";
 import { skinEnds } from "./boneEnds";
+import { type DetailLevel, readDetail } from "./collapses";
 
 export interface Model {
   url: string;
@@ -19,11 +20,15 @@ export interface Model {
   skinJoints: Set<number>;
   /** The end of each node's skin, in the node's space. */
   skinEnds: Map<THREE.Object3D, THREE.Vector3>;
+  /** Of detail, finest first; the full skin is not among them. */
+  levels: readonly DetailLevel[];
+  /** Why a sign stands in the model's place. */
+  wrong?: string;
 }
 
 interface GltfJson {
   nodes?: { mesh?: number }[];
-  meshes?: { primitives: { targets?: unknown[] }[] }[];
+  meshes?: { primitives: { targets?: unknown[]; material?: number }[] }[];
   skins?: { joints: number[] }[];
   materials?: unknown[];
 }
@@ -43,6 +48,18 @@ function materialsByIndex(parser: GLTFParser): Map<number, THREE.Material> {
   return found;
 }
 
+/** Gives lines and points a size, and a colour if the file gives them no material. */
+function dressStrokes(scene: THREE.Object3D, parser: GLTFParser, json: GltfJson): void {
+  scene.traverse((object) => {
+    if (!isStroke(object)) return;
+    const { meshes = -1, primitives = -1 } = parser.associations.get(object) ?? {};
+    dressStroke(object, json.meshes?.[meshes]?.primitives[primitives]?.material === undefined);
+  });
+}
+
+// The page normalises weights itself, over all sets of influences (`influences.ts`).
+THREE.SkinnedMesh.prototype.normalizeSkinWeights = () => undefined;
+
 /** Loads and parses the model at `url`; rejects with the loader's reason. */
 export async function loadModel(url: string): Promise<Model> {
   const gltf = await new GLTFLoader().loadAsync(url);
@@ -51,6 +68,7 @@ export async function loadModel(url: string): Promise<Model> {
   const nodes = (await Promise.all(
     Array.from({ length: count }, (_, i) => gltf.parser.getDependency("node", i)),
   )) as THREE.Object3D[];
+  dressStrokes(gltf.scene, gltf.parser, json);
   const skinJoints = new Set((json.skins ?? []).flatMap((skin) => skin.joints));
   const materials = { materials: materialsByIndex(gltf.parser), materialCount: json.materials?.length ?? 0 };
   return {
@@ -60,23 +78,9 @@ export async function loadModel(url: string): Promise<Model> {
     targets: targetCounts(json),
     skinJoints,
     skinEnds: skinEnds(gltf.scene),
+    levels: await readDetail(gltf.parser, gltf.scene),
     ...materials,
   };
-}
-
-/** Clones the model's scene; returns the clones of its nodes by index, null for a node outside the scene. */
-export function instance(model: Model): { scene: THREE.Object3D; nodes: (THREE.Object3D | null)[] } {
-  const scene = clone(model.scene);
-  const pairs = new Map<THREE.Object3D, THREE.Object3D>();
-  const pair = (a: THREE.Object3D, b: THREE.Object3D): void => {
-    const open: [THREE.Object3D, THREE.Object3D][] = [[a, b]];
-    for (let next = open.pop(); next; next = open.pop()) {
-      pairs.set(next[0], next[1]);
-      next[0].children.forEach((child, i) => open.push([child, next![1].children[i]!]));
-    }
-  };
-  pair(model.scene, scene);
-  return { scene, nodes: model.nodes.map((node) => pairs.get(node) ?? null) };
 }
 
 /** Models by address, each fetched once. */

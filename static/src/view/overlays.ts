@@ -1,13 +1,14 @@
-/** Draws bones over the skin: lines with circles (RD1), or tetrahedra, shaded and in wire (RD2). */
+/** Draws the bones of all actors of a cast over the skin: lines with circles (RD1), or tetrahedra, shaded, in wire or textured (RD2). */
 
 import * as THREE from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
-import type { PosedModel } from "./posedModel";
 import { type BoneEnd, boneEnds } from "./boneEnds";
 import { type BonePlan, planBones } from "./bones";
-import { place, tetrahedronGeometry } from "./tetrahedron";
+import type { Crowd } from "./crowd";
+import type { Solid } from "./looks";
+import { place, tetrahedronGeometry, tetrahedronTexture } from "./tetrahedron";
 
 const CIRCLE_VERTEX = /* glsl */ `
   uniform float pixels;
@@ -53,7 +54,6 @@ export class BoneOverlay {
   private readonly solids = new THREE.Group();
   private readonly plan: BonePlan;
   private readonly last: BoneEnd[];
-  private readonly world: Float32Array;
   /** World positions of each bone's start and end, metres. */
   private readonly bones: Float32Array;
   private readonly ends: THREE.InstancedInterleavedBuffer;
@@ -73,22 +73,27 @@ export class BoneOverlay {
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,
   });
+  private readonly texturedMaterial = new THREE.MeshLambertMaterial({
+    flatShading: true,
+    map: tetrahedronTexture(),
+  });
   private readonly wireMaterial = new THREE.MeshBasicMaterial({ wireframe: true });
 
   constructor(
-    private readonly actor: PosedModel,
+    private readonly crowd: Crowd,
     pixelRatio: number,
   ) {
-    this.plan = planBones(actor.cast, actor.model.skinJoints);
-    this.last = boneEnds(this.plan, actor.cast, actor.model);
-    const count = this.plan.segments.length + this.last.length;
-    this.world = new Float32Array(actor.cast.joints * 3);
+    const { cast, model } = crowd;
+    this.plan = planBones(cast, model.skinJoints);
+    this.last = boneEnds(this.plan, cast, model);
+    const actors = cast.actors.length;
+    const count = actors * (this.plan.segments.length + this.last.length);
     this.bones = new Float32Array(count * 6);
     const geometry = new LineSegmentsGeometry().setPositions(new Float32Array(Math.max(1, count) * 6));
     this.ends = (geometry.attributes["instanceStart"] as THREE.InterleavedBufferAttribute)
       .data as THREE.InstancedInterleavedBuffer;
     const points = new THREE.BufferGeometry();
-    this.circles = new THREE.BufferAttribute(new Float32Array(this.plan.joints.length * 3), 3);
+    this.circles = new THREE.BufferAttribute(new Float32Array(actors * this.plan.joints.length * 3), 3);
     points.setAttribute("position", this.circles);
     this.circleMaterial = circleMaterial(pixelRatio);
     this.lines.add(
@@ -104,14 +109,18 @@ export class BoneOverlay {
     this.lines.children.forEach((part, i) => (part.renderOrder = 10 + i));
   }
 
-  show(lines: boolean, solids: boolean): void {
+  /** `solids`: how the tetrahedra are drawn; null: not at all. */
+  show(lines: boolean, solids: Solid | null): void {
     this.lines.visible = lines;
-    this.solids.visible = solids;
+    this.solids.visible = solids !== null;
+    this.shaded.visible = solids !== "wireframe";
+    this.wire.visible = solids !== "textured";
+    this.shaded.material = solids === "textured" ? this.texturedMaterial : this.solidMaterial;
   }
 
   /** The names of the joints whose circles are shown. */
   jointNames(): string[] {
-    return this.lines.visible ? this.plan.joints.map((joint) => this.actor.cast.names[joint]!) : [];
+    return this.lines.visible ? this.plan.joints.map((joint) => this.crowd.cast.names[joint]!) : [];
   }
 
   get visible(): boolean {
@@ -124,39 +133,50 @@ export class BoneOverlay {
     (this.circleMaterial.uniforms["ink"]!.value as THREE.Color).set(ink);
     (this.circleMaterial.uniforms["paper"]!.value as THREE.Color).set(accent);
     this.solidMaterial.color.set(body);
+    this.texturedMaterial.color.set(body);
     this.wireMaterial.color.set(accent);
   }
 
-  /** Follows the actor's joints, whose world matrices are up to date. */
+  /** Follows the poses of the actors. */
   update(): void {
     if (!this.visible) return;
-    this.actor.jointPositions(this.world);
-    this.measure();
+    for (let row = 0; row < this.crowd.cast.actors.length; row++) this.measure(row);
     if (this.lines.visible) this.drawLines();
     if (this.solids.visible) this.drawSolids();
   }
 
-  private measure(): void {
+  private measure(row: number): void {
     const [end, world] = [new THREE.Vector3(), new THREE.Matrix4()];
     const { segments } = this.plan;
-    segments.forEach(([from, to], k) => {
-      this.bones.set(this.world.subarray(from * 3, from * 3 + 3), k * 6);
-      this.bones.set(this.world.subarray(to * 3, to * 3 + 3), k * 6 + 3);
-    });
-    this.last.forEach(({ joint, at }, k) => {
-      this.bones.set(this.world.subarray(joint * 3, joint * 3 + 3), (segments.length + k) * 6);
+    const { pose } = this.crowd;
+    let at = row * (segments.length + this.last.length) * 6;
+    const put = (joint: number): void => {
+      const e = pose.indexOf(row, joint) + 12;
+      for (let k = 0; k < 3; k++) this.bones[at++] = pose.matrices[e + k]!;
+    };
+    for (const [from, to] of segments) {
+      put(from);
+      put(to);
+    }
+    for (const { joint, at: tip } of this.last) {
+      put(joint);
       end
-        .copy(at)
-        .applyMatrix4(world.fromArray(this.actor.jointWorld(joint)))
-        .toArray(this.bones, (segments.length + k) * 6 + 3);
-    });
+        .copy(tip)
+        .applyMatrix4(world.fromArray(pose.world(row, joint)))
+        .toArray(this.bones, at);
+      at += 3;
+    }
   }
 
   private drawLines(): void {
     this.ends.array.set(this.bones);
-    this.plan.joints.forEach((joint, k) =>
-      this.circles.array.set(this.world.subarray(joint * 3, joint * 3 + 3), k * 3),
-    );
+    const { pose } = this.crowd;
+    let at = 0;
+    for (let row = 0; row < pose.actors; row++)
+      for (const joint of this.plan.joints) {
+        const e = pose.indexOf(row, joint) + 12;
+        for (let k = 0; k < 3; k++) this.circles.array[at++] = pose.matrices[e + k]!;
+      }
     this.ends.needsUpdate = true;
     this.circles.needsUpdate = true;
   }
@@ -175,8 +195,10 @@ export class BoneOverlay {
 
   dispose(): void {
     this.object.removeFromParent();
-    for (const material of [this.lineMaterial, this.circleMaterial, this.solidMaterial, this.wireMaterial])
+    const { lineMaterial, circleMaterial, solidMaterial, texturedMaterial, wireMaterial } = this;
+    for (const material of [lineMaterial, circleMaterial, solidMaterial, texturedMaterial, wireMaterial])
       material.dispose();
+    this.object.traverse((part) => (part as Partial<THREE.Mesh>).geometry?.dispose());
     this.shaded.dispose();
   }
 }

@@ -5,6 +5,7 @@ import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment
 import { FollowCamera } from "./camera";
 import { Ground } from "./ground";
 import type { Quality } from "./quality";
+import { Event } from "../state/signal";
 
 const SHADOW_PIXELS = 2048;
 
@@ -20,6 +21,12 @@ export class Scene {
     new THREE.PlaneGeometry(60, 60).rotateX(-Math.PI / 2),
     new THREE.ShadowMaterial({ opacity: 0.34 }),
   );
+  /** Emitted before each drawing. */
+  readonly drawing = new Event<THREE.PerspectiveCamera>();
+  /** Draw calls of the last drawing. */
+  calls = 0;
+  /** Controls over the lower end of the picture. */
+  private controls: HTMLElement | null = null;
   private height = 1.8;
   private dirty = true;
 
@@ -103,10 +110,17 @@ export class Scene {
     this.dirty = true;
   }
 
+  /** Keeps what is framed above the element, which lies over the lower end of the picture. */
+  leaveRoomFor(controls: HTMLElement): void {
+    this.controls = controls;
+    new ResizeObserver(() => this.resize()).observe(controls);
+  }
+
   private resize(): void {
     const box = (this.canvas.parentElement ?? this.canvas).getBoundingClientRect();
+    const covered = this.controls ? box.bottom - this.controls.getBoundingClientRect().top : 0;
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
-    this.view.resize(box.width, box.height);
+    this.view.resize(box.width, box.height, Math.max(0, covered));
     this.dirty = true;
     this.draw(0); // a canvas of another size is blank, and would be shown so until the next frame
   }
@@ -116,7 +130,9 @@ export class Scene {
     if (this.view.update(dt)) this.dirty = true;
     if (!this.dirty) return false;
     this.dirty = false;
+    this.drawing.emit(this.view.camera);
     this.renderer.render(this.world, this.view.camera);
+    this.calls = this.renderer.info.render.calls;
     return true;
   }
 }

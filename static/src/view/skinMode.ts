@@ -1,6 +1,8 @@
 /** Shows the skin with its materials (RD3), as wire, as both, as a ghost around the bones, or not at all. */
 
 import * as THREE from "three";
+import { type Body, materialsOf } from "./bodies";
+import { CrowdMesh } from "./crowdMesh";
 
 export interface SkinLook {
   skin: boolean;
@@ -17,10 +19,6 @@ interface Own {
 
 const GHOST_OPACITY = 0.32;
 const owns = new WeakMap<THREE.Material, Own>();
-
-function materialsOf(mesh: THREE.Mesh): THREE.Material[] {
-  return Array.isArray(mesh.material) ? mesh.material : [mesh.material];
-}
 
 function shade(material: THREE.Material, look: SkinLook): void {
   const own = owns.get(material) ?? {
@@ -46,17 +44,14 @@ export function wireColour(ink: string): void {
   wireMaterial.color.set(ink);
 }
 
-/** Returns a wire copy of `mesh`, bound to the same bones and morph weights. */
+/** Returns a wire copy of `mesh`, which moves as it does. */
 function wireOf(mesh: THREE.Mesh): THREE.Mesh {
   const made = wires.get(mesh);
   if (made) return made;
   const twin =
-    mesh instanceof THREE.SkinnedMesh
-      ? new THREE.SkinnedMesh(mesh.geometry, wireMaterial)
+    mesh instanceof CrowdMesh
+      ? mesh.twin(mesh.geometry, wireMaterial)
       : new THREE.Mesh(mesh.geometry, wireMaterial);
-  if (twin instanceof THREE.SkinnedMesh && mesh instanceof THREE.SkinnedMesh)
-    twin.bind(mesh.skeleton, mesh.bindMatrix);
-  if (mesh.morphTargetInfluences) twin.morphTargetInfluences = mesh.morphTargetInfluences;
   twin.frustumCulled = false;
   twin.renderOrder = 2;
   mesh.add(twin);
@@ -64,10 +59,13 @@ function wireOf(mesh: THREE.Mesh): THREE.Mesh {
   return twin;
 }
 
-export function showSkin(meshes: readonly THREE.Mesh[], look: SkinLook): void {
+export function showSkin(meshes: readonly Body[], look: SkinLook): void {
   for (const mesh of meshes) {
     for (const material of materialsOf(mesh)) shade(material, look);
     mesh.castShadow = mesh.receiveShadow && look.skin;
-    if (look.wire || wires.has(mesh)) wireOf(mesh).visible = look.wire;
+    if (!(mesh instanceof THREE.Mesh)) continue;
+    // The geometry changes with the way of skinning.
+    if (look.wire || wires.has(mesh))
+      Object.assign(wireOf(mesh), { visible: look.wire, geometry: mesh.geometry });
   }
 }

@@ -1,20 +1,27 @@
 /** Draws the session's frames: actors of the pose stream, or the server's skin of the glb stream. */
 
 import * as THREE from "three";
-import type { FrameKind, Hello } from "../net/protocol";
+import type { FrameKind } from "../net/protocol";
 import type { Session } from "../state/session";
 import { Signal } from "../state/signal";
 import { token } from "../ui/dom";
-import type { PosedModel } from "./posedModel";
-import { ActorView } from "./actorView";
-import { framed, type Framing, withCompany } from "./framing";
+import { Casting } from "./casting";
+import type { CastView } from "./castView";
+import { MOST_INFLUENCES } from "./influences";
+import type { Crowd } from "./crowd";
+import { DetailChoice } from "./detailChoice";
 import { GlbStage } from "./glbStage";
-import type { LimitMark } from "./limitOverlay";
-import { MotionPath } from "./motionPath";
-import { materialOf, type Model, Models } from "./model";
+import { Looks } from "./looks";
+import { paintSkins } from "./paint";
+import { type Body, inkColour } from "./bodies";
+import { materialOf } from "./model";
+import type { PosedModel } from "./posedModel";
 import type { Scene } from "./scene";
 import { showSkin, wireColour } from "./skinMode";
+import { SkinProof } from "./skinProof";
+import { actorAt } from "./actorPick";
 import { Terrain } from "./terrain";
+import { WatchedActor } from "./watchedActor";
 
 export interface Modes {
   skin: boolean;
@@ -29,107 +36,97 @@ const FEW_LIMITS = 6;
 
 export class StageView {
   readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false, limits: true });
-  /** True while the watched actor is drawn. */
-  readonly ready = new Signal(false);
-  readonly loading = new Signal<string>("");
-  /** How much the camera shows. */
-  readonly framing = new Signal<Framing>("whole");
-  /** Whether the view turns around the character. */
-  readonly turning = new Signal(false);
-  /** The joint whose path is drawn; empty: none. */
-  readonly traced = new Signal<string>("");
-  readonly path = new MotionPath();
-  /** The joint that was clicked; empty: none. */
-  readonly joint = new Signal<string>("");
-  private readonly models = new Models();
+  readonly looks = new Looks();
+  /** The level of detail. */
+  readonly detail = new DetailChoice();
+  readonly proof: SkinProof;
+  readonly watched: WatchedActor;
   private readonly glb: GlbStage;
   private readonly terrain = new Terrain();
-  private actors = new Map<number, ActorView>();
-  private generation = 0;
+  private readonly casting: Casting;
   /** Tick and stream of the drawn frame. */
   posed = -1;
   stream: FrameKind = "pose";
-  private framed = "";
-  private built = "";
 
   constructor(
     readonly scene: Scene,
     private readonly session: Session,
   ) {
+    this.casting = new Casting(scene, session, this.detail);
+    this.casting.cleared.on(() => this.clear());
+    this.casting.built.on(() => this.dress());
+    this.watched = new WatchedActor(scene, session, this.casting, this.modes);
     this.glb = new GlbStage(scene.quality === "high", (index, name) =>
-      materialOf(new Set([...this.actors.values()].map(({ view }) => view.model)), index, name),
+      materialOf(new Set(this.crowds.map(({ model }) => model)), index, name),
     );
-    scene.world.add(this.glb.root, this.path.object);
-    session.hello.on((hello) => hello && void this.cast(hello));
+    this.proof = new SkinProof(scene.renderer, session);
+    scene.world.add(this.glb.root);
+    session.hello.on((hello) => hello && void this.casting.take(hello));
     session.frames.on(() => this.switchStream());
     this.modes.on(() => this.restyle());
+    session.skinning.on(() => this.restyle());
     scene.world.add(this.terrain.mesh);
     session.machine.on((machine) => {
       this.modes.set({ ...this.modes.value, limits: (machine?.limits.length ?? 0) <= FEW_LIMITS });
-      this.limit();
+      this.watched.drawLimits();
       this.terrain.show(machine?.ground ?? []);
       scene.invalidate();
     });
-    session.actor.on(() => {
-      this.joint.set("");
-      this.limit();
+    this.watched.joint.on((joint) => {
+      if (joint) this.looks.bone.set(joint);
     });
-    this.joint.on(() => this.limit());
-    this.framing.on(() => this.frame());
-    this.turning.on((turning) => scene.view.turn(turning));
-    this.traced.on(() => {
-      this.path.clear();
-      scene.invalidate();
-    });
+    for (const look of Object.values(this.looks)) (look as Signal<string>).on(() => this.restyle());
+    scene.drawing.on((camera) => this.crowds.forEach((crowd) => crowd.arrange(camera)));
+    this.detail.byHand.on(() => scene.invalidate());
   }
 
-  /** Loads the models of a hello and puts its actors on the stage. */
-  private async cast(hello: Hello): Promise<void> {
-    // A change of stream brings a hello, too; the same epoch means the same actors.
-    const cast = `${hello.stage}/${hello.epoch}`;
-    if (cast === this.built) return;
-    this.built = cast;
-    const generation = ++this.generation;
-    this.clear();
-    this.loading.set("loading the character");
-    try {
-      const models = await Promise.all(
-        hello.casts.map((cast) => this.models.get(new URL(cast.model, document.baseURI).href)),
-      );
-      if (generation !== this.generation) return;
-      this.build(hello, models);
-      this.loading.set("");
-    } catch (error) {
-      if (generation !== this.generation) return;
-      this.built = "";
-      this.loading.set(
-        `The character cannot be loaded: ${error instanceof Error ? error.message : String(error)}`,
-      );
-    }
+  private get casts(): readonly CastView[] {
+    return this.casting.casts;
   }
 
-  /** Takes the actors off the stage; frames of other actors must not move them. */
+  private get crowds(): Crowd[] {
+    return this.casts.map(({ crowd }) => crowd);
+  }
+
+  /** What is being loaded, or why the stage cannot be shown; empty: it is shown. */
+  get loading(): Signal<string> {
+    return this.casting.loading;
+  }
+
+  /** The actors have left; frames of others must not move what they leave behind. */
   private clear(): void {
-    for (const actor of this.actors.values()) actor.dispose();
-    this.actors.clear();
+    this.watched.leave();
     this.glb.clear();
-    this.ready.set(false);
     this.scene.invalidate();
   }
 
-  private build(hello: Hello, models: Model[]): void {
-    hello.casts.forEach((cast, c) => {
-      for (const { id } of cast.actors) this.actors.set(id, new ActorView(id, cast, models[c]!, this.scene));
-    });
+  private dress(): void {
+    if (this.crowds.some(({ parts }) => parts.most > MOST_INFLUENCES)) this.leaveSkinToServer();
     this.recolour();
     this.restyle();
   }
 
+  /** The one thing that the pose stream cannot express: a vertex with more bones than the GPU blends. */
+  private leaveSkinToServer(): void {
+    this.session.notices.emit(
+      `A vertex follows more than ${MOST_INFLUENCES} bones, which the GPU does not blend: the server skins.`,
+    );
+    this.session.stream("glb");
+  }
+
   /** Shows the newest frame, if the models are loaded. */
   update(): void {
-    if (!this.actors.size) return;
+    if (!this.casting.actors.size) return;
     if (this.session.pose) this.showPose();
     if (this.session.glb) this.showGlb();
+    this.prove();
+  }
+
+  private prove(): void {
+    const { crowds, watched } = this;
+    const crowd = watched.cast?.crowd;
+    if (this.stream === "glb") this.proof.idle();
+    else if (crowd && watched.ready.value) this.proof.compare(crowds, crowd, watched.model!.row, this.posed);
   }
 
   private showPose(): void {
@@ -138,64 +135,19 @@ export class StageView {
     if (frame.epoch !== hello?.epoch) return;
     this.session.pose = null;
     Object.assign(this, { posed: frame.tick, stream: "pose" });
-    hello.casts.forEach((cast, c) =>
-      cast.actors.forEach(({ id }, row) => this.actors.get(id)?.view.apply(frame.casts[c]!, row)),
-    );
-    for (const actor of this.actors.values()) actor.settle();
-    this.followSelected();
+    this.casts.forEach((cast, c) => cast.take(frame.casts[c]!));
+    this.watched.follow(this.posed);
   }
 
   private showGlb(): void {
-    const fresh = this.glb.apply(this.session.glb!);
+    const fresh = this.glb.apply(this.session.glb!, [...this.casting.actors.keys()]);
     Object.assign(this, { posed: this.session.tick, stream: "glb" });
     this.session.glb = null;
     if (fresh) this.restyle();
-    const ids = this.session.hello.value?.casts.flatMap((cast) => cast.actors.map(({ id }) => id)) ?? [];
-    ids.forEach((id, row) => this.actors.get(id)?.place(this.glb.actors[row]));
-    this.followSelected();
-  }
-
-  private followSelected(): void {
-    const actor = this.actor;
-    if (actor) this.scene.follow(actor.view.root.position, actor.heading);
-    if (actor && this.framed !== actor.key) this.frame();
-    if (actor) this.trace(actor);
-    this.scene.invalidate();
-    this.ready.set(actor !== null);
-  }
-
-  /** Adds the place of the traced joint to its path. */
-  private trace(actor: ActorView): void {
-    const joint = actor.view.joints.findIndex((object) => object?.name === this.traced.value);
-    if (!this.traced.value || joint < 0) return;
-    const e = actor.view.jointWorld(joint);
-    this.path.add(`${actor.key} ${joint}`, this.posed, [e[12]!, e[13]!, e[14]!]);
-  }
-
-  /** The names of the watched actor's joints. */
-  jointNames(): string[] {
-    return (this.actor?.view.joints ?? []).flatMap((joint) => (joint?.name ? [joint.name] : []));
-  }
-
-  private get actor(): ActorView | null {
-    return this.actors.get(this.session.actor.value ?? -1) ?? null;
-  }
-
-  /** Frames the watched actor. */
-  frame(): void {
-    const actor = this.actor;
-    if (!actor) return;
-    const box = actor.view.box();
-    const height = box.max.y - Math.min(0, box.min.y);
-    const span = Math.max(box.max.x - box.min.x, box.max.z - box.min.z);
-    this.scene.fit(Math.max(height, 0.5 * span));
-    for (const other of this.actors.values()) other.shade(Math.max(0.2 * height, 0.32 * span));
-    const others = [...this.actors.values()].map(({ view }) => view);
-    const company = others.length > 1;
-    this.scene.view.subject(framed(company ? withCompany(actor.view, box, others) : box, this.framing.value));
-    this.scene.view.frame(company);
-    this.framed = actor.key;
-    this.scene.invalidate();
+    let first = 0;
+    for (const view of this.casts)
+      view.place(this.glb.actors.slice(first, (first += view.cast.actors.length)));
+    this.watched.follow(this.posed);
   }
 
   private switchStream(): void {
@@ -205,62 +157,58 @@ export class StageView {
     this.scene.invalidate();
   }
 
-  /** Draws the limits of the watched actor's joints. */
-  private limit(): void {
-    const limits = this.session.machine.value?.limits ?? [];
-    for (const actor of this.actors.values()) actor.limits.show(false);
-    const actor = this.actor;
-    if (!actor || this.session.cast?.machine !== this.session.machine.value?.name) return;
-    actor.limits.take(limits);
-    actor.limits.select(this.joint.value);
-    actor.limits.show(this.modes.value.limits);
-    this.scene.invalidate();
-  }
-
   private restyle(): void {
     const { skin, wire, bones, tetra } = this.modes.value;
     const look = { skin, wire, ghost: skin && tetra };
-    for (const actor of this.actors.values()) actor.show(look, bones, tetra);
+    const solid = tetra ? this.looks.solid.value : null;
+    for (const cast of this.casts) cast.skin(this.session.skinning.value);
+    paintSkins(this.crowds, this.glb.meshes, this.looks);
+    for (const cast of this.casts) cast.show(look, bones, solid);
     showSkin(this.glb.meshes, look);
-    this.limit();
+    this.watched.drawLimits();
     this.scene.invalidate();
   }
 
   /** Applies the theme's colours. */
   recolour(): void {
     const colours = { ink: token("--ink"), accent: token("--accent"), bone: token("--bone") };
-    for (const actor of this.actors.values()) actor.colour(colours);
+    for (const cast of this.casts) cast.colour(colours);
+    this.watched.colour(colours.accent);
     wireColour(token("--ink"));
-    this.path.colour(colours.accent);
+    inkColour(token("--ink"));
     this.scene.ground.colour(token("--grid"), Number(token("--grid-strength")) || 1);
     this.scene.invalidate();
   }
 
-  /** The limits of the watched actor's joints that can be seen. */
-  marks(): LimitMark[] {
-    return this.actor?.limits.marks() ?? [];
+  everyActor(): PosedModel[] {
+    return [...this.casting.actors.values()];
   }
 
-  /** The joints of the watched actor that show a circle. */
-  circles(): ReadonlySet<string> {
-    const { bones, limits } = this.actor ?? {};
-    return new Set([...(bones?.jointNames() ?? []), ...(limits?.jointNames() ?? [])]);
-  }
-
-  /** The watched actor's model. */
-  selected(): PosedModel | null {
-    return this.actor?.view ?? null;
+  /** Returns the id of the actor that is drawn at a pixel of the page; null: there is none. */
+  actorAt(clientX: number, clientY: number): number | null {
+    const { renderer, world, view, canvas } = this.scene;
+    const box = canvas.getBoundingClientRect();
+    const at = new THREE.Vector2(
+      ((clientX - box.left) / box.width) * 2 - 1,
+      1 - ((clientY - box.top) / box.height) * 2,
+    );
+    return actorAt(renderer, world, view.camera, this.bodies(), at);
   }
 
   /** Number of actors whose bones are drawn. */
   get overlays(): number {
-    return [...this.actors.values()].filter(({ bones }) => bones.visible).length;
+    return this.casts.reduce((all, { cast, bones }) => all + (bones.visible ? cast.actors.length : 0), 0);
+  }
+
+  /** What the characters are drawn with in the present stream, of each crowd its full skin. */
+  meshes(): Body[] {
+    return this.session.frames.value === "glb"
+      ? this.glb.meshes
+      : this.crowds.flatMap(({ levels }) => levels[0]!.bodies);
   }
 
   /** The objects of the characters, without ground and overlays. */
   bodies(): THREE.Object3D[] {
-    return this.session.frames.value === "glb"
-      ? [this.glb.root]
-      : [...this.actors.values()].map(({ view }) => view.root);
+    return this.session.frames.value === "glb" ? [this.glb.root] : this.crowds.map(({ root }) => root);
   }
 }

@@ -24,8 +24,38 @@ export function tetrahedronGeometry(): THREE.BufferGeometry {
       3,
     ),
   );
+  const ends = FACES.map((corner, i) => (corner === 0 ? [0.5, 1] : i % 3 === 1 ? [0, 0] : [1, 0]));
+  const base = [0, 0, 1, 0, 0.5, 1]; // the last face has no apex
+  const places = [...ends.slice(0, 9).flat(), ...base];
+  geometry.setAttribute("uv", new THREE.Float32BufferAttribute(places, 2));
   geometry.computeVertexNormals();
   return geometry;
+}
+
+const [CELLS, PIXELS] = [8, 64];
+let texture: THREE.DataTexture | null = null;
+
+/** Returns the texture of all tetrahedra: a chequer that is brighter towards the bone's end. */
+export function tetrahedronTexture(): THREE.DataTexture {
+  if (texture) return texture;
+  const data = new Uint8Array(PIXELS * PIXELS * 4).fill(255);
+  for (let y = 0; y < PIXELS; y++)
+    for (let x = 0; x < PIXELS; x++) {
+      const odd = (Math.floor((x * CELLS) / PIXELS) + Math.floor((y * CELLS) / PIXELS)) % 2;
+      data.fill(
+        (odd ? 105 : 170) + Math.round((85 * y) / PIXELS),
+        (y * PIXELS + x) * 4,
+        (y * PIXELS + x) * 4 + 3,
+      );
+    }
+  texture = new THREE.DataTexture(data, PIXELS, PIXELS);
+  Object.assign(texture, {
+    colorSpace: THREE.SRGBColorSpace,
+    generateMipmaps: true,
+    minFilter: THREE.LinearMipmapLinearFilter,
+    needsUpdate: true,
+  });
+  return texture;
 }
 
 const forward = new THREE.Vector3(0, 0, 1);

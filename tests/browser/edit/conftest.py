@@ -41,10 +41,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def playing(folder: Path) -> Iterator[Server]:
     """A server whose main stage plays that machine."""
-    running = Server(folder.parent / "data", folder)
-    running.start()
-    yield running
-    running.stop()
+    with Server(folder.parent / "data", folder) as running:
+        yield running
 
 
 @pytest.fixture

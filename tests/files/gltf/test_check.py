@@ -58,6 +58,9 @@ WRONG = [
     (f"{CHANNEL}/sampler", 1, f"{CHANNEL}/sampler"),
     (f"{CHANNEL}/target/node", -1, f"{CHANNEL}/target/node"),
     (f"{CHANNEL}/target", None, f"{CHANNEL}/target"),
+    ("/animations/0/channels", [], "/animations/0/channels"),
+    ("/animations/0/channels", None, "/animations/0/channels"),
+    ("/animations/0/samplers", [], "/animations/0/samplers"),
     ("/extensionsRequired", ["XX_none"], "/extensionsRequired/0"),
 ]
 

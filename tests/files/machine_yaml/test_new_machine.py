@@ -1,9 +1,10 @@
 """Machine folders made from models: they load, verify without a finding, and do what their keys say."""
 
+import numpy as np
 import pytest
 from paths import GLTF, needs_assets
 from statwalk.character.role import Role
-from statwalk.errors import ContentError, MachineError
+from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.machine_file import load_machine
 from statwalk.files.machine_yaml.new_machine import motions_of, write_machine
 from statwalk.machine.compile.compile_machine import MotionFacts
@@ -83,12 +84,17 @@ def test_a_machine_is_never_written_over(tmp_path):
         made("RobotExpressive", tmp_path)
 
 
-def test_a_model_without_animations_makes_no_machine(tmp_path):
-    character = load_character_file(GLTF / "RobotExpressive.glb")
-    bare = type(character)(character.name, character.skeleton, character.node_index, character.bind_pose)
-    with pytest.raises(ContentError, match="no animations"):
-        write_machine(bare, GLTF / "RobotExpressive.glb", tmp_path / "bare")
-    assert not (tmp_path / "bare").exists()
+def test_a_model_without_animations_stands_in_one_state(tmp_path):
+    character, file = made("M2M_rig_human", tmp_path)
+    stage = Stage(seed=1)
+    actor = stage.add(Role.build("rig", character, file.definition, file.root_joint))
+    stage.step(30)
+    stage.send(actor, "STOP")
+    stage.step(30)
+    assert (list(file.definition.states), actor.state) == (["STAT"], "STAT")
+    np.testing.assert_array_equal(actor.pose.rotation, character.bind_pose.rotation)
+    np.testing.assert_array_equal(actor.pose.translation, character.bind_pose.translation)
+    assert verify(file.definition, {}) == []
 
 
 def test_large_tables_are_for_a_spreadsheet(tmp_path):

@@ -6,7 +6,7 @@ import pytest
 import tiny_model
 from paths import GLTF, needs_assets
 from statwalk.character.role import Role
-from statwalk.errors import ContentError, UnknownNameError
+from statwalk.errors import UnknownNameError
 from statwalk.files.gltf import read_model
 from statwalk.files.machine_yaml.machine_file import load_machine, read_machine
 from statwalk.files.machine_yaml.new_machine import machine_text, named_motions, write_folder
@@ -224,6 +224,6 @@ def test_only_clips_of_the_model_are_named():
 
 
 @needs_assets
-def test_a_model_without_animations_has_none():
-    with pytest.raises(ContentError, match="no animations"):
-        named_motions(load_character_file(GLTF / "SimpleSkin.gltf").__class__("bare", *[None] * 3), {})
+def test_a_model_without_animations_has_its_pose_at_rest():
+    (motion,) = named_motions(load_character_file(GLTF / "M2M_rig_human.glb"), {})
+    assert (motion.clip, motion.state, motion.event) == ("", "STAT", "")

@@ -6,6 +6,7 @@ import random
 from dataclasses import replace
 from itertools import pairwise
 
+import gaits
 import pytest
 from statwalk.character.role import facts_of
 from statwalk.files.machine_yaml.machine_file import read_machine
@@ -129,3 +130,27 @@ def test_on_a_stage_the_walker_does_what_refutes_the_sentence(sentence, is_shown
         stage.step()
         states.append(actor.state)
     assert is_shown(states, last)
+
+
+@pytest.mark.parametrize(
+    ("limit", "verdict"), [("0.79 s", "refuted"), ("0.81 s", "undecided"), ("1 s", "proved")]
+)
+def test_on_a_stage_a_blend_lasts_as_long_as_the_proof_says(limit, verdict):
+    """Half way between a walk of 1 s and a run of 0.6 s, whose feet come down in another rhythm."""
+    role = gaits.role(
+        ("MOVE  |      | STAND | STAND |", "MOVE  |      | STAND | STAND | STAND"),
+        ("default: 1.2, min: 0", "default: 2.6, min: 1.2"),
+        ("run: {left: 0.2, right: 0.62}", "run: {left: 0, right: 0.5}"),
+    )
+    sentence = f"MOVE leads to STAND within {limit}"
+    definition = replace(role.definition, properties=(PropertyDefinition(sentence, 0),))
+    (found,) = (one for one in verify(definition, facts_of(role.character)) if one.kind == "property")
+    assert found.message.startswith(f"{sentence}: {verdict}")
+    stage, pressed = Stage(), dict(found.replay or ((1, "GO"),))
+    actor, states = stage.add(role), []
+    for tick in range(1, 60):
+        if tick in pressed:
+            stage.send(actor, pressed[tick])
+        stage.step()
+        states.append(actor.state)
+    assert states.count("MOVE") == 48

@@ -4,7 +4,7 @@ import random
 
 import pytest
 from statwalk.machine.model_checker import search
-from statwalk.machine.model_checker.lengths import Lengths
+from statwalk.machine.model_checker.lengths import EVEN, Lengths
 from statwalk.machine.model_checker.program_in_ticks import program_in_ticks
 from statwalk.machine.model_checker.search import beginning, searched
 from statwalk.machine.model_checker.state_space import MOST_WAITING, NOT_BEGUN
@@ -104,7 +104,8 @@ def node_of(actor):
 
 
 def search_of(machine, checkpoint=go_on):
-    program = program_in_ticks(machine, Lengths(tuple(LENGTHS.values()), (True,) * 5), is_patient=True)
+    lasting = Lengths(tuple(LENGTHS.values()), (True,) * 5, (EVEN,) * 5)
+    program = program_in_ticks(machine, lasting, is_patient=True)
     presses = [machine.columns[name] for name in INPUTS]
     return searched(program, beginning(program), (), presses, Work(10_000_000, checkpoint))
 

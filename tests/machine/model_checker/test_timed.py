@@ -142,12 +142,18 @@ table: |
 
 
 def test_a_blend_lasts_as_long_as_one_of_its_clips_or_something_between():
-    ticks = {"walk": 60, "run": 30}
+    ticks, quick = {"walk": 60, "run": 30}, BLENDED.replace("default: 1", "default: 3")
     said = (
         "undecided: it takes 0.5 s at the least, and at the most 1 s; B lasts as long as speed will have it"
     )
-    assert answer("B leads to A within 0.8 s", text=BLENDED, ticks=ticks) == said
-    assert answer("B leads to A within 1 s", text=BLENDED, ticks=ticks) == "proved (at most 1 s)"
+    assert answer("B leads to A within 0.8 s", text=quick, ticks=ticks) == said
+    assert answer("B leads to A within 1 s", text=quick, ticks=ticks) == "proved (at most 1 s)"
+
+
+def test_what_fails_while_nobody_sets_a_parameter_is_refuted():
+    found = finding("B leads to A within 0.8 s", text=BLENDED, ticks={"walk": 60, "run": 30})
+    assert found.message.endswith("refuted: A -GO 0.01667 s-> B and after 0.8 s not in A")
+    assert found.replay == ((1, "GO"),)
 
 
 def test_fractions_of_a_tick_are_looked_at_from_both_sides():

@@ -150,7 +150,7 @@ def test_time_is_that_in_the_state_through_loops_and_restarts():
 def drawn(key, tick, event=1, actors=1):
     """The states that actors with the same key are in after GO in some tick."""
     made = machine_of(TABLE, TICKS, WEIGHTED)
-    around = Measurements.none(actors, 1)._replace(key=np.full(actors, key, np.uint64))
+    around = Measurements.none(actors)._replace(key=np.full(actors, key, np.uint64))
     done = stepped(
         made.program,
         fresh(made.program, actors),

@@ -200,21 +200,33 @@ table: |
 
 
 def test_the_markers_of_a_blend_are_those_of_its_first_clip_and_its_own_by_phase():
-    """The longest clip, 30 ticks, gives the clock; walk's marker stands at a quarter of its 20 ticks: 7.5
-    ticks of the blend.
-    """
+    """The walk alone has weight: its marker stands at 5 of its 20 ticks, the state's own half way."""
     actor = Ticking.of(
         BLEND, {"walk": 20, "run": 30, "jump": 9}, {"walk": {"left-down": 5}, "run": {"left-down": 3}}
     )
-    met = [(actor.tick, actor.said) for _ in range(30) if actor.step() and actor.said]
-    assert met == [(8, ["left-down taken"]), (15, ["middle taken"])]
+    met = [(actor.tick, actor.said) for _ in range(20) if actor.step() and actor.said]
+    assert met == [(5, ["left-down taken"]), (10, ["middle taken"])]
+
+
+def test_half_way_between_two_clips_a_marker_comes_half_way_between_theirs():
+    """It takes 25 ticks; the marker stands at 0.25 of the walk and at 0.1 of the run: at 0.175 of 25 ticks.
+    The middle of the walk is a third of the way from there to the end.
+    """
+    actor = Ticking.of(
+        BLEND.replace("default: 1", "default: 2").replace("loop: true", "loop: false"),
+        {"walk": 20, "run": 30, "jump": 9},
+        {"walk": {"left-down": 5}, "run": {"left-down": 3}},
+    )
+    met = [(actor.tick, actor.said) for _ in range(25) if actor.step() and actor.said]
+    assert pytest.approx((4.375, 11.25)) == (0.175 * 25, (0.175 + 0.825 / 3) * 25)
+    assert met == [(5, ["left-down taken"]), (12, ["middle taken"])]
 
 
 def test_a_blend_that_is_shorter_now_runs_faster():
+    """Counted in ticks of the longest clip, 30: a lap takes 20 ticks."""
     actor = Ticking.of(BLEND, {"walk": 20, "run": 30, "jump": 9})
-    actor.around = actor.around._replace(rate=actor.around.rate * 3)
     assert actor.run(4) == "MOVE"
-    assert actor.time_in_ticks == 12
+    assert actor.time_in_ticks == 6
 
 
 def test_a_window_never_opens_where_there_is_no_motion():

@@ -36,7 +36,7 @@ def inputs_for(entries) -> Inputs:
 
 
 def one_tick(made, state, tick, entries):
-    return stepped(made.program, state, tick, inputs_for(entries), Measurements.none(len(state.state), 1))
+    return stepped(made.program, state, tick, inputs_for(entries), Measurements.none(len(state.state)))
 
 
 def play(made, n, per_tick):

@@ -73,9 +73,7 @@ def around(rows):
     """Speeds and chance of the rows."""
     numbers = np.array(rows)
     speed = numbers % ACTORS * 0.3
-    return Measurements(
-        np.ones((len(rows), 2)), np.array([speed, 0 * speed, 0 * speed]), (numbers % 7 + 99).astype(np.uint64)
-    )
+    return Measurements(np.array([speed, 0 * speed, 0 * speed]), (numbers % 7 + 99).astype(np.uint64))
 
 
 def begin(machine, rows):

@@ -77,7 +77,7 @@ def test_speed_may_be_a_parameter():
     one = Ticking("state | GO\na | ", {"a": 100}, more)
     one.change("speed_parameter", {0: 0})
     two = fresh(one.program, 2)._replace(parameters=np.array([[1.0], [3.0]]))
-    assert stepped(one.program, two, 1, NOTHING, Measurements.none(2, 1)).state.time[:, 0] == pytest.approx(
+    assert stepped(one.program, two, 1, NOTHING, Measurements.none(2)).state.time[:, 0] == pytest.approx(
         [DT, 3 * DT]
     )
 

@@ -73,3 +73,9 @@ def test_a_circle_names_its_members_only():
 def test_too_many_lines_are_refused():
     with pytest.raises(AssignmentError, match="at most 1,024"):
         read(*(f"a{row} = 1" for row in range(MOST_ASSIGNMENTS + 1)))
+
+
+def test_a_line_is_written_as_it_is_read_names_in_quotes_included():
+    lines = [(1, "'Left arm'.rotate_z = 2 * 'Big smile'.weight"), (2, "a.b.weight = 1")]
+    read = read_assignments(lines, lambda _name, _names_set: "")
+    assert sorted(line.text for line in read) == sorted(text for _, text in lines)

@@ -116,7 +116,7 @@ def test_tables_cannot_be_written():
 PLAIN = """
 import sys
 import numpy as np
-from statwalk.motion.sampling.blend import rate
+from statwalk.maths.blending import rate
 from statwalk.motion.sampling.root_motion import way
 from statwalk.motion.tables.motion_tables import MotionTables
 

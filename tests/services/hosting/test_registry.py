@@ -2,15 +2,18 @@
 
 import time
 from dataclasses import replace
+from pathlib import Path
 
 import httpx
 import pytest
+from keeping import keeping
 from serving import wait_for
 from stages import registry
 from statwalk.errors import LimitError, UnknownNameError
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.commands import AddActor, SendEvent, StageSetup
 from statwalk.services.hosting.registry import Registry
+from statwalk.services.hosting.store.writer import Statement
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.publish.outbox import Outbox
 from statwalk.web.app import create_app
@@ -126,3 +129,16 @@ async def test_main_stays() -> None:
     ) as client:
         assert (await client.delete("/api/stages/main")).status_code == 409
         assert (await client.get("/api/stages/main")).status_code == 200
+
+
+def test_the_status_says_why_nothing_can_be_kept(tmp_path: Path, catalogue: Catalogue) -> None:
+    with keeping(tmp_path, catalogue) as held:
+        host, store = held.open(StageSetup(clock="manual")), held.store
+        assert host.handle(ask.Status()).trouble == ""
+        assert store is not None
+        connection = store.writer._committer._connection
+        assert connection is not None
+        connection.execute("PRAGMA max_page_count=1")  # as small as the database is now
+        store.writer.put([Statement("INSERT INTO snapshots VALUES ('s', 1, zeroblob(40000), x'')", [()])])
+        wait_for(lambda: "the disk is full" in host.handle(ask.Status()).trouble)
+        wait_for(lambda: host.handle(ask.Status()).trouble == "")  # it tries again with a new connection

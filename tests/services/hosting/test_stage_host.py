@@ -20,6 +20,7 @@ from statwalk.services.hosting.commands import (
 )
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
+from statwalk.services.hosting.store.records import StageIdentity
 
 FORWARD = SendEvent("FORWARD", 1)
 COMMANDS = (
@@ -57,6 +58,7 @@ MESSAGES: dict[type, Callable[[Registry], ask.Message[Any]]] = {
     ask.Snapshot: lambda _: ask.Snapshot(),
     ask.Frame: lambda _: ask.Frame("glb", 5),
     ask.FrameFile: lambda _: ask.FrameFile(5),
+    ask.StickFigures: lambda _: ask.StickFigures(1, (2, 5), "front"),
     ask.Recording: lambda _: ask.Recording(2, 6),
     ask.Why: lambda _: ask.Why(1, 1),
     ask.WhyNot: lambda _: ask.WhyNot(1, "JUMP", 5),
@@ -77,7 +79,11 @@ def test_a_message_and_its_reply_are_plain_data(held: Registry, host: StageHost,
 
 def test_nothing_of_the_live_stage_is_reached_through_the_host(host: StageHost) -> None:
     reached = [type(value).__module__ for name, value in vars(host).items() if not name.startswith("_")]
-    assert [module for module in reached if module.startswith("statwalk")] == [Registry.__module__]
+    plain_data = StageIdentity.__module__
+    assert {module for module in reached if module.startswith("statwalk")} == {
+        Registry.__module__,
+        plain_data,
+    }
 
 
 def test_an_input_belongs_to_the_next_tick(host: StageHost) -> None:

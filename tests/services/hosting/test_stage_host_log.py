@@ -1,8 +1,6 @@
 """A post answers with its number in the log, when it is durable."""
 
-import asyncio
 import json
-import pickle
 import threading
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
@@ -16,7 +14,6 @@ from statwalk.services.hosting.commands import (
 )
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
-from statwalk.services.publish.outbox import MOST_FACTS, Outbox
 from statwalk.stage.history.log import MemoryLog
 from statwalk.stage.state.commands import LogEntry
 
@@ -80,35 +77,3 @@ def test_a_post_that_is_given_up_does_not_wait_for_the_disk(host: StageHost) -> 
         token.cancel()
         with pytest.raises(CancelledError):
             answer.result(10)
-
-
-@pytest.mark.anyio
-async def test_frames_do_not_wait_for_the_disk_and_verdicts_do(host: StageHost) -> None:
-    log, outbox = SlowLog(host._live.stage._log), Outbox("pose")
-    host._live.stage._log = log
-    host.join(outbox)
-    host._live.apply((FORWARD,), {})
-    host.handle(ask.Step(1))
-    host.advance_to(0.0)
-    await asyncio.sleep(0)
-    assert outbox.frame is not None
-    assert (outbox.frame.tick, outbox.take_texts()) == (11, [])
-    log.written.set()
-    host.advance_to(0.0)
-    await asyncio.sleep(0)
-    assert [pickle.loads(text).event for text in outbox.take_texts()] == ["FORWARD"]
-    host.leave(outbox)
-
-
-@pytest.mark.anyio
-async def test_viewers_are_sent_away_rather_than_that_too_many_verdicts_wait(host: StageHost) -> None:
-    outbox = Outbox("pose")
-    host._live.stage._log = SlowLog(host._live.stage._log)
-    host.join(outbox)
-    host._live.facts_waiting.put(1, [b"fact"] * MOST_FACTS)
-    host._live.apply((FORWARD,), {})
-    host.handle(ask.Step(1))
-    await asyncio.sleep(0)
-    assert outbox.closing is not None
-    assert (outbox.closing[0], outbox.take_texts()) == ("slow", [])
-    host.leave(outbox)

@@ -2,8 +2,10 @@
 
 import threading
 import time
+from typing import Any
 
 import pytest
+from statwalk.services.hosting import ticker as ticker_module
 from statwalk.services.hosting.ticker import SHORTEST_SLEEP, Ticker
 
 
@@ -73,3 +75,42 @@ def test_it_wakes_for_a_new_stage_and_ends() -> None:
     assert stages[0].enough.wait(20)
     ticker.stop()
     assert not ticker.thread.is_alive()
+
+
+def test_a_stage_that_fails_is_a_fault_until_it_is_closed() -> None:
+    failing, good = Failing(), Counting()
+    stages: list[Any] = [failing, good]
+    ticker = Ticker(lambda: stages)
+    assert "does not run" in ticker.fault()
+    ticker.start()
+    assert good.enough.wait(20)
+    assert ticker.fault() == "1 of the stages fail in their steps; the log says why"
+    stages.remove(failing)
+    good.turns, good.enough = 0, threading.Event()
+    ticker.wake()
+    assert good.enough.wait(20)
+    assert ticker.fault() == ""
+    ticker.stop()
+
+
+class Stuck:
+    """Its step ends when it is told to."""
+
+    def __init__(self) -> None:
+        self.began, self.told = threading.Event(), threading.Event()
+
+    def advance_to(self, _: float) -> float:
+        self.began.set()
+        self.told.wait(20)
+        return 1.0
+
+
+def test_a_round_without_an_end_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ticker_module, "LONGEST_ROUND", 0.0)
+    stuck = Stuck()
+    ticker = Ticker(lambda: [stuck])
+    ticker.start()
+    assert stuck.began.wait(20)
+    assert "has stood still" in ticker.fault()
+    stuck.told.set()
+    ticker.stop()

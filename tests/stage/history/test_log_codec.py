@@ -2,6 +2,7 @@
 
 import pytest
 from statwalk.errors import StageError
+from statwalk.stage.history.engine import ENGINE, release
 from statwalk.stage.history.log_codec import dump, load
 from statwalk.stage.state.commands import Add, Edit, Hold, LogEntry, Press, Release, Remove, Set, Travel
 
@@ -32,7 +33,8 @@ COMMANDS = (
 def test_lines_come_back_as_they_were():
     log = [LogEntry(number, number // 3, command) for number, command in enumerate(COMMANDS, 1)]
     loaded = load(dump(log, {"seed": 3, "rate": 60}))
-    assert loaded.header == {"statwalk": "log", "semantics": 1, "seed": 3, "rate": 60}
+    made_by = {"engine": ENGINE, "version": release()}
+    assert loaded.header == {"statwalk": "log", "semantics": 1, **made_by, "seed": 3, "rate": 60}
     assert loaded.entries == log
 
 
@@ -53,6 +55,7 @@ def test_blank_lines_count():
             "line 1: rate is a whole number of at least 1, not 0",
         ),
         (['{"statwalk": "log", "semantics": 1, "seed": 1.5}'], "line 1: seed is a whole number"),
+        (['{"statwalk": "log", "semantics": 1, "hash": 7}'], "line 1: hash is text"),
         (['{"statwalk": "log", "semantics": 1, "head": -1}'], "line 1: head is a whole number of at least 0"),
         ([HEADER, '{"tick": 1}'], "line 2: an entry has number and tick"),
         ([HEADER, line("jump")], "press, hold, release"),

@@ -18,7 +18,7 @@ def after(ticks):
 
 
 def test_a_night_leaves_few():
-    assert len(after(NIGHT)) < 150
+    assert len(after(NIGHT)) < 450
 
 
 def test_the_last_quarter_of_a_minute_is_dense():
@@ -30,7 +30,7 @@ def test_the_gap_grows_with_age_only():
     snapshots = after(NIGHT)
     for age in (10_000, 100_000, NIGHT - 5):
         tick = NIGHT - age
-        assert tick - snapshots.nearest(tick) <= max(EVERY, age / 7)
+        assert tick - snapshots.nearest(tick) <= max(EVERY, age / 31)
 
 
 def test_tick_zero_is_always_there():

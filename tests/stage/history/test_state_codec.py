@@ -89,6 +89,13 @@ def test_another_version_of_the_format_is_refused():
         from_bytes(to_bytes(stage.state).replace(b'"version":3', b'"version":7'), stage.roles)
 
 
+def test_a_state_of_another_engine_is_refused():
+    """Its numbers may be others."""
+    stage = wild_stage(1)
+    with pytest.raises(StageError, match="engine 7 made the stage; this is engine 1"):
+        from_bytes(to_bytes(stage.state).replace(b'"engine":1', b'"engine":7'), stage.roles)
+
+
 def test_a_role_that_is_not_here_is_named():
     stage = wild_stage(1)
     with pytest.raises(StageError, match="plays 'wild', which is not here"):

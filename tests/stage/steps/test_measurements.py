@@ -2,7 +2,6 @@
 in a second.
 """
 
-import gaits
 import numpy as np
 import pytest
 from builders import role
@@ -43,18 +42,6 @@ def test_without_a_root_joint_it_is_that_of_the_place():
     stage = Stage()
     stage.add(role(root=None), position=(0, 3, 0))
     assert told(stage).measured[2, 0] == 3
-
-
-def test_a_blend_has_its_pace_and_the_other_layers_their_own():
-    stage = Stage()
-    actor = stage.add(gaits.role())
-    stage.set(actor, "speed", 4.0)
-    stage.send(actor, "GO")
-    stage.send(actor, "WAVE")
-    stage.step(60)
-    rate = told(stage).rate[0]
-    assert rate[0] == pytest.approx(1 / 0.6, rel=0.25)  # a little more or less between markers
-    assert rate[1:].tolist() == [1, 1]
 
 
 def test_the_chance_of_actors_differs():

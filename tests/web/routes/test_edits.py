@@ -11,6 +11,7 @@ from paths import MACHINES
 from starlette.types import Receive, Scope, Send
 from statwalk.web.app import create_app
 from statwalk.web.dependencies import ENDING
+from statwalk.web.same_origin import OwnNames
 from statwalk.web.settings import Settings
 
 pytestmark = pytest.mark.anyio
@@ -176,7 +177,7 @@ async def test_a_given_folder_keeps_it_in_its_file(tmp_path: Path) -> None:
     folder = tmp_path / "mine"
     copytree(MACHINES / "faq-walker", folder, ignore=lambda *_: ["make"])
     (folder / "machine.yaml").chmod(0o640)
-    app = create_app(Settings(folders=(folder,), hosts=("test",)))
+    app = create_app(Settings(folders=(folder,), names=OwnNames(("test",))))
     async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url="http://test") as client:
         body = {"state": "WALK", "event": "LEFT", "text": "TRGT"}
         answer = await client.patch("/api/machines/mine/cells", json=body, headers={"If-Match": "1"})
@@ -206,3 +207,14 @@ async def test_an_edit_is_given_up_when_the_server_ends(
     async with httpx.AsyncClient(transport=httpx.ASGITransport(ended), base_url="http://localhost") as late:  # type: ignore[arg-type]
         answer = await patch(late, "WALK", "LEFT", "TRGT", dry=dry)
     assert (answer.status_code, (await client.get(WALKER)).json()["version"]) == (503, 1)
+
+
+@pytest.mark.parametrize("word", ["yes", "1", "on", "True", ""])
+async def test_a_dry_run_is_true_or_false(client: httpx.AsyncClient, word: str) -> None:
+    """What is misspelled changes nothing."""
+    answer = await client.patch(
+        f"/api/machines/faq-walker/cells?dry={word}",
+        json={"state": "WALK", "event": "LEFT", "text": "TRGT"},
+        headers={"If-Match": '"1"'},
+    )
+    assert (answer.status_code, answer.json()["errors"][0]["field"]) == (422, "dry")

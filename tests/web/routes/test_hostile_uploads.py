@@ -15,7 +15,8 @@ import numpy as np
 import pytest
 from hostile_captures import HOSTILE_CAPTURES
 from paths import ASSETS
-from torture.mutate import memory, mutated, sources
+from torture.gltf_files import GLTF_MODEL
+from torture.outcomes import memory
 from watcher import Watcher
 from zipped import packed
 
@@ -40,8 +41,7 @@ def hostile() -> list[bytes]:
     odd = [packed({"a.gltf": b"{" * 100_000}), b"PK\x05\x06", b"glTF" * 1_000, bytes(MIB)]
     captured = [data for data, _ in HOSTILE_CAPTURES.values() if len(data) < MIB][::4]
     files = [*odd, *captured, *(path.read_bytes() for path in listed[:: max(1, len(listed) // 10)])]
-    known = sources()
-    return [*files, *(mutated(seed, known) for seed in range(FILES))][:FILES]
+    return [*files, *map(GLTF_MODEL.mutated, range(FILES))][:FILES]
 
 
 def put(address: str, number: int, data: bytes) -> int:

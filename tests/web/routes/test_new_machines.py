@@ -7,7 +7,7 @@ from typing import Any
 import httpx
 import pytest
 import tiny_model
-from statwalk.services.library import load
+from statwalk.files import model_formats
 from uploads import files_of, make, names, opened, put
 
 pytestmark = pytest.mark.anyio
@@ -112,10 +112,21 @@ async def test_two_clips_of_one_state(client: httpx.AsyncClient) -> None:
     assert refused.json()["errors"][0]["field"] == "mapping.Nod"
 
 
-async def test_a_character_without_clips_makes_no_machine(client: httpx.AsyncClient, tmp_path: Path) -> None:
+@pytest.mark.parametrize("mapping", [None, {}], ids=["proposed", "empty"])
+async def test_a_character_without_clips_gets_its_pose_at_rest(
+    client: httpx.AsyncClient, mapping: dict[str, str] | None
+) -> None:
     await put(client, data=tiny_model.changed("/animations", None))
-    refused = await make(client)
-    assert (refused.status_code, "no animations" in refused.json()["detail"]) == (422, True)
+    made = await make(client, **({} if mapping is None else {"mapping": mapping}))
+    assert made.status_code == 201
+    assert [state["name"] for state in made.json()["states"]] == ["STAT"]
+
+
+async def test_a_character_without_clips_has_no_other_state(
+    client: httpx.AsyncClient, tmp_path: Path
+) -> None:
+    await put(client, data=tiny_model.changed("/animations", None))
+    assert (await make(client, mapping={"Bend": "STAT"})).status_code == 422
     assert all(file.startswith(("characters/", "names/")) for file in files_of(tmp_path))
 
 
@@ -139,7 +150,7 @@ async def test_the_server_never_reads_an_upload_itself(
     client: httpx.AsyncClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The child process has read it; the server's own reader is broken here, and everything works."""
-    monkeypatch.setattr(load, "read_model", None)
+    monkeypatch.setattr(model_formats, "FORMATS", ())
     await put(client)
     assert (await make(client)).status_code == 201
     assert (await client.get("/api/characters/tiny")).json()["clips"][0]["name"] == "Bend"

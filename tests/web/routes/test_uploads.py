@@ -83,6 +83,21 @@ async def test_what_came_with_the_server_is_neither_replaced_nor_deleted(client:
     assert (await client.delete("/api/machines/faq-walker")).status_code == 409
 
 
+@pytest.mark.parametrize("name", ["walker", "faq-walker", "playground"])
+async def test_no_upload_and_no_machine_takes_a_shipped_name(client: httpx.AsyncClient, name: str) -> None:
+    """The names of a character, a machine and a scene."""
+    assert (await put(client, name)).status_code == 409
+    await put(client)
+    if name != "walker":  # characters and machines are called alike
+        assert (await make(client, name)).status_code == 409
+
+
+async def test_an_upload_may_have_the_name_of_its_machine(client: httpx.AsyncClient) -> None:
+    await put(client)
+    assert (await make(client, "tiny")).status_code == 201
+    assert (await put(client)).status_code == 200
+
+
 @pytest.mark.parametrize(
     "name", ["..", "a.b", "a b", "-a", "x" * 65, "%2e%2e", "..%5cx", "caf%C3%A9", "a%00", "a%0a"]
 )

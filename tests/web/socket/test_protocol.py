@@ -1,8 +1,10 @@
 """A viewer that reads no more is let go, and does not hold up the server's end."""
 
 import logging
+import socket
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
@@ -12,6 +14,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
 LARGE = b"x" * (1 << 20)
+EMPTY_TEXT = b"\x81\x80\x00\x00\x00\x00"
 
 
 class Flood:
@@ -115,3 +118,19 @@ def test_a_refusal_is_no_error_in_the_log(address: str, caplog: pytest.LogCaptur
             connect(f"ws://{address}/api/stages/nowhere/stream")
     log.removeHandler(caplog.handler)
     assert caplog.messages == []
+
+
+def send_after_the_end(client: socket.socket) -> bytes:
+    """What a client receives that acknowledges two frames after the server has said that it closes."""
+    with client:
+        received = b"".join(iter(lambda: client.recv(4096), b""))
+        for _ in range(2):  # the second would not be taken if the server had closed the connection for good
+            client.sendall(EMPTY_TEXT)
+        return received
+
+
+def test_a_viewer_that_still_sends_when_the_server_ends_is_not_reset() -> None:
+    with ThreadPoolExecutor() as readers:
+        with serving(SendsToTheEnd()) as address:
+            received = readers.submit(send_after_the_end, open_and_never_read(address, "/"))
+        assert received.result().endswith(b"\x88\x02" + (1012).to_bytes(2, "big"))

@@ -193,6 +193,20 @@ def test_the_kind_of_frame_can_be_changed(address: str, stage: str) -> None:
         assert viewer.data()[:4] == b"glTF"
 
 
+def test_a_viewer_chooses_how_the_server_skins(address: str, stage: str, rest: httpx.Client) -> None:
+    with Watcher(address, stage, frames="glb") as viewer:
+        own = viewer.data()
+        assert viewer.hello["skinning"] is None
+        assert viewer.hello["casts"][0]["skinning"] == "linear"
+        viewer.say(type="frames", frames="glb", skinning="parts")
+        assert viewer.text("hello")["skinning"] == "parts"
+        pieces = viewer.data()
+    assert len(pieces) > len(own)
+    assert len(rest.get(f"{stage}/frame.glb?skinning=parts").content) > len(
+        rest.get(f"{stage}/frame.glb").content
+    )
+
+
 def test_targets_over_rest_and_socket_are_logged_and_replayed(
     address: str, stage: str, rest: httpx.Client
 ) -> None:

@@ -2,7 +2,12 @@
 
 import contextlib
 
+import httpx
 import pytest
+from serving import serving
+from statwalk.services.limits import Limits
+from statwalk.web.app import create_app
+from statwalk.web.settings import Settings
 from watcher import Watcher
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
@@ -47,15 +52,32 @@ def test_a_message_that_is_too_long_ends_the_connection(address: str, stage: str
         assert closed.value.rcvd.code == 1009
 
 
-def test_who_floods_is_cut_off(address: str, stage: str) -> None:
-    with Watcher(address, stage) as viewer:
+def flood(address: str) -> int:
+    """The code with which a viewer is cut off that says too much."""
+    with Watcher(address, "/api/stages/main") as viewer:
         with contextlib.suppress(ConnectionClosed):
             for _ in range(2_000):
                 viewer.say(type="ping")
         with pytest.raises(ConnectionClosed) as closed:
             viewer.text("nothing")
     assert closed.value.rcvd is not None
-    assert closed.value.rcvd.code == 4029
+    return closed.value.rcvd.code
+
+
+def test_who_floods_is_cut_off_and_does_not_come_straight_back() -> None:
+    """A server of its own: for the next seconds nobody from here may open a socket to it."""
+    with serving(create_app(Settings(limits=Limits(cooling_seconds=60.0)))) as address:
+        assert flood(address) == 4029
+        with pytest.raises(InvalidStatus) as refused:
+            connect(f"ws://{address}/api/stages/main/stream")
+        assert httpx.get(f"http://{address}/api/stages/main").status_code == 200
+    assert refused.value.response.status_code == 429
+    assert 1 <= int(refused.value.response.headers["retry-after"]) <= 60
+
+
+def test_who_has_waited_comes_back() -> None:
+    with serving(create_app(Settings(limits=Limits(cooling_seconds=0.0)))) as address:
+        assert (flood(address), flood(address)) == (4029, 4029)
 
 
 @pytest.mark.parametrize(

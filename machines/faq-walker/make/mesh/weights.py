@@ -4,12 +4,14 @@ the skin.
 
 import numpy as np
 from curves import Array
-from mesh.figure import ANKLE_AT, ARM_WAY, HIP_AT, LEG_WAY, SHOULDER_AT, arm_field, trunk_field
+from mesh.build import WALKER
+from mesh.figure import ANKLE_AT, ARM_WAY, HIP_AT, LEG_WAY, SHOULDER_AT, Figure
 from mesh.surface import Indices, averaged
 from numpy.typing import NDArray
 from skeleton import NAMES, THIGH, UPPER_ARM, WRIST
 
 INFLUENCES = 4
+FIGURE = Figure(WALKER)
 
 
 def step(x: Array, start: float, end: float) -> Array:
@@ -30,7 +32,7 @@ def _limbs(points: Array, side: str, share: dict[str, Array], rest: Array) -> Ar
     inward = np.linalg.norm(points - SHOULDER_AT - along[:, None] * ARM_WAY, axis=1)
     arm = (
         step(along, -0.045, 0.085)
-        * step(trunk_field(points) - arm_field(points), -0.035, 0.045)
+        * step(FIGURE.chest(points) - FIGURE.arm(points), -0.035, 0.045)
         * step(-inward, -0.16, -0.11)
     )
     rest, arm = _split(rest, arm)

@@ -121,5 +121,5 @@ def _tiptoe(t: Array) -> Array:
     return np.radians(eased([(0.24, 0.0), (0.42, -9.0), (0.58, 0.0)])(t))
 
 
-CROUCH = Motion("crouch", DOWN, down_body(), standing_feet(np.zeros_like))
+CROUCH = Motion("crouch", DOWN, down_body(), standing_feet(np.zeros_like), blinks=(0.2,))
 STAND_UP = Motion("stand-up", RISE, rise_body(), standing_feet(_tiptoe))

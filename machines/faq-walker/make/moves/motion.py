@@ -17,7 +17,7 @@ Feet = Callable[[Array], dict[str, Track]]
 @dataclass(frozen=True)
 class Motion:
     """`body` and `feet` give handles and foot tracks at times (F,) seconds; the clip is the span from
-    `start`.
+    `start`. The lids are closed at the times `blinks` of the clip.
     """
 
     name: str
@@ -27,6 +27,7 @@ class Motion:
     loop: bool = False
     rate: int = 60
     start: float = 0.0
+    blinks: tuple[float, ...] = ()
 
     def frames(self) -> tuple[Array, Array, Array]:
         """Times (F,), local rotations (F, J, 4), root translation (F, 3)."""

@@ -74,4 +74,4 @@ def stand_feet() -> Feet:
     return sides(make)
 
 
-STAND = Motion("stand", SPAN, stand_body, stand_feet(), loop=True, rate=30)
+STAND = Motion("stand", SPAN, stand_body, stand_feet(), loop=True, rate=30, blinks=(1.7, 5.2))

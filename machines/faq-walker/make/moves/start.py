@@ -106,4 +106,4 @@ def start_body() -> Body:
     return mixed(shift, walking, lambda t: ramp(t, 0.62, 1.0))
 
 
-START_WALK = Motion("start-walk", START, start_body(), start_feet())
+START_WALK = Motion("start-walk", START, start_body(), start_feet(), blinks=(0.6,))

@@ -116,7 +116,7 @@ def stopped(name: str, sign: float, ahead: float) -> Motion:
 
 
 def _motion(name: str, stop: Stop) -> Motion:
-    return Motion(name, STOP, stop_body(stop), stop_feet(stop))
+    return Motion(name, STOP, stop_body(stop), stop_feet(stop), blinks=(0.7,))
 
 
 def rest_feet() -> Feet:

@@ -103,7 +103,7 @@ def turn_body(way: float) -> Body:
 
 
 def _turn(name: str, way: float) -> Motion:
-    return Motion(name, SPAN, turn_body(way), turn_feet(way))
+    return Motion(name, SPAN, turn_body(way), turn_feet(way), blinks=(0.3,))
 
 
 TURN_LEFT, TURN_RIGHT = _turn("turn-left", 1.0), _turn("turn-right", -1.0)

@@ -14,6 +14,7 @@ from statwalk.files.bvh.frames import read_frames
 from statwalk.files.bvh.hierarchy import AXES, BvhJoint, lines_of, read_hierarchy
 from statwalk.files.gltf import write
 from statwalk.files.gltf.names import unique
+from statwalk.files.scale import check_scale
 from statwalk.files.tetrahedra import MATERIAL, joined_parts
 from statwalk.maths import pose as poses
 from statwalk.maths import quat
@@ -24,7 +25,6 @@ from statwalk.motion.clip import Channel, Clip
 from statwalk.rig.skeleton import Skeleton
 
 Position = Literal["replace", "add"]
-SMALLEST_SCALE = 1e-6
 POSITIONS: tuple[Position, ...] = ("replace", "add")
 Form = tuple[Position, float]
 """how positions count, and the scale"""
@@ -40,10 +40,7 @@ def read_bvh(data: bytes, name: str, position: Position = "replace", scale: floa
     """
     if position not in POSITIONS:
         raise ContentError(f"position is one of {', '.join(POSITIONS)}, not {str(position)[:40]!r}")
-    if not SMALLEST_SCALE <= scale <= 1 / SMALLEST_SCALE:
-        raise ContentError(
-            f"a scale is a number from {SMALLEST_SCALE:g} to {1 / SMALLEST_SCALE:g}, not {scale:g}"
-        )
+    check_scale(scale)
     text = text_of(data)
     joints, motion = read_hierarchy(lines_of(text))
     channels = sum(len(joint.channels) for joint in joints)

@@ -7,7 +7,7 @@ from typing import Any
 import orjson
 
 from statwalk.character.character import Character
-from statwalk.files.gltf import container
+from statwalk.files.gltf import container, json_text
 from statwalk.files.gltf.builder import Builder
 from statwalk.files.gltf.write_animations import animation
 from statwalk.motion.clip import Clip
@@ -24,4 +24,4 @@ def model_with_clip(character: Character, clip: Clip) -> bytes:
     if added is None:
         return character.model_glb
     document["animations"] = [*document.get("animations", ()), added]
-    return container.join(orjson.dumps(builder.finished(document)), bytes(builder.binary))
+    return container.join(json_text.dumps(builder.finished(document)), bytes(builder.binary))

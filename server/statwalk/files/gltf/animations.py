@@ -69,9 +69,9 @@ class Animations:
 
     def channels(self, entry: Json, place: str) -> tuple[Channel, ...]:
         """Returns the channels of an animation; channels that cannot be applied are left out, with a note."""
-        samplers = check.objects(entry, "samplers", place)
+        samplers = check.objects(entry, "samplers", place, required=True)
         read_channels: dict[tuple[int, str], Channel] = {}
-        for row, channel in enumerate(check.objects(entry, "channels", place)):
+        for row, channel in enumerate(check.objects(entry, "channels", place, required=True)):
             read_channel = self.channel(channel, samplers, place, f"{place}/channels/{row}")
             if read_channel is not None and (read_channel.joint, read_channel.path) in read_channels:
                 self.document.note("two channels of an animation move the same property; the first is used")

@@ -28,6 +28,9 @@ COLLECTIONS = (
 )
 # A file may require these: their data are passed through untouched, or (quantisation) read.
 READABLE_EXTENSIONS = ("KHR_mesh_quantization", "KHR_lights_punctual", "KHR_xmp_json_ld")
+DRACO = "KHR_draco_mesh_compression"
+COMPRESSIONS = {DRACO: "Draco", "EXT_meshopt_compression": "meshopt", "KHR_meshopt_compression": "meshopt"}
+"""extensions that compress the data, and the names that people know them by"""
 PASSED_THROUGH = ("KHR_materials_", "KHR_texture_", "EXT_texture_", "EXT_materials_")
 
 
@@ -96,12 +99,22 @@ def _check_extensions(root: Json) -> None:
         for row, name in enumerate(check.items(root, key, "")):
             if not isinstance(name, str):
                 raise ModelError(f"this is {check.shown(name)}; it must be a string", place=f"/{key}/{row}")
+            if key == "extensionsRequired" and name in COMPRESSIONS:
+                raise ModelError(compressed(name), place=f"/{key}/{row}")
             if key == "extensionsRequired" and not _is_supported(name):
                 supported = ", ".join((*READABLE_EXTENSIONS, *(f"{prefix}*" for prefix in PASSED_THROUGH)))
                 raise ModelError(
                     f"the file requires {name[:60]}, which is not supported; supported are: {supported}",
                     place=f"/{key}/{row}",
                 )
+
+
+def compressed(extension: str) -> str:
+    """Returns why a model with one of COMPRESSIONS is refused, and what to do."""
+    return (
+        f"the model is compressed with {COMPRESSIONS[extension]} ({extension}), which statwalk does not "
+        "read. Decompress it first: npx @gltf-transform/cli copy model.glb plain.glb; or export it plain"
+    )
 
 
 def _is_supported(extension: str) -> bool:

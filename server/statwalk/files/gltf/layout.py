@@ -10,10 +10,10 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
-import orjson
 from numpy.typing import NDArray
 
 from statwalk.character.character import Character
+from statwalk.files.gltf import json_text
 from statwalk.files.gltf.builder import GENERATOR, INDICES, VERTICES, Builder, index_array
 from statwalk.files.gltf.check import Json
 from statwalk.files.gltf.materials import extensions_used, with_textures_from
@@ -87,7 +87,7 @@ def laid_out(entries: Sequence[tuple[Character, int]], *, images: bool) -> Verte
     }
     if not draft.nodes:
         del root["scene"], root["scenes"]
-    text = orjson.dumps(draft.builder.finished(root)).decode().replace("%", "%%")
+    text = json_text.dumps(draft.builder.finished(root)).decode().replace("%", "%%")
     for slot, print_format in SLOTS:
         text = text.replace(slot, print_format)
     return VertexLayout(text.encode(), draft.builder.binary, blocks, draft.parts)
@@ -101,7 +101,7 @@ def _cast_blocks(draft: LayoutDraft, character: Character, count: int) -> list[A
     mirrored = _mirrored_joints(character)
     constant_entries = [
         _constant_entry(draft.builder, part, first_material, bool(mirrored[part.joint]))
-        for part in character.parts
+        for part in character.shown_parts
     ]
     return [_actor_block(draft, character, number, constant_entries) for number in range(count)]
 
@@ -144,13 +144,13 @@ def _actor_block(
     matrices_start = draft.builder.views[-1]["byteOffset"]
     actor: Json = {"name": f"{character.name} {number + 1}", "extras": {"joints": matrices}}
     draft.nodes.append(actor)
-    total = sum(len(part.positions) for part in character.parts)
+    total = sum(len(part.positions) for part in character.shown_parts)
     if not total:
         return ActorBlock(matrices_start, 0, 0)
     views = draft.builder.view(12 * total, VERTICES, 12), draft.builder.view(12 * total, VERTICES, 12)
     primitives_of_node: dict[int, list[Json]] = {}
     for part, vertex_range, entry in zip(
-        character.parts, character.surface.spans, constant_entries, strict=True
+        character.shown_parts, character.surface.spans, constant_entries, strict=True
     ):
         attributes = _vertex_attributes(draft, part, views, vertex_range.start)
         primitives_of_node.setdefault(part.node, []).append(

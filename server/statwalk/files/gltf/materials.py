@@ -10,12 +10,25 @@ from statwalk.files.gltf.check import Json
 DEEPEST = 8
 
 
-def with_textures_from(material: Mapping[str, Any], first_texture: int | None, depth: int = 0) -> Json:
-    """Returns the material with its texture indices counted from `first_texture`; with None textures are left
-    out.
+def shallow(value: Any, depth: int = 0) -> Any:
+    """Returns the value without objects and lists that are nested deeper than in any known material."""
+    if isinstance(value, dict):
+        members = value.items()
+        return {key: shallow(member, depth + 1) for key, member in members if _is_kept(member, depth)}
+    if isinstance(value, list):
+        return [shallow(member, depth + 1) for member in value if _is_kept(member, depth)]
+    return value
 
-    In glTF and in all extensions a key that refers to a texture ends in `Texture`. Extensions that are nested
-    deeper than any known one are left out.
+
+def _is_kept(member: Any, depth: int) -> bool:
+    return depth < DEEPEST or not isinstance(member, dict | list)
+
+
+def with_textures_from(material: Mapping[str, Any], first_texture: int | None) -> Json:
+    """Returns the (shallow) material with its texture indices counted from `first_texture`; with None
+    textures are left out.
+
+    In glTF and in all extensions a key that refers to a texture ends in `Texture`.
     """
     out: Json = {}
     for key, value in material.items():
@@ -23,8 +36,8 @@ def with_textures_from(material: Mapping[str, Any], first_texture: int | None, d
             out[key] = value
         elif key.endswith("Texture") and "index" in value and first_texture is not None:
             out[key] = {**value, "index": value["index"] + first_texture}
-        elif not key.endswith("Texture") and depth < DEEPEST:
-            out[key] = with_textures_from(value, first_texture, depth + 1)
+        elif not key.endswith("Texture"):
+            out[key] = with_textures_from(value, first_texture)
     return out
 
 

@@ -22,6 +22,7 @@ from statwalk.skin.primitive import TRIANGLES, Primitive, Skin
 from statwalk.skin.weights import normalised
 
 MODES = range(7)
+LONGEST_TARGET_NAME = 200
 CARRIED = frozenset(("mesh", "skin", "camera"))
 """fields of a node that refer to an object on the node"""
 
@@ -121,13 +122,14 @@ def _target_count(primitive: Primitive) -> int:
 
 
 class Drawn(NamedTuple):
-    """The placed primitives, the weights at rest (W,) of all morph targets, and for each node (first, count)
-    of its weights.
+    """The placed primitives, the weights at rest (W,) of all morph targets, for each node (first, count) of
+    its weights, and the names (W,) of the targets, "" without a name.
     """
 
     parts: tuple[Primitive, ...]
     weights: NDArray[np.float32]
     weight_span: dict[int, tuple[int, int]]
+    target_names: tuple[str, ...]
 
 
 def place_meshes(
@@ -138,6 +140,7 @@ def place_meshes(
     bind = partial(_bind, document, skins, {})
     parts: list[Primitive] = []
     weights: list[float] = []
+    names: list[str] = []
     weight_span: dict[int, tuple[int, int]] = {}
     for row, node in enumerate(document["nodes"]):
         if CARRIED.isdisjoint(node):
@@ -151,6 +154,7 @@ def place_meshes(
         primitives = meshes.mesh(mesh)
         first, count = len(weights), _target_count(primitives[0][0]) if primitives else 0
         weights += _rest_weights(document, node, mesh, count, place)
+        names += _target_names(document, mesh, count)
         weight_span[row] = (first, count)
         joint = int(nodes.joint_of[row])
         if nodes.drawn[joint]:
@@ -159,7 +163,7 @@ def place_meshes(
             parts += [replace(part, node=row, joint=joint, weight_first=first) for part in placed]
     for row in range(len(document["meshes"])):
         meshes.mesh(row)
-    return Drawn(tuple(parts), np.array(weights, np.float32), weight_span)
+    return Drawn(tuple(parts), np.array(weights, np.float32), weight_span, tuple(names) if any(names) else ())
 
 
 def _rest_weights(document: Document, node: Json, mesh: int, count: int, place: str) -> list[float]:
@@ -167,6 +171,15 @@ def _rest_weights(document: Document, node: Json, mesh: int, count: int, place: 
     if "weights" in node:
         return check.numbers(node, "weights", place, count)
     return check.numbers(document["meshes"][mesh], "weights", f"/meshes/{mesh}", count, [0.0] * count)
+
+
+def _target_names(document: Document, mesh: int, count: int) -> list[str]:
+    """Returns the names in a mesh's `extras.targetNames` (glTF 2.0, 3.7.2.2), "" where there is none."""
+    extras = document["meshes"][mesh].get("extras")
+    written = extras.get("targetNames") if isinstance(extras, dict) else None
+    names = written[:count] if isinstance(written, list) else []
+    read = [name[:LONGEST_TARGET_NAME] if isinstance(name, str) else "" for name in names]
+    return read + [""] * (count - len(read))
 
 
 Bound = dict[tuple[int, int, int], Primitive]

@@ -5,19 +5,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 
-def unique(names: Sequence[str], kind: str, numbers: Sequence[int] | None = None) -> list[str]:
+def unique(
+    names: Sequence[str], kind: str, numbers: Sequence[int] | None = None, between: str = " "
+) -> list[str]:
     """Returns the names in order, empty ones as `clip 3`, repeated ones as `Walk`, `Walk 2`; `numbers` are
-    the objects' numbers in the file.
+    the objects' numbers in the file, `between` stands before a number.
     """
     taken = set(names)
     used: set[str] = set()
     unique_names: list[str] = []
     for row, name in enumerate(names):
-        candidate = name or f"{kind} {row if numbers is None else numbers[row]}"
+        candidate = name or f"{kind}{between}{row if numbers is None else numbers[row]}"
         if candidate in used or (not name and candidate in taken):
             candidate = next(
                 free_name
-                for free_name in (f"{candidate} {count}" for count in range(2, len(names) + 2))
+                for free_name in (f"{candidate}{between}{count}" for count in range(2, len(names) + 2))
                 if free_name not in used | taken
             )
         used.add(candidate)

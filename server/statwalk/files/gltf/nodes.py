@@ -14,7 +14,7 @@ from statwalk.files.gltf.check import Json
 from statwalk.files.gltf.columns import lists_of_indices, vectors
 from statwalk.files.gltf.document import Document
 from statwalk.files.gltf.names import unique
-from statwalk.maths import quat
+from statwalk.maths import quat, transform
 from statwalk.rig.skeleton import Skeleton
 
 MOST_NODES, DEEPEST = 65_536, 4_096
@@ -180,14 +180,10 @@ def _decomposed(document: Document, matrix: list[float]) -> tuple[list[float], l
     """Decomposes a matrix written column by column into translation, rotation and scale; a mirrored matrix
     gets a negative X scale.
     """
-    columns = np.array(matrix, np.float64).reshape(4, 4)[:3, :3]
-    scale = np.sqrt((columns**2).sum(axis=1))
-    if np.linalg.det(columns) < 0:
-        scale[0] = -scale[0]
-    axes = np.where(scale[:, None] == 0, np.eye(3), columns / np.where(scale == 0, 1, scale)[:, None])
-    if np.abs(axes @ axes.T - np.eye(3)).max() > 1e-3:
+    affine = np.array(matrix, np.float64).reshape(4, 4).T[:3]
+    if transform.is_skewed(affine):
         document.note(
             "a node's matrix is skewed and was replaced by the nearest translation, rotation and scale"
         )
-    rotation = quat.from_matrix(axes.T)
-    return matrix[12:15], rotation.tolist(), scale.tolist()
+    translation, rotation, scale = (part.tolist() for part in transform.to_trs(affine))
+    return translation, rotation, scale

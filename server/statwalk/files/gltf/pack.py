@@ -7,7 +7,7 @@ from typing import Any
 import orjson
 
 from statwalk.errors import ModelError
-from statwalk.files.gltf import check, container
+from statwalk.files.gltf import check, container, json_text
 from statwalk.files.gltf.check import Json
 from statwalk.files.gltf.document import Document
 from statwalk.files.gltf.resources import resource
@@ -46,7 +46,7 @@ def packed(document: Document, views: Views) -> bytes:
     if images:
         root["images"] = images
     try:
-        return container.join(orjson.dumps(root), bytes(binary))
+        return container.join(json_text.dumps(root), bytes(binary))
     except orjson.JSONEncodeError as error:
         raise ModelError(f"the document cannot be written again: {error}", place="/") from None
 

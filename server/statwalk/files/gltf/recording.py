@@ -11,10 +11,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
-import orjson
 
 from statwalk.character.character import Character
-from statwalk.files.gltf import container
+from statwalk.files.gltf import container, json_text
 from statwalk.files.gltf.builder import GENERATOR, Builder
 from statwalk.files.gltf.check import Json
 from statwalk.files.gltf.keys import Keys, reduce_keys
@@ -67,7 +66,7 @@ def recording_glb(
     }
     if draft.nodes:
         root |= {"scene": 0, "scenes": [{"nodes": draft.roots}]}
-    return container.join(orjson.dumps(draft.builder.finished(root)), bytes(draft.builder.binary))
+    return container.join(json_text.dumps(draft.builder.finished(root)), bytes(draft.builder.binary))
 
 
 def _add_actor(draft: RecordingDraft, actor: Recorded) -> None:

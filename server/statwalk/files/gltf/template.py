@@ -74,7 +74,7 @@ class FrameTemplate:
         arrays_of_entries: list[list[ActorArrays]] = []
         row = 0
         for character, actors in zip(self.characters, blocks, strict=True):
-            float_count, parts = character.surface.positions.size, len(character.parts)
+            float_count, parts = character.surface.positions.size, len(character.shown_parts)
             matrices = (1 + len(character.skeleton), 4, 4)
             arrays_of_entries.append([])
             for block in actors:

@@ -4,34 +4,38 @@ glTF).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-import orjson
 from numpy.typing import NDArray
 
 from statwalk.character.character import Character
-from statwalk.files.gltf import container
+from statwalk.files.gltf import container, json_text
 from statwalk.files.gltf.builder import GENERATOR, INDICES, VERTICES, Builder, index_array
+from statwalk.files.gltf.carried import character_extras, in_extras
 from statwalk.files.gltf.check import Json
+from statwalk.files.gltf.detail import collapse_extras
 from statwalk.files.gltf.materials import extensions_used, with_textures_from
+from statwalk.files.gltf.model_textures import ModelTextures, add_to
 from statwalk.files.gltf.write_animations import animation
 from statwalk.skin.primitive import Primitive, Skin
 
 MeshKey = tuple[int, int | None]
 
 
-def model_glb(character: Character) -> bytes:
+def model_glb(character: Character, textures: ModelTextures | None = None) -> bytes:
     """Returns the character as a GLB that any viewer opens.
 
     Node i of the file is the joint with node_index i. A part whose node is no joint gets its own node at the
-    root, where skinned meshes belong. Textures are left out: a character with textures comes from glTF, and
-    keeps its model. Clips with B-splines, which glTF does not have, are written as linear keys at 60 Hz.
+    root, where skinned meshes belong. Without `textures` materials have none: a character with textures comes
+    from a file that has them, and keeps its model. Limits, expressions, markers and loops are in
+    extras. Clips with B-splines, which glTF lacks, are written as linear keys at 60 Hz.
     """
     builder = Builder()
     meshes = grouped(character.parts)
     numbers = {key: row for row, key in enumerate(meshes)}
-    nodes = _joint_nodes(character)
+    nodes = joint_nodes(character)
     for part in character.parts:
         nodes.setdefault(part.node, {"name": f"mesh {part.mesh}"})["mesh"] = numbers[part.mesh, part.skin]
         if part.skin is not None:
@@ -40,24 +44,27 @@ def model_glb(character: Character) -> bytes:
             weight_end = part.weight_first + len(part.target_positions)
             nodes[part.node]["weights"] = character.bind_pose.weights[part.weight_first : weight_end].tolist()
     children = {child for node in nodes.values() for child in node.get("children", ())}
-    materials = [with_textures_from(material, None) for material in character.materials]
-    skins = [_skin_entry(builder, character, skin) for skin in character.skins]
+    first = None if textures is None else 0
+    materials = [with_textures_from(material, first) for material in character.materials]
+    resources = {} if textures is None else add_to(builder, textures)
+    skins = [skin_entry(builder, character, skin) for skin in character.skins]
     root = {
         "asset": {"version": "2.0", "generator": GENERATOR},
         "scene": 0,
         "scenes": [{"name": character.name, "nodes": [row for row in sorted(nodes) if row not in children]}],
         "nodes": [nodes[row] for row in sorted(nodes)],
-        "extensionsUsed": extensions_used(materials),
+        "extensionsUsed": extensions_used([*materials, *resources.get("textures", ())]),
         "materials": materials,
-        "meshes": [
-            {"primitives": [primitive_entry(builder, part) for part in parts]} for parts in meshes.values()
-        ],
+        "meshes": [mesh_entry(builder, character, parts) for parts in meshes.values()],
         "skins": skins,
+        **resources,
         "animations": [
             entry for clip in character.clips.values() if (entry := animation(builder, character, clip))
         ],
     }
-    return container.join(orjson.dumps(builder.finished(root)), bytes(builder.binary))
+    return container.join(
+        json_text.dumps(builder.finished(in_extras(root, character_extras(character)))), bytes(builder.binary)
+    )
 
 
 def grouped(parts: tuple[Primitive, ...]) -> dict[MeshKey, list[Primitive]]:
@@ -72,7 +79,7 @@ def grouped(parts: tuple[Primitive, ...]) -> dict[MeshKey, list[Primitive]]:
     return meshes
 
 
-def _joint_nodes(character: Character) -> dict[int, Json]:
+def joint_nodes(character: Character) -> dict[int, Json]:
     """Returns the joints as nodes, by their number in the file."""
     pose, numbers = character.bind_pose, character.node_index.tolist()
     nodes: dict[int, Json] = {}
@@ -93,10 +100,18 @@ def _joint_nodes(character: Character) -> dict[int, Json]:
     return nodes
 
 
-def _skin_entry(builder: Builder, character: Character, skin: Skin) -> Json:
-    """Returns a skin, its joints by their node in the file."""
+def skin_entry(builder: Builder, character: Character, skin: Skin) -> Json:
+    """Adds a skin's matrices; returns the skin, its joints by their node in the file."""
     joints = character.node_index[skin.joints].tolist()
     return {"name": skin.name, "joints": joints, "inverseBindMatrices": builder.array(matrix_columns(skin))}
+
+
+def mesh_entry(builder: Builder, character: Character, parts: Sequence[Primitive]) -> Json:
+    """Adds the primitives of a mesh; returns the mesh as glTF, with the names of its morph targets."""
+    mesh: Json = {"primitives": [primitive_entry(builder, part) for part in parts]}
+    count = 0 if parts[0].target_positions is None else len(parts[0].target_positions)
+    names = character.target_names[parts[0].weight_first : parts[0].weight_first + count]
+    return in_extras(mesh, {"targetNames": list(names)} if any(names) else {})
 
 
 def matrix_columns(skin: Skin) -> NDArray[np.float32]:
@@ -115,7 +130,7 @@ def primitive_entry(builder: Builder, part: Primitive) -> Json:
     for name, values in part.attributes.items():
         attributes[name] = builder.array(values, VERTICES)
     if part.skin is not None and part.joints is not None and part.weights is not None:
-        attributes |= _influence_sets(builder, part.joints, part.weights)
+        attributes |= influence_sets(builder, part.joints, part.weights)
     entry: Json = {"attributes": attributes, "mode": part.mode}
     if part.indices is not None:
         entry["indices"] = builder.array(index_array(part.indices, len(part.positions)), INDICES)
@@ -123,10 +138,10 @@ def primitive_entry(builder: Builder, part: Primitive) -> Json:
         entry["material"] = part.material
     if part.target_positions is not None:
         entry["targets"] = [_target_entry(builder, part, row) for row in range(len(part.target_positions))]
-    return entry
+    return in_extras(entry, collapse_extras(builder, part))
 
 
-def _influence_sets(builder: Builder, joints: NDArray[Any], weights: NDArray[np.float32]) -> dict[str, int]:
+def influence_sets(builder: Builder, joints: NDArray[Any], weights: NDArray[np.float32]) -> dict[str, int]:
     """Adds JOINTS_n and WEIGHTS_n, four influences each; an unused influence has joint 0 and weight 0."""
     padding = ((0, 0), (0, -joints.shape[1] % 4))
     padded_weights = np.pad(weights, padding).astype(np.float32)

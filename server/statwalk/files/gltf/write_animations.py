@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from statwalk.character.character import Character
 from statwalk.files.gltf.builder import Builder
+from statwalk.files.gltf.carried import clip_extras, in_extras
 from statwalk.files.gltf.check import Json
 from statwalk.maths import quat
 from statwalk.maths.pose import Pose
@@ -23,23 +24,26 @@ def animation(builder: Builder, character: Character, clip: Clip) -> Json | None
     """
     if not clip.channels:
         return None
+    samplers: list[Json] = []
+    channels: list[Json] = []
+    for channel in gltf_channels(clip):
+        samplers.append(sampler(builder, channel))
+        target = {"node": int(character.node_index[channel.joint]), "path": channel.path}
+        channels.append({"sampler": len(samplers) - 1, "target": target})
+    return in_extras({"name": clip.name, "samplers": samplers, "channels": channels}, clip_extras(clip))
+
+
+def gltf_channels(clip: Clip) -> list[Channel]:
+    """Returns the channels of a clip; channels whose interpolation glTF lacks become linear keys."""
     baked = (
         BakedClip(clip)
         if any(channel.interpolation not in GLTF_INTERPOLATIONS for channel in clip.channels)
         else None
     )
-    samplers: list[Json] = []
-    channels: list[Json] = []
-    for channel in clip.channels:
-        gltf_channel = (
-            channel
-            if baked is None or channel.interpolation in GLTF_INTERPOLATIONS
-            else baked.linear(channel)
-        )
-        samplers.append(sampler(builder, gltf_channel))
-        target = {"node": int(character.node_index[channel.joint]), "path": channel.path}
-        channels.append({"sampler": len(samplers) - 1, "target": target})
-    return {"name": clip.name, "samplers": samplers, "channels": channels}
+    return [
+        channel if baked is None or channel.interpolation in GLTF_INTERPOLATIONS else baked.linear(channel)
+        for channel in clip.channels
+    ]
 
 
 def sampler(builder: Builder, channel: Channel) -> Json:

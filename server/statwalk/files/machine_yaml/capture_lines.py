@@ -16,9 +16,10 @@ from statwalk.character.capture import CaptureWish, with_capture
 from statwalk.character.character import Character
 from statwalk.character.retarget import Wish
 from statwalk.errors import ContentError, MachineError, UnknownNameError
-from statwalk.files.bvh.bvh_file import POSITIONS, SMALLEST_SCALE
+from statwalk.files.bvh.bvh_file import POSITIONS
 from statwalk.files.captures import SUFFIXES, Reading, load_capture
 from statwalk.files.clip_changes import read_filter
+from statwalk.files.scale import LARGEST_SCALE, SMALLEST_SCALE
 from statwalk.files.yaml.yaml_node import Node
 
 MOST_CAPTURES = 64
@@ -57,7 +58,7 @@ def _line(name: str, node: Node) -> CaptureLine:
     position = entries["position"].text() if "position" in entries else "replace"
     if position not in POSITIONS:
         raise entries["position"].unknown("position", position, POSITIONS)
-    scale = entries["scale"].number(SMALLEST_SCALE, 1 / SMALLEST_SCALE) if "scale" in entries else 1.0
+    scale = entries["scale"].number(SMALLEST_SCALE, LARGEST_SCALE) if "scale" in entries else 1.0
     start, end = (entries[key].number(0, LONGEST) if key in entries else None for key in ("start", "end"))
     carried = Wish(_bones(entries.get("bones")), _bones(entries.get("target_bones")), start or 0.0, end)
     wish = CaptureWish(
@@ -98,7 +99,8 @@ def with_captures(character: Character, lines: Sequence[CaptureLine], folder: Pa
             source = load_capture(folder / line.path, line.how)
             character, _, _ = with_capture(character, source, line.wish)
         except (ContentError, UnknownNameError) as error:
+            reason = error.without_folder() if isinstance(error, ContentError) else error
             raise MachineError(
-                f"capture {line.wish.name}: {error}", file=line.file, place=line.place
+                f"capture {line.wish.name}: {reason}", file=line.file, place=line.place
             ) from None
     return character

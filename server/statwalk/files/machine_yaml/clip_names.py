@@ -14,7 +14,7 @@ KINDS: tuple[tuple[str, Kind], ...] = (
     ("hit react to", "once"),
     ("idle loop cycle", "loop"),
     ("stand standup", "once"),
-    ("death dead die dying defeat lie lay sit sleep pose duck crouch", "rest"),
+    ("death crdeath dead die dying defeat lie lay sit sleep pose duck crouch", "rest"),
     ("jump land start stop flip roll dodge", "once"),
     ("walk run jog sprint gallop trot canter danc fly swim hover climb crawl strafe float", "loop"),
     (

@@ -65,7 +65,9 @@ def layer(node: Node, parameters: Mapping[str, ParameterDefinition], folder: Pat
 
 
 def mask(node: Node | None) -> tuple[str, ...]:
-    """Reads the names of a mask's joints; each stands for the joint and everything below it."""
+    """Reads the names of a mask: a joint stands for itself and everything below it, `TARGET.weight` for a
+    morph target, `muscles` for all muscles of the face.
+    """
     joints = [] if node is None else node.items()
     if node is not None and not 1 <= len(joints) <= MOST_JOINTS:
         raise node.refuse(

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.errors import MachineError
-from statwalk.files import clip_changes
+from statwalk.files import clip_changes, model_formats
 from statwalk.files.expressions import expressions as read_expressions
 from statwalk.files.joint_limits import joint_limits
 from statwalk.files.machine_yaml import (
@@ -233,10 +233,10 @@ def _character_name(root: Node) -> str:
     """Returns the path of the character's file, or the name of the shipped machine whose character it is."""
     node = fields.required(root, "character")
     if not SHIPPED.fullmatch(node.text()) and not node.text().lower().endswith(
-        (".glb", ".gltf", ".yaml", ".yml", ".bvh", ".trc")
+        (*model_formats.MODEL_SUFFIXES, ".yaml", ".yml")
     ):
         raise node.refuse(
-            f"{node.text()[:80]!r} is no .glb, .gltf, .yaml, .bvh or .trc file, nor the name of "
-            "a shipped machine"
+            f"{node.text()[:80]!r} is no {', '.join(model_formats.MODEL_SUFFIXES)} or .yaml file, nor the "
+            "name of a shipped machine"
         )
     return node.text()

@@ -1,5 +1,5 @@
 """Makes a machine folder from a model: a state for each clip, an event for each state, a complete table,
-keys.
+keys. A model without clips gets one state, its pose at rest.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from statwalk.character.character import Character
-from statwalk.errors import ContentError, MachineError
+from statwalk.errors import MachineError
 from statwalk.files.machine_yaml import clip_names, state_names
 from statwalk.files.machine_yaml.machine_file import FILE_NAME
 from statwalk.files.machine_yaml.new_table import Motion, as_csv, as_text, table_of
@@ -23,6 +23,8 @@ TABLE_NAME = "table.csv"
 LARGEST_INLINE = 20
 """most states of an inline table; a larger table becomes a .csv file, for a spreadsheet"""
 CLOSE = 1e-2
+AT_REST = Motion("", "STAT", "", "rest")
+"""the only motion of a model without clips: its pose at rest"""
 PLAIN = re.compile(r"[^\W\d][\w.-]*")
 SHORT_KEYS = "qwertyuioasdhjkzxcvbnm567890"
 """keys for events; the viewer's own keys are left out"""
@@ -33,7 +35,6 @@ def write_machine(character: Character, source: Path, folder: Path, copy: bool =
     machine file names the model's path.
 
     :raises MachineError: when the folder already holds a machine.
-    :raises ContentError: when the model has no clips.
     """
     if (folder / FILE_NAME).exists():
         raise MachineError(
@@ -59,8 +60,6 @@ def write_folder(title: str, motions: list[Motion], model: Path, folder: Path, r
 
 
 def _kinds_of(character: Character) -> dict[str, clip_names.Kind]:
-    if not character.clips:
-        raise ContentError("the model has no animations, so no states can be made", file=character.name)
     return {
         name: clip_names.kind(name, clip.duration, _comes_round(clip))
         for name, clip in character.clips.items()
@@ -83,11 +82,13 @@ def named_motions(character: Character, states: Mapping[str, str]) -> list[Motio
     """Returns the motions of the clips in `states`, with the names of their states; the idle motion comes
     first.
 
-    The idle motion is the clip of the state STAT, or the clip that suits best.
+    The idle motion is the clip of the state STAT, or the clip that suits best; the pose at rest if the model
+    has no clips.
 
-    :raises ContentError: when the model has no animations.
     :raises UnknownNameError: when the model has no clip of a name.
     """
+    if not character.clips and not states:
+        return [AT_REST]
     kinds = _kinds_of(character)
     for clip in states:
         character.clip(clip)
@@ -123,10 +124,7 @@ def named_motions(character: Character, states: Mapping[str, str]) -> list[Motio
 
 
 def motions_of(character: Character) -> list[Motion]:
-    """Returns the motions of all clips under their proposed state names, the idle motion first.
-
-    :raises ContentError: when the model has no animations.
-    """
+    """Returns the motions of all clips under their proposed state names, the idle motion first."""
     return named_motions(character, state_names.proposed(character.clips))
 
 
@@ -143,7 +141,8 @@ def _comes_round(clip: Clip) -> bool:
     closes = near(first.translation, last.translation) and near(
         agreement, np.maximum(agreement, 1 - CLOSE / 10)
     )
-    moves = not (near(first.translation, middle.translation) and near(first.rotation, middle.rotation))
+    closes = closes and near(first.weights, last.weights)
+    moves = not all(near(*pair) for pair in zip(first, middle, strict=True))
     return closes and moves
 
 
@@ -169,13 +168,11 @@ def machine_text(title: str, motions: list[Motion], model: Path, inline: bool, r
         f"initial: {motions[0].state}",
         "defaults: {when: now, blend: 0.2, buffer: 0.3}",
         "",
-        "# Loops repeat until an event ends them; all other motions end.",
+        "# Loops repeat until an event ends them; all other motions end."
+        if motions != [AT_REST]
+        else "# The model has no animations: this is its pose at rest. Expressions can move it.",
         "states:",
-        *(
-            f"  {quoted(motion.state)}: "
-            f"{{motion: {quoted(motion.clip)}, loop: {str(motion.kind == 'loop').lower()}}}"
-            for motion in motions
-        ),
+        *(f"  {quoted(motion.state)}: {_motion_text(motion)}" for motion in motions),
         "",
         "# The next state, for each state (down) and event (across). STOP, and the END of motions that "
         "do not loop, lead to the idle state.",
@@ -186,6 +183,12 @@ def machine_text(title: str, motions: list[Motion], model: Path, inline: bool, r
         *(f"  {quoted(key)}: {binding}" for key, binding in keys(motions)),
     ]
     return "\n".join(lines) + "\n"
+
+
+def _motion_text(motion: Motion) -> str:
+    if motion == AT_REST:
+        return '{motion: {expressions: ""}}'
+    return f"{{motion: {quoted(motion.clip)}, loop: {str(motion.kind == 'loop').lower()}}}"
 
 
 def keys(motions: list[Motion]) -> Iterator[tuple[str, str]]:

@@ -15,9 +15,9 @@ from statwalk.files.machine_yaml import clip_names
 class Motion:
     """A clip with its state, its event and its kind.
 
-    The idle motion has no event; a motion that only follows another one has none either. `after` is the state
-    that the end of this motion leads to (empty: the idle state); `entry_state` is the state that is passed on
-    the way into this one.
+    The clip is empty for the pose at rest. The idle motion has no event; a motion that only follows another
+    one has none either. `after` is the state that the end of this motion leads to (empty: the idle state);
+    `entry_state` is the state that is passed on the way into this one.
     """
 
     clip: str
@@ -48,7 +48,7 @@ def stop_cell(motion: Motion, idle: Motion) -> str:
         return idle.entry_state or idle.state
     if motion.after:
         return ""
-    return idle.state if motion.kind == "loop" else f"{idle.state} at end"
+    return idle.state if motion.kind == "loop" or motion == idle else f"{idle.state} at end"
 
 
 def event_cell(motion: Motion, next_motion: Motion) -> str:

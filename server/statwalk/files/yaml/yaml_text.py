@@ -9,6 +9,7 @@ reader requests a number. A text that would take long to read is refused before 
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ from statwalk.errors import ContentError
 from statwalk.files.yaml.yaml_node import Node
 from statwalk.files.yaml.yaml_tree import MOST_VALUES, Parser, Tree
 
-__all__ = ["Node", "parse", "read_text"]
+__all__ = ["Node", "parse", "read_text", "tree_of_json"]
 
 LARGEST_FILE = 1 << 20
 LARGEST_BYTES = 1 << 17
@@ -64,6 +65,18 @@ def parse(
         raise error(
             f"this is not YAML: {problem.problem or problem.context}", file=file, place=place
         ) from None
+
+
+def tree_of_json(value: Any, error: type[ContentError]) -> Node:
+    """Returns a JSON value as the tree that the same words in a file would give. JSON is YAML.
+
+    :raises ContentError: when the value is nested too deep, or too large; `error` is the class of the error.
+    """
+    try:
+        text = json.dumps(value, indent=1, ensure_ascii=False)
+    except RecursionError:
+        raise error("it is nested too deep") from None
+    return parse(text, "", error)
 
 
 def _check_size(text: str, file: str, error: type[ContentError]) -> None:

@@ -4,7 +4,7 @@ around them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,6 +18,8 @@ from statwalk.machine.definition.machine_definition import (
     StateDefinition,
     nearest,
 )
+from statwalk.maths.blend_tables import BlendedClip
+from statwalk.maths.phases import Marks, warp
 
 LARGEST_SPEED = 100.0
 
@@ -63,6 +65,7 @@ def state_arrays(
         "blends": tuple(
             state.motion if isinstance(state.motion, BlendDefinition) else None for _, _, state in states
         ),
+        "blended_clips": tuple(_blended_clips(state, motions) for _, _, state in states),
         "loop": np.array([_loops(state, motions) for _, _, state in states], bool),
         "duration": np.array([_duration_of(state, motions) for _, _, state in states], np.float64),
         "markers": tuple(markers_of(state, motions) for _, _, state in states),
@@ -142,11 +145,35 @@ def markers_of(state: StateDefinition, motions: Mapping[str, MotionFacts]) -> tu
     clip, named = state.clips[0], dict(state.markers)
     if isinstance(state.motion, BlendDefinition):
         named = {**state.motion.markers.get(clip, {}), **named}
-    duration = motions[clip].duration
-    own = [
-        (name, time / duration) for name, time in motions[clip].markers if name not in named and duration > 0
-    ]
-    return tuple(sorted([*named.items(), *own], key=lambda marker: (marker[1], marker[0])))
+    marks = [*named.items(), *_own_markers(motions[clip], named)]
+    return tuple(sorted(marks, key=lambda marker: (marker[1], marker[0])))
+
+
+def marks_of(clip: str, facts: MotionFacts, blend: BlendDefinition) -> Marks:
+    """Returns name and phase of each marker of a clip in a blend: the markers that the blend defines, then
+    the clip's own.
+    """
+    by_blend = blend.markers.get(clip, {})
+    return (*by_blend.items(), *_own_markers(facts, by_blend))
+
+
+def _own_markers(facts: MotionFacts, others: Container[str]) -> list[tuple[str, float]]:
+    """Name and phase of a clip's markers but those whose names are among `others`."""
+    duration = facts.duration
+    return [(name, time / duration) for name, time in facts.markers if name not in others and duration > 0]
+
+
+def _blended_clips(state: StateDefinition, motions: Mapping[str, MotionFacts]) -> tuple[BlendedClip, ...]:
+    """The clips of a blend, in step with its first clip."""
+    blend = state.motion
+    if not isinstance(blend, BlendDefinition):
+        return ()
+    first, loop = markers_of(state, motions), _loops(state, motions)
+    marks = [first, *(marks_of(clip, motions[clip], blend) for clip in list(blend.clips)[1:])]
+    durations = [motions[clip].duration for clip in blend.clips]
+    return tuple(
+        BlendedClip(seconds, warp(first, one, loop)) for seconds, one in zip(durations, marks, strict=True)
+    )
 
 
 def _speed_of(definition: MachineDefinition, state: str) -> tuple[float, int]:

@@ -18,6 +18,7 @@ from statwalk.machine.compile.program import (
 )
 from statwalk.machine.conditions.condition_code import condition_arrays
 from statwalk.machine.conditions.variables import ENTRY
+from statwalk.maths.blend_tables import BlendRows, BlendTables
 from statwalk.maths.formula.postfix import Formula as Condition
 from statwalk.maths.phases import Warp, warp
 
@@ -56,6 +57,7 @@ def _program_of(machine: Machine) -> Program:
         entry_kind=[ENTRY[name] for _, name in machine.entry_values],
         initials=machine.initials,
         idle=[machine.idle],
+        blends=_blends(machine),
     )
 
 
@@ -174,7 +176,7 @@ def _warps(machine: Machine) -> dict[str, Any]:
     warps: dict[tuple[int, int], Warp] = {}
     for (source, _), alternatives in machine.alternatives.items():
         matched = (alternative for alternative in alternatives if alternative.enter == MATCH)
-        for target in (state for alternative in matched for state in _landings(machine, alternative)):
+        for target in (state for alternative in matched for state in landings(machine, alternative)):
             loop = bool(machine.loop[source] and machine.loop[target])
             warps[source, target] = warp(machine.markers[source], machine.markers[target], loop)
     size = len(machine.states) if warps else 0
@@ -191,8 +193,8 @@ def _warps(machine: Machine) -> dict[str, Any]:
     }
 
 
-def _landings(machine: Machine, alternative: Alternative) -> list[int]:
-    """The states that an alternative may lead to: several if it resumes a composite state."""
+def landings(machine: Machine, alternative: Alternative) -> list[int]:
+    """Returns the states that an alternative may lead to: several if it resumes a composite state."""
     inside = machine.inside[:, alternative.resume].nonzero()[0].tolist() if alternative.resume >= 0 else []
     return [state for state in (alternative.target, *inside) if state >= 0]
 
@@ -205,6 +207,19 @@ def _parameters(machine: Machine) -> dict[str, Any]:
         "maximum": [parameter.maximum for parameter in parameters],
         "omega": [REACHED / parameter.smooth if parameter.smooth > 0 else 0.0 for parameter in parameters],
     }
+
+
+def _blends(machine: Machine) -> BlendTables:
+    """The clips of each state that plays a blend; the other states have none."""
+    rows = BlendRows()
+    for state, (blend, clips) in enumerate(zip(machine.blends, machine.blended_clips, strict=True)):
+        if blend is None:
+            rows.add_none()
+            continue
+        places = np.array(list(blend.clips.values()), np.float64)
+        over = [machine.axis(state, name) for name in blend.over]
+        rows.add(clips, places, over, bool(machine.loop[state]))
+    return rows.tables()
 
 
 def _senses(machine: Machine, conditions: dict[int, Condition]) -> dict[str, Any]:

@@ -28,6 +28,7 @@ from statwalk.machine.compile.program import Program, ProgramText
 from statwalk.machine.conditions.variables import ENTRY
 from statwalk.machine.definition.cell_definition import ActionDefinition, CellTiming
 from statwalk.machine.definition.machine_definition import BlendDefinition
+from statwalk.maths.blend_tables import BlendedClip
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +69,8 @@ class Machine:
     """(S,) row of `motions`: of a blend the first clip; -1 for a state without motion"""
     blends: tuple[BlendDefinition | None, ...]
     """(S,) the blend of clips that a state plays; None for a state that plays one clip or none"""
+    blended_clips: tuple[tuple[BlendedClip, ...], ...]
+    """(S,) the clips of each blend, empty for a state without one"""
     loop: NDArray[np.bool_]
     """(S,)"""
     duration: NDArray[np.float64]

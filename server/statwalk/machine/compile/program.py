@@ -11,6 +11,7 @@ import numpy as np
 from numba import from_dtype, types
 from numpy.typing import DTypeLike, NDArray
 
+from statwalk.maths.blend_tables import BLENDS, BlendTables
 from statwalk.maths.compiling import read
 
 NO_CONDITION, NO_WEIGHT = -1, -1.0
@@ -123,6 +124,8 @@ class Program(NamedTuple):
     """(L,) the state that each layer begins in"""
     idle: NDArray[np.int16]
     """(1,) the event that stands for no input at all, -1 none"""
+    blends: BlendTables
+    """the clips of the states that play a blend: they give the motion its pace, see `runtime.pace`"""
 
 
 class ProgramText(NamedTuple):
@@ -197,12 +200,15 @@ KINDS: dict[str, tuple[Any, int]] = {
     "initials": (np.int16, 1),
     "idle": (np.int16, 1),
 }
-"""the type and the number of axes of each array"""
+"""the type and the number of axes of each array, without `blends`"""
 
 
 def program(**arrays: Any) -> Program:
-    """Returns the program of these arrays, each converted to its type, contiguous and read-only."""
-    return Program(**{name: _locked(arrays[name], kind, axes) for name, (kind, axes) in KINDS.items()})
+    """Returns the program of these arrays, each converted to its type, contiguous and read-only; `blends` as
+    they are.
+    """
+    flat = {name: _locked(arrays[name], kind, axes) for name, (kind, axes) in KINDS.items()}
+    return Program(**flat, blends=arrays["blends"])
 
 
 def _locked(values: Any, kind: DTypeLike, axes: int) -> NDArray[Any]:
@@ -214,6 +220,6 @@ def _locked(values: Any, kind: DTypeLike, axes: int) -> NDArray[Any]:
 
 
 PROGRAM = types.BaseTuple.from_types(
-    tuple(read(from_dtype(np.dtype(kind)), axes) for kind, axes in KINDS.values()), Program
+    (*(read(from_dtype(np.dtype(kind)), axes) for kind, axes in KINDS.values()), BLENDS), Program
 )
 """the numba type of a program"""

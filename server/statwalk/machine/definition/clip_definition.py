@@ -69,6 +69,12 @@ class FilterChange(NamedTuple):
     spikes: bool
 
 
+class SwitchChange(NamedTuple):
+    """Its keys switch half-way to the next key, where it went straight from key to key."""
+
+    line: int
+
+
 ClipChange = (
     SpeedChange
     | LengthChange
@@ -78,6 +84,7 @@ ClipChange = (
     | SquashChange
     | MirrorChange
     | FilterChange
+    | SwitchChange
 )
 
 

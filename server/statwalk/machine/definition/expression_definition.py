@@ -1,9 +1,11 @@
-"""Expressions of a machine (EX1): assignments to channels of joints and to free variables.
+"""Expressions of a machine (EX1): assignments to channels of joints, to weights of morph targets and to free
+variables.
 
     gear_b.rotate_z = -(10/8) * gear_a.rotate_z
 
 A channel is a joint's name, a dot, and `rotate_x`, `trans_y`, `scale_z` or another of CHANNELS: the joint's
 local Euler angles in degrees (about X first, then Y, then Z), its local translation in metres, its scale.
+Or the name of a morph target, and `weight`.
 """
 
 from __future__ import annotations
@@ -14,6 +16,9 @@ from dataclasses import dataclass
 from statwalk.maths.formula.assignments import Assignment
 
 CHANNELS = tuple(f"{kind}_{axis}" for kind in ("rotate", "trans", "scale") for axis in "xyz")
+"""the channels of a joint"""
+WEIGHT = "weight"
+"""the channel of a morph target"""
 FRAME, TIME = "frameid", "time"
 CLOCKS = (FRAME, TIME)
 """built-in variables: the number of the stage's tick, and seconds; neither can be set"""
@@ -30,9 +35,11 @@ class ExpressionMotion:
 
 
 def channel_of_name(name: str) -> tuple[str, str] | None:
-    """Returns joint and channel of `gear_a.rotate_z`; None: the name has no channel."""
-    joint, dot, channel = name.rpartition(".")
-    return (joint, channel) if dot and channel in CHANNELS else None
+    """Returns joint and channel of `gear_a.rotate_z`, or morph target and channel of `smile.weight`; None:
+    the name has no channel.
+    """
+    owner, dot, channel = name.rpartition(".")
+    return (owner, channel) if dot and (channel in CHANNELS or channel == WEIGHT) else None
 
 
 def free_variables(assignments: Iterable[Assignment]) -> tuple[str, ...]:

@@ -5,15 +5,22 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from statwalk.errors import nearest
-from statwalk.machine.definition.expression_definition import CHANNELS, CLOCKS, FRAME, TIME, channel_of_name
+from statwalk.machine.definition.expression_definition import (
+    CHANNELS,
+    CLOCKS,
+    FRAME,
+    TIME,
+    WEIGHT,
+    channel_of_name,
+)
 from statwalk.maths.formula.assignments import Assignment, AssignmentError, read_assignments
 
 
 def read_lines(
     lines: Sequence[tuple[int, str]], parameters: Collection[str], clocks: Collection[str] = CLOCKS
 ) -> tuple[Assignment, ...]:
-    """Returns the assignments of numbered lines, sorted by dependency; whether the joints exist is for the
-    character to say.
+    """Returns the assignments of numbered lines, sorted by dependency; whether the joints and morph targets
+    exist is for the character to say.
 
     `parameters`: the names that are set from outside; `clocks`: the clocks that a line may read.
 
@@ -41,8 +48,8 @@ def _problem(
     if "." in name:
         channel = name.rpartition(".")[2]
         return (
-            f"{name[:60]!r} has no channel {channel[:40]!r}{nearest(channel, CHANNELS) or '.'} There are: "
-            + ", ".join(CHANNELS)
+            f"{name[:60]!r} has no channel {channel[:40]!r}{nearest(channel, (*CHANNELS, WEIGHT)) or '.'} "
+            f"There are: {', '.join((*CHANNELS, WEIGHT))}"
         )
     names = (*parameters, *names_set, *clocks)
     return f"no variable is called {name[:40]!r}{nearest(name, names) or '.'} There are: {', '.join(names)}"

@@ -77,7 +77,7 @@ def searched(
     :raises TooManyError: if there is more than `work` allows.
     """
     room = 2 * (64 + program.target.shape[1] * 12 + 4 * len(program.marker_event))
-    surroundings, inputs = Measurements.none(1, 1), Inputs.of([0], [0])
+    surroundings, inputs = Measurements.none(1), Inputs.of([0], [0])
     guesses, space = _no_guesses(program, starts), _space_of(program, starts, room)
     given = np.array(first, np.int64), np.array([NOTHING, *presses], np.int64)
     effects, state = effects_for(program, 1, room), fresh(program, 1)

@@ -6,19 +6,18 @@ soon as it is entered. In the second the event comes once, in any node of A in w
 after it nothing but what senses raise. Conditions, senses and weights are free choices, and of what comes
 from outside at most one event waits. A column named after a marker comes with the marker alone. Time counts
 in ticks of 1/60 s; what a tick cuts off a motion, a parameter or a blend leaves open is looked at from both
-sides.
+sides. What is refuted fails with the parameters' defaults, so that its run goes so on a new stage.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
 from statwalk.errors import MachineError
-from statwalk.machine.compile.compile_states import MotionFacts
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.resolved_table import Motions
 from statwalk.machine.model_checker.counterexample import Refuted, refuted, seconds, shown
@@ -55,16 +54,27 @@ class TimedAnswer(NamedTuple):
 
 
 class Timed:
-    """A machine whose properties with a time are asked for, with its motions; what is found is kept."""
+    """A machine whose properties with a time are asked for; what is found is kept."""
 
-    def __init__(self, machine: Machine, motions: Mapping[str, MotionFacts], work: Work) -> None:
-        self.machine, self.motions, self.work = machine, motions, work
+    def __init__(self, machine: Machine, work: Work) -> None:
+        self.machine, self.work = machine, work
+        self._made: dict[Lengths, Pace] = {}
 
     @cached_property
     def paces(self) -> tuple[Pace, ...]:
         """The machine as slow as it can be, and, if that is not the same, as quick as it can be."""
-        slow, quick = (lengths(self.machine, self.motions, is_slow) for is_slow in (True, False))
-        return tuple(Pace(self.machine, one, self.work) for one in dict.fromkeys((slow, quick)))
+        return self._paces(as_set=False)
+
+    @cached_property
+    def paces_as_set(self) -> tuple[Pace, ...]:
+        """The same while all parameters have their defaults, as on a new stage."""
+        return self._paces(as_set=True)
+
+    def _paces(self, as_set: bool) -> tuple[Pace, ...]:
+        found = dict.fromkeys(lengths(self.machine, is_slow, as_set) for is_slow in (True, False))
+        for one in found:
+            self._made.setdefault(one, Pace(self.machine, one, self.work))
+        return tuple(self._made[one] for one in found)
 
     def answer(self, question: TimedQuestion) -> str | Refuted:
         """`proved …` or `undecided: …`, or how it is refuted."""
@@ -72,21 +82,21 @@ class Timed:
             return f"undecided: more than {MOST_SECONDS:g} s are not looked at"
         try:
             self.work.begin()
-            answers = [pace.answer(question) for pace in self.paces]
+            answers = {pace: pace.answer(question) for pace in self.paces}
+            by_length = sorted(answers.values(), key=lambda one: one.longest)
+            least, most = by_length[0], by_length[-1]
+            if most.longest < 0:
+                return "proved (it is never there)"
+            if most.longest <= question.limit:
+                return f"proved (at most {seconds(most.longest)})"
+            as_set = [answers.get(pace) or pace.answer(question) for pace in self.paces_as_set]
         except TooManyError as error:
             return str(error)
-        slow, quick = answers[0], answers[-1]
-        if slow.longest <= question.limit:
-            return (
-                f"proved (at most {seconds(slow.longest)})"
-                if slow.longest >= 0
-                else "proved (it is never there)"
-            )
-        if quick.longest > question.limit:
-            return refuted(self.machine, question.goals, quick.before, quick.after)
+        if all(one.longest > question.limit for one in as_set):
+            return refuted(self.machine, question.goals, as_set[-1].before, as_set[-1].after)
         return (
-            f"undecided: it takes {seconds(quick.longest)} at the least, and at the most "
-            f"{seconds(slow.longest)}{self.reasons(slow)}"
+            f"undecided: it takes {seconds(least.longest)} at the least, and at the most "
+            f"{seconds(most.longest)}{self.reasons(most)}"
         )
 
     def never(self, here: Collection[int], there: Collection[int]) -> str | Refuted:
@@ -116,25 +126,23 @@ class Timed:
     def _untimed(self, shortest: Callable[[Search], list[int] | None]) -> str | Refuted:
         try:
             self.work.begin()
-            for pace in self.paces:
+            paces = tuple(dict.fromkeys((*self.paces_as_set, *self.paces)))
+            for pace in paces:
                 ticks = shortest(pace.freely)
                 self.work.spend(pace.freely.work)
                 if ticks is not None:
                     return shown(self.machine, _steps(pace.freely, ticks))
         except TooManyError as error:
             return str(error)
-        is_sure = len(self.paces) == 1
-        return (
-            "proved (the motions leave no time for it)"
-            if is_sure
-            else "undecided: neither the slowest nor the quickest motions show it"
-        )
+        if len(paces) == 1:
+            return "proved (the motions leave no time for it)"
+        return "undecided: neither the slowest nor the quickest motions show it"
 
     def reasons(self, answer: TimedAnswer) -> str:
         """What the states of a run depend on."""
         entered = (state for step in answer.before[-1:] + answer.after for _, state in step.changes)
         states = dict.fromkeys(entered if answer.before else (self.machine.initial, *entered))
-        return "".join(f"; {why}" for state in states if (why := depends(self.machine, self.motions, state)))
+        return "".join(f"; {why}" for state in states if (why := depends(self.machine, state)))
 
 
 class Pace:
@@ -236,6 +244,6 @@ def timed(compiled: Callable[[], Machine], motions: Motions, work: Work) -> Time
     if motions is None:
         return "undecided: how long the motions last is not known here"
     try:
-        return Timed(compiled(), motions, work)
+        return Timed(compiled(), work)
     except MachineError as error:
         return f"undecided: the machine cannot be built: {error.message}"

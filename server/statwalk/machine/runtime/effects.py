@@ -44,6 +44,10 @@ class Workspace(NamedTuple):
     """(E,) held inputs after the tick before"""
     sensed: NDArray[np.uint8]
     """(K,) whether a sense raises its event in this tick"""
+    pace: NDArray[np.float64]
+    """(L,) the factor that a blend of clips adds to the speed of each layer's motion in this tick"""
+    weights: NDArray[np.float64]
+    """(…,) memory for the weights of a blend's clips"""
 
 
 class MachineEffects(NamedTuple):
@@ -117,6 +121,8 @@ def workspace_for(program: Program) -> Workspace:
         np.zeros(MOST_WAITING, np.uint8),
         np.zeros(events, np.int32),
         np.zeros(len(program.sense_event), np.uint8),
+        np.ones(layers),
+        np.zeros(program.blends.most_members),
     )
 
 
@@ -130,6 +136,7 @@ WORKSPACE = types.BaseTuple.from_types(
     (
         *(write(types.int64, 1), write(types.float64, 1), CONDITION_VALUES, write(types.float64, 2)),
         *(write(types.uint8, 1), write(types.int32, 1), write(types.uint8, 1)),
+        *(write(types.float64, 1), write(types.float64, 1)),
     ),
     Workspace,
 )

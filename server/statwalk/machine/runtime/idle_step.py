@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from statwalk.machine.compile.program import Program
 from statwalk.machine.runtime.effects import MachineEffects
+from statwalk.machine.runtime.pace import note_paces, speed_of
 from statwalk.machine.runtime.state import MachineState
-from statwalk.machine.runtime.surroundings import Measurements
 from statwalk.machine.runtime.timing import NEARLY
 from statwalk.maths.reference import inlined
 
 
 @inlined
-def passes_quietly(
-    p: Program, s: MachineState, around: Measurements, out: MachineEffects, i: int, dt: float
-) -> bool:
+def passes_quietly(p: Program, s: MachineState, out: MachineEffects, i: int, dt: float) -> bool:
     """Advances the motions of an actor without inputs and returns True, if no END, marker, sense, pending
     event or parameter on its way needs a decision.
 
@@ -27,23 +25,18 @@ def passes_quietly(
             return False
     for layer in range(s.state.shape[1]):
         current = s.state[i, layer]
-        time = s.time[i, layer] + dt * (_factor(p, s, i, current) * around.rate[i, layer])
-        if (
-            s.waiting[i, layer] > 0
-            or time >= p.duration[current] - NEARLY
-            or p.markers[current] != p.markers[current + 1]
-        ):
+        if s.waiting[i, layer] > 0 or p.markers[current] != p.markers[current + 1]:
+            return False
+    note_paces(p, s, out.work, i, dt)
+    for layer in range(s.state.shape[1]):
+        current = s.state[i, layer]
+        time = s.time[i, layer] + dt * (speed_of(p, s, i, current) * out.work.pace[layer])
+        if time >= p.duration[current] - NEARLY:
             return False
     for layer in range(s.state.shape[1]):
         before = s.time[i, layer]
-        time = before + dt * (_factor(p, s, i, s.state[i, layer]) * around.rate[i, layer])
+        time = before + dt * (speed_of(p, s, i, s.state[i, layer]) * out.work.pace[layer])
         out.before[i, layer], out.reached[i, layer], out.wraps[i, layer] = before, time, 0
         s.time[i, layer], s.passed[i, layer] = time, time
         s.age[i, layer] += 1
     return True
-
-
-@inlined
-def _factor(p: Program, s: MachineState, i: int, state: int) -> float:
-    row = p.speed_parameter[state]
-    return s.smoothed[i, row] if row >= 0 else p.speed[state]

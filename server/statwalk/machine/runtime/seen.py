@@ -39,6 +39,6 @@ def seen(
     layer.
     """
     rows, work = np.array([row]), workspace_for(program)
-    own = Measurements(around.rate[rows], np.ascontiguousarray(around.measured[:, rows]), around.key[rows])
+    own = Measurements(np.ascontiguousarray(around.measured[:, rows]), around.key[rows])
     _see(program, state.take(rows), own, work, dt)
     return work.conditions.values

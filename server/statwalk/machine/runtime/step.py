@@ -58,7 +58,7 @@ def step_from(
         first = next_input
         while next_input < inputs.actor.shape[0] and inputs.actor[next_input] == i:
             next_input += 1
-        if next_input == first and passes_quietly(program, state, around, effects, i, dt):
+        if next_input == first and passes_quietly(program, state, effects, i, dt):
             continue
         need, counts = most + 2 * (next_input - first) * layers, effects.counts
         if (

@@ -9,6 +9,7 @@ from statwalk.machine.runtime.decide import decide
 from statwalk.machine.runtime.effects import OF_CHANGES, MachineEffects
 from statwalk.machine.runtime.event_queue import wait_again
 from statwalk.machine.runtime.events_in_order import WAITING, mark_due, next_event
+from statwalk.machine.runtime.pace import note_paces
 from statwalk.machine.runtime.parameters import sense, smooth
 from statwalk.machine.runtime.scratch import (
     AT_END,
@@ -50,6 +51,7 @@ def step_actor(
     `out.work` holds the truths of conditions and the draws that are already known.
     """
     work = out.work
+    note_paces(p, s, work, i, work.clock[DT])
     smooth(p, s, i, work.clock[DT])
     raised = sense(p, s, work, around, i)
     has_events = raised > 0 or past > first
@@ -60,7 +62,7 @@ def step_actor(
         work.scratch[STATE_BEFORE] = s.state[i, layer]
         observe(p, work.conditions, s.state[i, layer], s.time[i, layer], s.age[i, layer], work.clock[DT])
         s.age[i, layer] += 1
-        advance(p, s, out, around.rate[i, layer], i, layer)
+        advance(p, s, out, work.pace[layer], i, layer)
         if (
             has_events
             or s.waiting[i, layer] > 0
@@ -115,7 +117,7 @@ def _decide_layer(
     if scratch[CHANGES] == 0:
         s.passed[i, layer] = s.time[i, layer]
     elif scratch[CARRIED]:
-        carry_on(p, s, out.work.clock, i, layer)
+        carry_on(p, s, out.work, i, layer)
         last = out.counts[OF_CHANGES] - 1
         out.start[last], out.carried[last] = s.time[i, layer], out.work.clock[CARRY]
     if scratch[ENTERED]:

@@ -46,21 +46,17 @@ NOTHING = Inputs.of([], [])
 
 
 class Measurements(NamedTuple):
-    """Measurements of N actors with L layers that conditions and motions read."""
+    """Measurements of N actors that conditions and motions read."""
 
-    rate: NDArray[np.float64]
-    """(N, L) speed factor of each motion beside its own speed: a blend of clips of several durations needs
-    one, else 1
-    """
     measured: NDArray[np.float64]
     """(3, N) the rows of `conditions.variables.MEASURED`, as shown at the tick before"""
     key: NDArray[np.uint64]
     """(N,) the random key of each actor"""
 
     @classmethod
-    def none(cls, actors: int, layers: int) -> Measurements:
+    def none(cls, actors: int) -> Measurements:
         """Returns the measurements of actors that stand still."""
-        return cls(np.ones((actors, layers)), np.zeros((COUNT_MEASURED, actors)), np.zeros(actors, np.uint64))
+        return cls(np.zeros((COUNT_MEASURED, actors)), np.zeros(actors, np.uint64))
 
 
 def _type(kind: Any, axes: list[tuple[Any, int]]) -> Any:
@@ -68,4 +64,4 @@ def _type(kind: Any, axes: list[tuple[Any, int]]) -> Any:
 
 
 INPUTS = _type(Inputs, [(types.int64, 1)] * 4)
-SURROUNDINGS = _type(Measurements, [(types.float64, 2), (types.float64, 2), (types.uint64, 1)])
+SURROUNDINGS = _type(Measurements, [(types.float64, 2), (types.uint64, 1)])

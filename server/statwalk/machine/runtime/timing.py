@@ -11,6 +11,7 @@ from statwalk.machine.compile.alternatives import AT_END as CELL_AT_END
 from statwalk.machine.compile.alternatives import AT_MARKER, MATCH, NOW
 from statwalk.machine.compile.program import Program
 from statwalk.machine.runtime.effects import MachineEffects, Workspace
+from statwalk.machine.runtime.pace import motion_seconds, speed_of
 from statwalk.machine.runtime.scratch import AT_END, CARRY, CROSSED, DT, SEAMS
 from statwalk.machine.runtime.scratch import OWED as IS_OWED
 from statwalk.machine.runtime.state import BEGINNING, ENDED, OWED, RUNNING, MachineState
@@ -25,20 +26,14 @@ _ROUNDING = 1e-9
 
 
 @inlined
-def _speed_factor(p: Program, s: MachineState, i: int, state: int) -> float:
-    row = p.speed_parameter[state]
-    return s.smoothed[i, row] if row >= 0 else p.speed[state]
-
-
-@inlined
-def advance(p: Program, s: MachineState, out: MachineEffects, rate: float, i: int, layer: int) -> None:
+def advance(p: Program, s: MachineState, out: MachineEffects, pace: float, i: int, layer: int) -> None:
     """Advances the motion; END comes at the end of a motion and at each wrap of a looping motion.
 
-    `rate`: a factor beside the speed.
+    `pace`: a factor beside the speed, see `runtime.pace`.
     """
     scratch, clock = out.work.scratch, out.work.clock
     current = s.state[i, layer]
-    factor = _speed_factor(p, s, i, current) * rate
+    factor = speed_of(p, s, i, current) * pace
     duration, time = p.duration[current], s.time[i, layer] + clock[DT] * factor
     scratch[IS_OWED], scratch[AT_END], scratch[CROSSED], clock[CARRY] = s.ended[i, layer] == OWED, 0, 1, 0.0
     out.before[i, layer], wraps, seams = s.time[i, layer], 0, seams_carried(s.passed[i, layer], duration)
@@ -167,17 +162,20 @@ def _matched(p: Program, s: MachineState, i: int, layer: int, target: int) -> fl
 
 
 @called
-def carry_on(p: Program, s: MachineState, clock: np.ndarray, i: int, layer: int) -> None:
-    """Advances a motion that was entered at END by the time left in the tick; markers on the way are handled
-    in the next tick.
+def carry_on(p: Program, s: MachineState, w: Workspace, i: int, layer: int) -> None:
+    """Advances a motion that was entered at END by the time left in the tick: at the pace of its blend where
+    it stays in its lap, else at its speed alone. Markers on the way are handled in the next tick.
     """
-    current = s.state[i, layer]
-    time, duration = s.time[i, layer] + clock[CARRY] * _speed_factor(p, s, i, current), p.duration[current]
+    current, entered, left = s.state[i, layer], s.time[i, layer], w.clock[CARRY]
+    time, duration = entered + left * speed_of(p, s, i, current), p.duration[current]
+    paced = entered + motion_seconds(p, s, w.weights, i, current, entered, left)
     if not p.loop[current]:
-        s.time[i, layer] = min(time, duration)
-        return
-    s.time[i, layer] = np.fmod(time, duration) if duration > 0 else 0.0
-    s.passed[i, layer] -= time - s.time[i, layer] if duration > 0 and time >= duration else 0.0
+        s.time[i, layer] = min(paced, duration)
+    elif max(time, paced) < duration:
+        s.time[i, layer] = paced
+    else:
+        s.time[i, layer] = np.fmod(time, duration) if duration > 0 else 0.0
+        s.passed[i, layer] -= time - s.time[i, layer] if duration > 0 and time >= duration else 0.0
 
 
 @inlined

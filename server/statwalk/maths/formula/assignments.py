@@ -10,7 +10,7 @@ from graphlib import CycleError, TopologicalSorter
 
 from statwalk.maths.formula.parser import RESERVED, parse
 from statwalk.maths.formula.postfix import Formula
-from statwalk.maths.formula.tokens import DOTTED, ConditionError, words_of
+from statwalk.maths.formula.tokens import DOTTED, ConditionError, as_written, words_of
 
 MOST_ASSIGNMENTS = 1024
 
@@ -44,7 +44,7 @@ class Assignment:
     @property
     def text(self) -> str:
         """Returns the line as it is written, without spaces at its ends and without comment."""
-        return f"{self.target} = {self.formula.text}"
+        return f"{as_written(self.target)} = {self.formula.text}"
 
 
 def read_assignments(

@@ -69,6 +69,17 @@ def words_of(text: str, pattern: re.Pattern[str] = WORD) -> list[Word]:
     return [*words, Word("end", "", end + 1)]
 
 
+def as_written(name: str) -> str:
+    """Returns a name as an expression writes it: in quotes if it has other characters than letters, digits, _
+    and dots.
+    """
+    match = DOTTED.fullmatch(name)
+    if match is not None and match["name"]:
+        return name
+    owner, dot, channel = name.rpartition(".")
+    return f"'{owner}'.{channel}" if dot else f"'{name}'"
+
+
 def _meaningless(text: str, position: int) -> ConditionError:
     while text[position].isspace():
         position += 1

@@ -25,7 +25,7 @@ from statwalk.maths.simd.lane_functions import (
     where_below,
     with_sign,
 )
-from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, renormalized, rotated
+from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, renormalized, rotated, rotated_back
 from statwalk.maths.simd.lanes import broadcast, spread
 from statwalk.maths.simd.pose_lanes import either3, either4
 
@@ -90,7 +90,7 @@ def clamp_translation(table: Any, row: int, t: Any) -> Any:
     excess = most(size(lack[0]), most(size(lack[1]), size(lack[2])))
     if not any_above(excess, of(TOLERANCE)):
         return t
-    return either3(excess - of(TOLERANCE), plus(rest, rotated(conjugate(into), within)), t)
+    return either3(excess - of(TOLERANCE), plus(rest, rotated_back(into, within)), t)
 
 
 @inlined

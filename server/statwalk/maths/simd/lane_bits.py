@@ -73,3 +73,16 @@ def stirring(rotation: int, factor: int) -> Any:
         return LANES_TYPE(LANES_TYPE, LANES_TYPE), code
 
     return intrinsic(typed)
+
+
+@intrinsic
+def natural(_typing: Any, number: Any) -> Any:
+    """natural(number): the number, which is not negative: as an index it cannot count from the end, and the
+    compiler leaves out the code for that.
+    """
+
+    def code(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        whole = context.cast(builder, args[0], sig.args[0], types.int64)
+        return builder.and_(whole, ir.Constant(INT64, (1 << 63) - 1))
+
+    return types.int64(number), code

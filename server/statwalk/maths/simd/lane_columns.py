@@ -75,7 +75,7 @@ def store_xyz(_typing: Any, array: Any, index: Any, x: Any, y: Any, z: Any) -> A
 
 @intrinsic
 def columns(_typing: Any, array: Any, index: Any) -> Any:
-    """columns(array, index): the first 12 columns of 16 rows of 16 floats, one row after the other."""
+    """columns(array, index): the columns of 16 rows of 16 floats, one row after the other."""
 
     def code(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         def quad(row: int, number: int) -> Any:
@@ -85,11 +85,11 @@ def columns(_typing: Any, array: Any, index: Any) -> Any:
         # quads of four rows are loaded side by side: only the rest of the transposition costs shuffles
         fours = [
             [_joined(builder, [quad(row + 4 * lane, number) for lane in range(4)]) for row in range(4)]
-            for number in range(3)
+            for number in range(4)
         ]
         return cgutils.pack_array(builder, [column for four in fours for column in _exchanged(builder, four)])
 
-    return types.UniTuple(LANES_TYPE, 12)(array, types.int64), code
+    return types.UniTuple(LANES_TYPE, 16)(array, types.int64), code
 
 
 def _joined(builder: Any, quads: Sequence[Any]) -> Any:

@@ -91,6 +91,12 @@ def rotated(q: Any, v: Any) -> Any:
 
 
 @inlined
+def rotated_back(q: Any, v: Any) -> Any:
+    """Returns the vector v rotated by the inverse of q."""
+    return rotated((q[0], q[1], q[2], -q[3]), v)  # as a rotation, -q* is q*
+
+
+@inlined
 def normalized(q: Any) -> Any:
     """Returns q at unit length; zero becomes the identity."""
     square, one = _dot(q, q), broadcast(ONE)

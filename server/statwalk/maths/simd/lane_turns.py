@@ -7,12 +7,14 @@ from typing import Any
 import numpy as np
 
 from statwalk.maths.compiling import inlined
-from statwalk.maths.simd.lane_functions import any_above, fused, root, where_below
-from statwalk.maths.simd.lane_quat import normalized, plus, vector_square
+from statwalk.maths.simd.lane_functions import any_above, fused, root, size, where_below
+from statwalk.maths.simd.lane_quat import vector_square
 from statwalk.maths.simd.lane_vector import cross, dot, perpendicular
 from statwalk.maths.simd.lanes import broadcast
 
-ZERO, HALF, ONE = np.float32(0), np.float32(0.5), np.float32(1)
+ZERO, ONE = np.float32(0), np.float32(1)
+WIDE = np.float32(0.3)
+"""1 + the cosine of the angle from which a turn between frames is found from a matrix: 134 degrees"""
 OPPOSITE = np.float32(1e-6)
 """1 + the cosine of the angle from which directions count as opposite: 0.08 degrees less than 180"""
 SMALLEST = np.float32(1e-30)
@@ -30,13 +32,12 @@ def where4_below(a: Any, b: Any, x: Any, y: Any) -> Any:
 
 
 @inlined
-def half_way(u: Any, v: Any) -> Any:
+def half_way(u: Any, v: Any, sizes: Any) -> Any:
     """Returns the shortest rotation from the direction of u to that of v, and the square of its length, which
-    is not 1; vectors of any length.
+    is not 1; vectors of any length; `sizes` is |u|·|v|.
 
     Opposite directions rotate about any axis at right angles; a zero vector gives the identity.
     """
-    sizes = root(vector_square(u) * vector_square(v))
     half = cross(u, v)
     w = sizes + dot(u, v)
     is_opposite = sizes * broadcast(OPPOSITE)
@@ -57,7 +58,7 @@ def half_way(u: Any, v: Any) -> Any:
 @inlined
 def between(u: Any, v: Any) -> Any:
     """Returns `half_way` at unit length."""
-    turn, square = half_way(u, v)
+    turn, square = half_way(u, v, root(vector_square(u) * vector_square(v)))
     factor = broadcast(ONE) / root(square)
     return turn[0] * factor, turn[1] * factor, turn[2] * factor, turn[3] * factor
 
@@ -67,18 +68,38 @@ def between_frames(old_x: Any, old_z: Any, new_x: Any, new_z: Any) -> Any:
     """Returns the rotation that takes the unit vector old_x to new_x and old_z to new_z, each pair at right
     angles.
     """
-    old_y, new_y, one = cross(old_z, old_x), cross(new_z, new_x), broadcast(ONE)
-    turned = plus(plus(cross(old_x, new_x), cross(old_y, new_y)), cross(old_z, new_z))
-    w = one + dot(old_x, new_x) + dot(old_y, new_y) + dot(old_z, new_z)
-    q = turned[0], turned[1], turned[2], w
-    if any_above(broadcast(HALF), w):  # more than 138 degrees: w is small, and rounding counts
-        rows = (
-            _row(new_x[0], new_y[0], new_z[0], old_x, old_y, old_z),
-            _row(new_x[1], new_y[1], new_z[1], old_x, old_y, old_z),
-            _row(new_x[2], new_y[2], new_z[2], old_x, old_y, old_z),
-        )
-        q = where4_below(w, broadcast(HALF), _from_matrix(rows), q)
-    return normalized(q)
+    new_y, above, wide = cross(new_z, new_x), broadcast(ONE) + dot(old_x, new_x), broadcast(WIDE)
+    # the shortest turn from x to x, then a turn about x: of its angle, cosine and sine times `above`
+    aside = dot(new_x, old_z)
+    cosine = above * dot(old_z, new_z) - aside * dot(old_x, new_z)
+    sine = above * dot(old_z, new_y) - aside * dot(old_x, new_y)
+    larger = above + size(cosine)
+    half_sine = where_below(cosine, broadcast(ZERO), larger, sine)
+    half_cosine = where_below(cosine, broadcast(ZERO), sine, larger)
+    axis = cross(old_x, new_x)
+    q = (
+        fused(half_cosine, axis[0], half_sine * (old_x[0] + new_x[0])),
+        fused(half_cosine, axis[1], half_sine * (old_x[1] + new_x[1])),
+        fused(half_cosine, axis[2], half_sine * (old_x[2] + new_x[2])),
+        half_cosine * above,
+    )
+    if any_above(wide, above):  # `above` is small, and rounding counts
+        q = where4_below(above, wide, _by_matrix(old_x, old_z, new_x, new_y, new_z), q)
+    factor = broadcast(ONE) / root(fused(q[3], q[3], vector_square(q)))
+    return q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor
+
+
+@inlined
+def _by_matrix(old_x: Any, old_z: Any, new_x: Any, new_y: Any, new_z: Any) -> Any:
+    """`between_frames`, of any length."""
+    old_y = cross(old_z, old_x)
+    m = (
+        _row(new_x[0], new_y[0], new_z[0], old_x, old_y, old_z),
+        _row(new_x[1], new_y[1], new_z[1], old_x, old_y, old_z),
+        _row(new_x[2], new_y[2], new_z[2], old_x, old_y, old_z),
+    )
+    w = broadcast(ONE) + m[0][0] + m[1][1] + m[2][2]
+    return _by_largest(m, (m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1], w))
 
 
 @inlined
@@ -91,24 +112,24 @@ def _row(x: Any, y: Any, z: Any, old_x: Any, old_y: Any, old_z: Any) -> Any:
 
 
 @inlined
-def _from_matrix(m: Any) -> Any:
-    """A quaternion of a rotation matrix, of any length, by the largest of the four components (Shepperd)."""
+def _by_largest(m: Any, q: Any) -> Any:
+    """The quaternion of a rotation matrix, of any length, by the largest of its four components (Shepperd);
+    `q` is the one by the last component.
+    """
     one, (xx, yy, zz) = broadcast(ONE), (m[0][0], m[1][1], m[2][2])
-    xy, xz, yz = m[0][1] + m[1][0], m[0][2] + m[2][0], m[1][2] + m[2][1]
-    xw, yw, zw = m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]
-    x, y = one + xx - yy - zz, one - xx + yy - zz
-    z, w = one - xx - yy + zz, one + xx + yy + zz
-    chosen, most = (xw, yw, zw, w), w
-    chosen, most = where4_below(most, x, (x, xy, xz, xw), chosen), where_below(most, x, x, most)
-    chosen, most = where4_below(most, y, (xy, y, yz, yw), chosen), where_below(most, y, y, most)
-    return where4_below(most, z, (xz, yz, z, zw), chosen)
+    xy, xz, yz, (xw, yw, zw, w) = m[0][1] + m[1][0], m[0][2] + m[2][0], m[1][2] + m[2][1], q
+    x, y, z = one + xx - yy - zz, one - xx + yy - zz, one - xx - yy + zz
+    q, most = where4_below(w, x, (x, xy, xz, xw), q), where_below(w, x, x, w)
+    q, most = where4_below(most, y, (xy, y, yz, yw), q), where_below(most, y, y, most)
+    return where4_below(most, z, (xz, yz, z, zw), q)
 
 
 @inlined
 def half_turn(cosine: Any, sine: Any) -> Any:
     """Returns sine and cosine of half an angle, of its cosine and sine."""
     zero, one = broadcast(ZERO), broadcast(ONE)
-    half_sine = where_below(cosine, zero, one - cosine, sine)
-    half_cosine = where_below(cosine, zero, sine, one + cosine)
-    factor = one / root(half_sine * half_sine + half_cosine * half_cosine)
+    larger = one + size(cosine)
+    half_sine = where_below(cosine, zero, larger, sine)
+    half_cosine = where_below(cosine, zero, sine, larger)
+    factor = one / root(fused(larger, larger, sine * sine))
     return half_sine * factor, half_cosine * factor

@@ -47,11 +47,21 @@ def channel_of(joint: int, path: Path, keys: TimedKeys, interpolation: str) -> C
     """
     times, values = keys.times.astype(np.float32), keys.values.astype(np.float32)
     if interpolation == "step" and len(times) > 1:
-        half = np.full(len(times) - 1, 0.5)
-        times = np.concatenate([times[:1], (times[:-1] + times[1:]) * np.float32(0.5), times[-1:]])
-        values = np.concatenate([values[:1], curves.step(values[:-1], values[1:], half), values[-1:]])
+        times, values = half_way(times, values)
     weights = keys.weights if interpolation.startswith("nurbs") else None
     return Channel(joint, path, times, values, INTERPOLATIONS[interpolation], key_weights=weights)
+
+
+def half_way(times: Floats, values: Floats) -> tuple[Floats, Floats]:
+    """Returns held keys (K + 1,) that switch half-way between the keys (K,), and end with the last (RTCA 2.2,
+    Listing 2).
+    """
+    half = np.full(len(times) - 1, 0.5)
+    middles = (times[:-1] + times[1:]) * times.dtype.type(0.5)
+    return (
+        np.concatenate([times[:1], middles, times[-1:]]),
+        np.concatenate([values[:1], curves.step(values[:-1], values[1:], half), values[-1:]]),
+    )
 
 
 def rotation_channel(joint: int, keys: TimedKeys, angles: Floats, interpolation: str) -> Channel:

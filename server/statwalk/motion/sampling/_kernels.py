@@ -8,6 +8,7 @@ from typing import Any
 
 from numba import types
 
+from statwalk.maths.blending import rate, weigh
 from statwalk.maths.columns import columns
 from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
 from statwalk.maths.simd.pose_layout import (
@@ -17,7 +18,6 @@ from statwalk.maths.simd.pose_layout import (
     joint_channel,
     weight_channel,
 )
-from statwalk.motion.sampling.blend import rate, weigh
 from statwalk.motion.sampling.root_motion import way
 from statwalk.motion.sampling.sample import sample
 from statwalk.motion.tables.motion_tables import MotionTables

@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from statwalk.maths.blending import lifted, phase_of, weigh
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
-from statwalk.motion.sampling.blend import edges_before, lifted, phase_of, weigh
+from statwalk.motion.sampling.edges import edges_before
 
 
 @inlined

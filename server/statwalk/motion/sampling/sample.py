@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from statwalk.maths.blending import member_phase, weigh
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_functions import fused, turned
@@ -30,7 +31,7 @@ from statwalk.motion.keys.segment_kinds import (
     SPLINE_TURN,
     VECTORS,
 )
-from statwalk.motion.sampling.blend import edges_before, member_phase, weigh
+from statwalk.motion.sampling.edges import edges_before
 from statwalk.motion.sampling.segment_lanes import (
     arc,
     cubic,

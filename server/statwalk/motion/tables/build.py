@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from statwalk.maths.arrays import Floats
+from statwalk.maths.blend_tables import BlendedClip, BlendRows, BlendTables
 from statwalk.maths.columns import locked
 from statwalk.maths.phases import Warp, warp
 from statwalk.maths.pose import Pose
@@ -78,17 +79,10 @@ def tables_of(motions: Sequence[Playable | None], rest: Pose) -> MotionTables:
         moves = len(member.root.times) > 1
         roots.append((searches.add(member.root.times) if moves else -1, sum(map(len, ways)) if moves else 0))
         ways += [member.root.places] if moves else []
-    spaces = _Spaces({id(member): row for row, member in enumerate(members)})
-    for motion in motions:
-        spaces.add(motion)
+    blends = _blends(motions, {id(member): row for row, member in enumerate(members)})
     return locked(
         MotionTables(
-            states=_table(spaces.states, 5, np.int64),
-            durations=np.array(spaces.durations, np.float64),
-            bounds=_table(spaces.bounds, 4, np.float64),
-            members=_table(spaces.members, 5, np.int64),
-            places=_table(spaces.places, 5, np.float64),
-            knots=_table([*spaces.knots, (0.0, 0.0)], 2, np.float64),
+            **blends._asdict(),
             roots=_table(roots, 2, np.int64),
             ways=np.concatenate(ways),
             clips=_table(packed.clips, 3, np.int64),
@@ -107,43 +101,19 @@ def tables_of(motions: Sequence[Playable | None], rest: Pose) -> MotionTables:
     )
 
 
-class _Spaces:
-    """The parts of MotionTables that describe states, while they are built."""
-
-    def __init__(self, rows: dict[int, int]) -> None:
-        self.rows = rows
-        """by the id of each member: the row of its clip and root track, without the rest pose"""
-        self.states: list[tuple[int, ...]] = []
-        self.durations: list[float] = []
-        self.bounds: list[tuple[float, ...]] = []
-        self.members: list[tuple[int, ...]] = []
-        self.places: list[tuple[float, ...]] = []
-        self.knots: list[tuple[float, float]] = []
-
-    def add(self, motion: Playable | None) -> None:
+def _blends(motions: Sequence[Playable | None], rows: dict[int, int]) -> BlendTables:
+    """The parts of MotionTables that describe states; `rows`: by the id of each member, the row of its clip
+    and root track, without the rest pose.
+    """
+    blends = BlendRows()
+    for motion in motions:
         if motion is None:
-            self.states.append((len(self.members), 0, 0, -1, -1))
-            self.durations.append(0.0)
-            self.bounds.append((0.0,) * 4)
-            return
-        axes = np.concatenate([motion.places, np.zeros((len(motion.places), 2))], -1)[:, :2]
-        ranks = np.argsort(np.argsort(axes[:, 0], kind="stable"), kind="stable").tolist()
-        self.states.append(
-            (len(self.members), len(motion.members), int(motion.loop), *(*motion.columns, -1, -1)[:2])
-        )
-        self.durations.append(max(member.clip.duration for member in motion.members))
-        self.bounds.append((axes[:, 0].min(), axes[:, 0].max(), axes[:, 1].min(), axes[:, 1].max()))
-        for member, place, phases, rank in zip(motion.members, axes, motion.warps, ranks, strict=True):
-            self._add_member(member, place, phases, rank)
-
-    def _add_member(self, member: Member, place: Floats, phases: Warp, rank: int) -> None:
-        row, knots = (
-            self.rows[id(member)],
-            [] if phases.is_identity else list(zip(phases.here, phases.there, strict=True)),
-        )
-        self.members.append((row + 1, len(self.knots), len(knots), rank, row))
-        self.places.append((*place, member.clip.duration, *phases.origin))
-        self.knots += knots
+            blends.add_none()
+            continue
+        pairs = zip(motion.members, motion.warps, strict=True)
+        clips = [BlendedClip(member.clip.duration, phases, rows[id(member)]) for member, phases in pairs]
+        blends.add(clips, motion.places, motion.columns, motion.loop)
+    return blends.tables()
 
 
 def _table(rows: Sequence[object], width: int, kind: type) -> NDArray[Any]:

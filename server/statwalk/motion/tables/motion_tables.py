@@ -25,21 +25,12 @@ class MotionTables(NamedTuple):
     """
 
     states: Annotated[NDArray[np.int64], "state, 5"]
-    """first member, number of members (0: no motion, 1: a clip, more: a blend space), whether it loops,
-    columns of its one or two parameters (-1: none)
-    """
+    """the first six columns as in `maths.blend_tables.BlendTables`"""
     durations: Annotated[NDArray[np.float64], "state"]
-    """seconds; of a blend space the longest clip"""
     bounds: Annotated[NDArray[np.float64], "state, 4"]
-    """the smallest and the largest position along the first axis, then along the second"""
     members: Annotated[NDArray[np.int64], "member, 5"]
-    """clip, first knot and number of knots of the warp (0: identity), rank of its position along the first
-    axis, root track
-    """
     places: Annotated[NDArray[np.float64], "member, 5"]
-    """position on both axes, duration (seconds), the phases at which the warp's two circles are cut open"""
     knots: Annotated[NDArray[np.float64], "knot, 2"]
-    """phases since the cut, of the state's first clip and of this clip"""
     roots: Annotated[NDArray[np.int64], "root track, 2"]
     """search among the times of a root track (-1: it stands), and the first row of `ways`"""
     ways: Annotated[NDArray[np.float64], "key, 3"]

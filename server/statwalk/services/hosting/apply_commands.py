@@ -47,6 +47,21 @@ def apply_commands(
             yield from _add(stage, machine, new, roles[machine], most_actors)
 
 
+def roles_to_add(commands: Iterable[Command], role_of: Callable[[str], Role]) -> dict[str, Role]:
+    """Returns the role of each machine that the commands add an actor of.
+
+    :raises UnknownNameError: when there is no such machine.
+    """
+    machines = {command.machine for command in commands if isinstance(command, AddActor)}
+    return {machine: packed(role_of(machine)) for machine in machines}
+
+
+def packed(role: Role) -> Role:
+    """Returns the role once the arrays that ticks read are made, without the lock of a stage."""
+    role.packed  # noqa: B018 - kept in the role
+    return role
+
+
 def _machine_to_add(command: Command) -> str | None:
     return command.machine if isinstance(command, AddActor) else None
 
@@ -79,7 +94,9 @@ def check_room(actors: int, most_actors: int) -> None:
     :raises LimitError: when there are more than `most_actors`.
     """
     if actors > most_actors:
-        raise LimitError(f"a stage holds at most {most_actors} actors; this would make {actors}")
+        raise LimitError(
+            f"a stage holds at most {most_actors} actors; this would make {actors}", limit="actors"
+        )
 
 
 def _add(

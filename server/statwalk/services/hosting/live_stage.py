@@ -2,39 +2,33 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import nullcontext
 from functools import partial
-from typing import Protocol
 
 from statwalk.character.role import Role
 from statwalk.errors import StageError
 from statwalk.services.hosting.apply_commands import apply_commands
-from statwalk.services.hosting.commands import AddActor, ClockKind, Command, RemoveActor
+from statwalk.services.hosting.commands import AddActor, ClockKind, RemoveActor
+from statwalk.services.hosting.log_room import LogRoom
+from statwalk.services.hosting.pacing import TickCost
+from statwalk.services.hosting.stage_messages import Post
 from statwalk.services.hosting.stage_replies import Posted, StageStatus
-from statwalk.services.library.catalogue import Catalogue
-from statwalk.services.limits import Limits
+from statwalk.services.hosting.stage_services import StageServices
+from statwalk.services.hosting.store.committer import Statement
+from statwalk.services.hosting.store.kept_keys import KeptKeys
+from statwalk.services.hosting.store.kept_stage import KeptStage
 from statwalk.services.publish.encoder import Encoder
 from statwalk.services.publish.layout import CastLayout, cast_layout
-from statwalk.services.publish.outbox import MOST_FACTS, EncodedFrame, FrameKind
+from statwalk.services.publish.outbox import MOST_FACTS, EncodedFrame, FrameForm
 from statwalk.services.publish.waiting_facts import WaitingFacts
 from statwalk.stage.clock import Clock
 from statwalk.stage.stage import Stage
-from statwalk.stage.state.frame import Action, CastFrame, Verdict
+from statwalk.stage.state.frame import CastFrame
 
 FACTS_SECONDS = 0.005
 """between two looks at the log while facts wait for durability"""
 MANUAL_WAIT_SECONDS = 0.25
-EncodeFact = Callable[[Action | Verdict | StageStatus], bytes]
-"""encodes an action, a verdict or a status as a text message for viewers"""
-
-
-class StageServices(Protocol):
-    """The parts of the server that a stage uses."""
-
-    catalogue: Catalogue
-    limits: Limits
-    encode_fact: EncodeFact
 
 
 class LiveStage:
@@ -42,24 +36,40 @@ class LiveStage:
 
     def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, services: StageServices) -> None:
         self.id, self.stage, self.clock_kind, self.services = stage_id, stage, clock_kind, services
-        self.clock = Clock(stage.rate)
+        self.clock, self.cost = Clock(stage.rate), TickCost()
         self.encoder = Encoder()
         self.fanout, self.facts_waiting = self.encoder.fanout, WaitingFacts()
+        self.kept: KeptStage | None = None
+        self.restored: int | None = None
+        self.room = LogRoom(services.limits)
 
     # --- time
 
     def advance_to(self, now: float) -> float:
-        """Takes the steps that are due at `now` (perf_counter seconds), and publishes the facts that waited
-        for durability; returns the seconds until the next call.
+        """Takes the steps that are due at `now` (seconds of `services.now`), and publishes the facts that
+        waited for durability; returns the seconds until the next call.
         """
         if self.facts_waiting:
+            self._note()
             self.fanout.publish({}, self._durable_facts())
         wait = MANUAL_WAIT_SECONDS
         if self.clock_kind == "real":
-            for _ in range(self.clock.due(now)):
+            late = self.clock.lateness(self.clock.due(now))
+            began = self.services.now()
+            for _ in late:
                 self.tick()
+            if late:
+                self._pace(began, len(late))
+            self.services.measure_ticks(late, self.clock.take_lost())
             wait = self.clock.wait(now)
         return min(wait, FACTS_SECONDS) if self.facts_waiting else wait
+
+    def _pace(self, began: float, ticks: int) -> None:
+        """Slows the clock down if the stage takes more than its share of the time."""
+        now = self.services.now()
+        self.cost.add(now - began, ticks)
+        load = self.cost.median() * self.stage.rate * self.clock.speed
+        self.clock.pace = self.services.pacing.pace(self.id, load, now)
 
     def tick(self) -> None:
         """Steps the stage by one tick, and publishes the frame."""
@@ -86,7 +96,7 @@ class LiveStage:
 
     def pause(self, paused: bool) -> None:
         """Stops or starts the clock."""
-        self.clock.due(time.perf_counter())  # the time until now passed in the old setting
+        self.clock.due(self.services.now())  # the time until now passed in the old setting
         self.clock.paused = paused
         self.announce()
 
@@ -97,12 +107,20 @@ class LiveStage:
 
     # --- inputs
 
-    def apply(self, commands: tuple[Command, ...], roles: Mapping[str, Role]) -> Posted:
+    def apply(self, post: Post, roles: Mapping[str, Role]) -> Posted:
         """Applies the commands in order; the first refused command raises, and the later ones do not run.
 
         `roles`: by machine, the role of each actor to add.
+
+        The oldest inputs are forgotten when the log is full. :raises LimitError: when they cannot be.
         """
-        outcomes = tuple(apply_commands(self.stage, commands, roles, self.services.limits.actors))
+        if self.room.make(self.stage):
+            self._keep_forgotten()
+        self.room.check(self.stage)
+        commands = post.commands
+        with self.kept.inputs(self.stage, self.clock, post) if self.kept else nullcontext():
+            outcomes = tuple(apply_commands(self.stage, commands, roles, self.services.limits.actors))
+        self.room.take(len(outcomes))
         if any(isinstance(command, AddActor | RemoveActor) for command in commands):
             self.show(facts=False)
         return Posted(self.stage.tick, self.stage.newest, self.id, outcomes)
@@ -116,17 +134,40 @@ class LiveStage:
         if role.name not in self.stage.roles or self.stage.tick < self.stage.head:
             return False
         try:
-            self.stage.edit(role, text)
+            with self.kept.changes(self.stage, self.clock, at_once=True) if self.kept else nullcontext():
+                self.stage.edit(role, text)
         except StageError:
             return False
         self.show(facts=False)
         return True
 
+    # --- the store
+
+    @property
+    def keys(self) -> KeptKeys | None:
+        """The idempotency keys; None without a store."""
+        return self.kept.keys if self.kept else None
+
+    def keep(self, kept: KeptStage, also: Sequence[Statement] = ()) -> None:
+        """Keeps the stage in the store from now on; `also` goes into the same commit."""
+        kept.begin(self.stage, self.clock, also)
+        self.kept = kept
+
+    def _keep_forgotten(self) -> None:
+        if self.kept:
+            self.kept.forget(self.stage, self.clock)
+        self.announce()
+
+    def save(self) -> None:
+        """Keeps the playhead, the clock and new snapshots, if they changed."""
+        if self.kept:
+            self.kept.save(self.stage, self.clock)
+
     # --- frames and facts
 
     def show(self, *, facts: bool) -> None:
         """Publishes the frame at the playhead at once, and (`facts`) the actions and verdicts of its tick as
-        soon as the commands so far are durable: a crash may take back a frame, but no fact.
+        soon as it is durable that the stage has got so far: a crash may take back a frame, but no fact.
         """
         if not self.fanout.outboxes:
             return  # without viewers no frame is made
@@ -134,27 +175,33 @@ class LiveStage:
         if facts:
             encode = self.services.encode_fact
             texts = [*map(encode, frame.actions), *map(encode, frame.verdicts)]
-            self.facts_waiting.put(self.stage.newest, texts)
+            self.facts_waiting.put(frame.tick, texts)
+            self._note()
         self.encoder.show(frame, self.stage.head, self._layout(self.stage), self._durable_facts())
 
     def _durable_facts(self) -> list[bytes]:
         """Removes and returns the facts that need not wait; disconnects the viewers if too many wait."""
-        durable = self.facts_waiting.take(self.stage.durable)
+        durable = self.facts_waiting.take(lambda tick: not self.kept or tick <= self.kept.durable_head)
         if len(self.facts_waiting) > MOST_FACTS:
             self.facts_waiting.drop()
-            self.fanout.end("slow", "the log takes too long to make commands durable")
+            self.fanout.end("slow", "the disk takes too long to keep what happens")
         return durable
+
+    def _note(self) -> None:
+        """Keeps how far the stage is, if facts wait for that."""
+        if self.kept and self.facts_waiting:
+            self.kept.note(self.stage, self.clock)
 
     def announce(self) -> None:
         """Sends the status to the viewers."""
         if self.fanout.outboxes:
             self.fanout.tell(self.services.encode_fact(self.status()))
 
-    def taken_frame(self, stage: Stage, kind: FrameKind) -> Callable[[], EncodedFrame]:
+    def taken_frame(self, stage: Stage, form: FrameForm) -> Callable[[], EncodedFrame]:
         """Takes the frame at the playhead of `stage`, the live stage or a copy of it; returns the function
         that encodes it, which may be called while the stage goes on.
         """
-        return partial(self.encoder.encode, stage.frame, kind, self.stage.head, self._layout(stage))
+        return partial(self.encoder.encode, stage.frame, form, self.stage.head, self._layout(stage))
 
     def _layout(self, stage: Stage) -> Callable[[CastFrame], CastLayout]:
         """Returns the function that makes the layouts of the frame that `stage` shows now."""
@@ -171,5 +218,13 @@ class LiveStage:
         """Returns the status of the stage; safe to call while another thread holds the lock."""
         stage, clock = self.stage, self.clock
         return StageStatus(
-            stage.tick, stage.head, stage.first, clock.paused, clock.speed, len(self.fanout.outboxes)
+            stage.tick,
+            stage.head,
+            stage.first,
+            clock.paused,
+            clock.speed,
+            len(self.fanout.outboxes),
+            clock.pace,
+            self.restored,
+            self.services.trouble(),
         )

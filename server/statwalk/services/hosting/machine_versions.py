@@ -4,42 +4,28 @@ more version.
 
 from __future__ import annotations
 
-import os
-import shutil
-import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Literal, NamedTuple
 
 from statwalk.character.role import Role
-from statwalk.errors import ConflictError, ContentError, RefusedEditError, VersionConflictError
+from statwalk.errors import ConflictError, RefusedEditError, VersionConflictError
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, MachineFile, machine_of
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_messages import Edit
-from statwalk.services.library.catalogue import Catalogue, Entry
+from statwalk.services.hosting.store.records import MachineVersion
+from statwalk.services.hosting.store.store import Store
+from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.entry import Entry
 from statwalk.services.library.load import shipped_machines_folder
+from statwalk.services.library.put_in_place import put_in_place
 
 MOST_VERSIONS = 200
 Saved = Literal["file", "memory"]
-
-
-@dataclass(frozen=True)
-class MachineVersion:
-    """A version of a machine; `at` in seconds since 1970, `what` says in a few words what the
-    edit changed.
-    """
-
-    number: int
-    at: float
-    what: str
-    text: str
-    before: int = 0
-    """the version that an undo brings back; 0: there is none"""
 
 
 @dataclass(frozen=True)
@@ -63,8 +49,10 @@ class CurrentMachine(NamedTuple):
 class MachineVersions:
     """The versions of all machines. Thread-safe."""
 
-    def __init__(self, catalogue: Catalogue, stages: Callable[[], list[StageHost]]) -> None:
-        self.catalogue, self.stages = catalogue, stages
+    def __init__(
+        self, catalogue: Catalogue, stages: Callable[[], list[StageHost]], store: Store | None = None
+    ) -> None:
+        self.catalogue, self.stages, self.store = catalogue, stages, store
         self.lock = threading.RLock()
         """held only to read or replace the entry, the role and the versions of a machine together"""
         self.storing = threading.Lock()
@@ -160,21 +148,46 @@ class MachineVersions:
         """Makes the text the newest version: in the machine's file (`write`), and on every stage that plays
         the machine and whose playhead is at its newest tick.
 
-        :raises ContentError: when the text cannot be read, or the file cannot be written.
+        :raises ContentError: when the text cannot be read.
+        :raises StorageError: when the file cannot be written, or the version cannot be kept.
         :raises RefusedEditError: when `checked` refuses the text.
         :raises VersionConflictError: when another edit is made while this one is verified.
         """
         edited, name = self.checked(current, text, what, before, checkpoint), current.entry.name
         with self.storing:
             entry = self.based_on(name, current.version.number).entry
+            if self.store:
+                self.store.writer.check()
             if write and saved(entry) == "file":
-                _put_in_place(entry.folder / FILE_NAME, text)
+                put_in_place(entry.folder / FILE_NAME, text)
+            versions = [*self.of(name), edited.version]
+            self.keep(name, versions)
             with self.lock:
                 self.catalogue.renew(replace(entry, file=edited.file), edited.role)
-                self.versions_of[name] = [*self.of(name), edited.version][-MOST_VERSIONS:]
+                self.versions_of[name] = versions[-MOST_VERSIONS:]
             for host in self.stages():
                 host.handle(Edit(name, text))
         return edited
+
+    def keep(self, name: str, versions: list[MachineVersion]) -> None:
+        """Keeps the newest of the versions of a machine in the store, if there is one.
+
+        :raises StorageError: when the disk refuses.
+        """
+        if self.store:
+            # the first version is kept with the first edit
+            new = versions if len(versions) == 2 else versions[-1:]
+            self.store.keep_versions(name, new, versions[-1].number - MOST_VERSIONS)
+
+    def forget(self, name: str) -> None:
+        """Forgets the versions of a machine that is deleted.
+
+        :raises StorageError: when the disk refuses.
+        """
+        with self.lock:
+            self.versions_of.pop(name, None)
+        if self.store:
+            self.store.forget_versions(name)
 
     def undo(self, current: CurrentMachine, checkpoint: Checkpoint = go_on) -> Edited:
         """Makes a new version with the text of the version before `current`; the next undo goes back
@@ -208,26 +221,7 @@ def _errors_in(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def saved(entry: Entry) -> Saved:
-    """Returns where edits of a machine are kept: in its `file`, or, for a shipped machine, in `memory` until
-    the server stops.
+    """Returns where edits of a machine are kept: in its `file`, or, for a shipped machine, in `memory`, and
+    in the store if there is one.
     """
     return "memory" if entry.folder.is_relative_to(shipped_machines_folder()) else "file"
-
-
-def _put_in_place(path: Path, text: str) -> None:
-    """Replaces the file atomically, and keeps its permissions.
-
-    :raises ContentError: when the file cannot be written.
-    """
-    try:
-        with tempfile.NamedTemporaryFile(
-            "w", dir=path.parent, prefix=".machine-", delete=False, encoding="utf-8", newline=""
-        ) as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        if path.exists():
-            shutil.copymode(path, file.name)
-        Path(file.name).replace(path)
-    except OSError as error:
-        raise ContentError(f"the file cannot be written: {error.strerror}", file=str(path)) from None

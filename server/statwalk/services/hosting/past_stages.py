@@ -8,10 +8,24 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from statwalk.services.cancel import CancelToken
+from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.stage.stage import Stage
 
 MOST_COPIES = 4
+
+
+def branch_at(past: Stage, tick: int, token: CancelToken) -> Stage:
+    """Returns a fork of `past` at a tick; `past` is a copy, which goes to the tick.
+
+    :raises StageError: when the stage has no such tick.
+    :raises CancelledError: when the token is cancelled before the stage is at the tick.
+    """
+    past.before_tick = token.check
+    if tick != past.tick:
+        past.seek(tick)
+    branch = past.fork()
+    branch.before_tick = NEVER.check
+    return branch
 
 
 class PastStages:

@@ -4,18 +4,25 @@ from __future__ import annotations
 
 import secrets
 import threading
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 
-from statwalk.errors import LimitError, UnknownNameError
+from statwalk.errors import BusyError, LimitError, StorageError, UnknownNameError
 from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.apply_commands import check_room
 from statwalk.services.hosting.commands import StageSetup
-from statwalk.services.hosting.live_stage import EncodeFact
 from statwalk.services.hosting.machine_versions import MachineVersions
+from statwalk.services.hosting.pacing import Pacing
 from statwalk.services.hosting.stage_host import StageHost
+from statwalk.services.hosting.stage_services import EncodeFact, MeasureTicks
+from statwalk.services.hosting.store.committer import Statement
+from statwalk.services.hosting.store.records import StageIdentity
+from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.limits import Limits
+from statwalk.services.threads import Now
 from statwalk.stage.stage import Stage
 
 MAIN = "main"
@@ -27,8 +34,15 @@ UNCLAIMED_SHARE = 0.5
 """the part of all stages that may be unclaimed forks"""
 
 
+def random_id() -> str:
+    """Returns an id that no other stage has."""
+    return secrets.token_hex(4)
+
+
 class Registry:
-    """Opens, finds and closes stages; `wake` has the ticker look at the clocks. Thread-safe."""
+    """Opens, finds and closes stages; `wake` has the ticker look at the clocks, `new_id` names a stage.
+    Thread-safe.
+    """
 
     def __init__(
         self,
@@ -36,11 +50,19 @@ class Registry:
         encode_fact: EncodeFact,
         limits: Limits,
         wake: Callable[[], None] = lambda: None,
+        store: Store | None = None,
+        now: Now = time.perf_counter,
+        new_id: Callable[[], str] = random_id,
     ) -> None:
+        self.store, self.now, self.new_id = store, now, new_id
         self.catalogue, self.encode_fact, self.limits, self.wake = catalogue, encode_fact, limits, wake
+        self.measure_ticks: MeasureTicks = lambda _late, _lost: None
+        self.pacing = Pacing(limits.tick_share)
         self.lock = threading.Lock()
         self.stages: dict[str, StageHost] = {}
-        self.versions = MachineVersions(catalogue, self.all)
+        self.left: dict[str, str] = {}
+        """why stages did not come back when the server started, by id; their records are kept"""
+        self.versions = MachineVersions(catalogue, self.all, store)
 
     def all(self) -> list[StageHost]:
         """Returns the hosts of all stages."""
@@ -53,39 +75,92 @@ class Registry:
         """
         host = self.stages.get(stage_id)
         if host is None:
-            raise UnknownNameError("stage", stage_id, self.stages)
+            raise UnknownNameError("stage", stage_id, self.stages, self.left.get(stage_id, ""))
         if host.is_unclaimed:
             host.is_unclaimed = False
             self.wake()
         return host
 
-    def hold(self, host: StageHost) -> StageHost:
-        """Adds a stage, and returns its host.
+    def hold(self, host: StageHost, also: Sequence[Statement] = ()) -> StageHost:
+        """Adds a stage, keeps it and `also` in one commit, and returns its host.
 
         :raises LimitError: when the server holds the most stages that it may.
+        :raises StorageError: when the disk refuses to keep the stage.
         """
+        self._check_room_for(host)
+        try:
+            self._keep(host, also)
+        except StorageError:
+            self._remove(host.id)
+            raise
+        self.wake()
+        return host
+
+    def _check_room_for(self, host: StageHost) -> None:
         with self.lock:
             unclaimed = sum(stage.is_unclaimed for stage in self.stages.values())
             if host.is_unclaimed and unclaimed >= self.limits.stages * UNCLAIMED_SHARE:
                 raise LimitError(
-                    f"the server holds {unclaimed} forks that nobody uses, and no more; use one of them"
+                    f"the server holds {unclaimed} forks that nobody uses, and no more; use one of them",
+                    limit="stages",
                 )
             if len(self.stages) >= self.limits.stages:
                 raise LimitError(
-                    f"the server holds {self.limits.stages} stages, and no more; delete one first"
+                    f"the server holds {self.limits.stages} stages, and no more; delete one first",
+                    limit="stages",
                 )
             self.stages[host.id] = host
-        self.wake()
-        return host
+
+    def _keep(self, host: StageHost, also: Sequence[Statement]) -> None:
+        if self.store:
+            host.keep(self.store.stage(host.identity), also)
+            self.store.flush()
+
+    # --- the store
+
+    def check_storage(self) -> None:
+        """:raises StorageError: while the disk refuses to keep what changes."""
+        if self.store:
+            self.store.writer.check()
+
+    def trouble(self) -> str:
+        """Returns why the disk refuses to keep what changes; empty while it does not."""
+        refusal = self.store.writer.trouble if self.store else None
+        return str(refusal) if refusal else ""
+
+    def flush(self) -> None:
+        """Waits until everything so far is kept.
+
+        :raises StorageError: when the disk refuses.
+        """
+        if self.store:
+            self.store.flush()
+
+    def save(self) -> None:
+        """Keeps the playheads, clocks and new snapshots of all stages; skips stages that are busy, and does
+        nothing while the disk is behind: what waits for it must not grow.
+        """
+        for host in self.all() if self.store and not self.store.writer.is_behind else ():
+            with suppress(BusyError):
+                host.save()
 
     def open_main(self, scene: str = "") -> StageHost:
-        """Opens the stage that the page shows first: real time, with a scene or the default machine."""
+        """Opens the stage that the page shows first: real time, with a scene or the default machine. Returns
+        the stage that was kept, if it was opened with the same scene or machine.
+        """
+        if MAIN in self.stages:
+            return self.stages[MAIN]
+        opened = self.main_content(scene)
         if scene:
-            return self.hold(self._with_scene(MAIN, StageSetup(scene=scene)))
+            return self.hold(self._with_scene(MAIN, StageSetup(scene=scene), opened))
         stage = Stage()
         if self.catalogue.default is not None:
             stage.add(self.catalogue.role(self.catalogue.default))
-        return self.hold(StageHost(MAIN, stage, "real", self))
+        return self.hold(StageHost(StageIdentity(MAIN, opened, stage.seed, stage.rate, "real"), stage, self))
+
+    def main_content(self, scene: str = "") -> str:
+        """Returns in a word what `main` opens with."""
+        return f"scene {scene}" if scene else f"machine {self.catalogue.default}"
 
     def open(self, setup: StageSetup, token: CancelToken = NEVER) -> StageHost:
         """Opens a stage with its actors.
@@ -94,7 +169,7 @@ class Registry:
         :raises LimitError: when the setup has too many actors, or the server too many stages.
         :raises CancelledError: when the token is cancelled before the stage is open.
         """
-        host = self._with_scene(secrets.token_hex(4), setup)
+        host = self._with_scene(self.new_id(), setup)
         host.handle(ask.Post(setup.actors, forks=False), token)
         token.check()
         return self.hold(host)
@@ -103,14 +178,16 @@ class Registry:
         """Closes a stage, and disconnects its viewers.
 
         :raises UnknownNameError: when no stage has this id.
+        :raises StorageError: when the disk refuses; the stage is closed all the same.
         """
         self.find(stage_id)
         self._remove(stage_id)
+        self.flush()
 
     def drop_idle(self, now: float) -> None:
         """Closes the stages without viewers that had no request for `idle_seconds`; `main` stays.
 
-        `now`: seconds of the monotonic clock.
+        `now`: seconds of `self.now`.
 
         A stage with a manual clock is kept `MANUAL_PATIENCE` times longer, an unclaimed fork only for
         `UNCLAIMED_PATIENCE` of the time.
@@ -129,8 +206,10 @@ class Registry:
             host = self.stages.pop(stage_id, None)
         if host:
             host.handle(ask.Close())
+            if self.store:
+                self.store.drop(stage_id)
 
-    def _with_scene(self, stage_id: str, setup: StageSetup) -> StageHost:
+    def _with_scene(self, stage_id: str, setup: StageSetup, opened: str = "") -> StageHost:
         """Returns a host of a new stage with the actors of the setup's scene, without the setup's own."""
         scene = self.catalogue.scene(setup.scene) if setup.scene else None
         stage = Stage(
@@ -139,4 +218,4 @@ class Registry:
         if scene:
             check_room(sum(line.count for _, line in scene.lines), self.limits.actors)
             scene.enter(stage)
-        return StageHost(stage_id, stage, setup.clock, self)
+        return StageHost(StageIdentity(stage_id, opened, stage.seed, stage.rate, setup.clock), stage, self)

@@ -1,28 +1,31 @@
 """Holds one stage behind messages: a lock around it, long work in slices, forks.
 
-Only the host touches the stage. Messages and replies are plain data, so that a host may live in another
-process.
+Only the host touches the stage. Messages are plain data, so that a host may live in another process.
 """
 
 from __future__ import annotations
 
-import secrets
 import threading
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager as Context
+from contextlib import contextmanager, nullcontext
 from typing import Any, Protocol
 
-from statwalk.character.role import Role
 from statwalk.errors import CancelledError, LimitError
 from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.hosting import stage_messages as ask
-from statwalk.services.hosting.commands import AddActor, ClockKind
-from statwalk.services.hosting.live_stage import LiveStage, StageServices
-from statwalk.services.hosting.past_stages import PastStages
+from statwalk.services.hosting.apply_commands import packed, roles_to_add
+from statwalk.services.hosting.live_stage import LiveStage
+from statwalk.services.hosting.past_stages import PastStages, branch_at
 from statwalk.services.hosting.stage_lock import StageLock
+from statwalk.services.hosting.stage_moves import IN_SLICES, OF_THE_CLOCK
 from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, LOOK_SECONDS, ON_A_COPY, finished
 from statwalk.services.hosting.stage_replies import Posted, StageStatus
+from statwalk.services.hosting.stage_services import StageServices
+from statwalk.services.hosting.store.committer import Statement
+from statwalk.services.hosting.store.kept_stage import KeptStage
+from statwalk.services.hosting.store.records import StageIdentity
+from statwalk.services.publish.fanout import Loop
 from statwalk.services.publish.outbox import EncodedFrame, Outbox
 from statwalk.stage.stage import Stage
 
@@ -30,12 +33,8 @@ from statwalk.stage.stage import Stage
 class Home(StageServices, Protocol):
     """The server that a host belongs to."""
 
-    wake: Callable[[], None]
-    """has the ticker look at the clocks now"""
-
-    def hold(self, host: StageHost) -> StageHost:
-        """Adds the host of a new stage, and returns it."""
-        ...
+    def hold(self, host: StageHost, also: Sequence[Statement] = ()) -> StageHost:
+        """Adds the host of a new stage, keeps it and `also` in one commit, and returns it."""
 
 
 class StageHost:
@@ -46,10 +45,11 @@ class StageHost:
 
     is_unclaimed = False
 
-    def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, home: Home) -> None:
-        self.id, self.clock_kind, self.rate, self.home = stage_id, clock_kind, stage.rate, home
-        self._live = LiveStage(stage_id, stage, clock_kind, home)
-        self._lock = StageLock()
+    def __init__(self, identity: StageIdentity, stage: Stage, home: Home) -> None:
+        self.identity, self.home = identity, home
+        self.id, self.clock_kind, self.rate = identity.id, identity.clock, stage.rate
+        self._live = LiveStage(self.id, stage, self.clock_kind, home)
+        self._lock = StageLock(home.now)
         self._closed = threading.Event()
         self._past = PastStages(self._copy)
 
@@ -63,6 +63,7 @@ class StageHost:
         :raises ConflictError: when the stage as it is now does not allow it.
         :raises BusyError: when another thread holds the stage for 20 s.
         :raises CancelledError: when the token is cancelled, or the stage is closed, before the work is done.
+        :raises StorageError: when the disk refuses to keep the change that the message makes.
         """
         kind = type(message)
         answer: Any
@@ -75,16 +76,18 @@ class StageHost:
             copy = self._copy()
             copy.before_tick = token.check
             answer = on_a_copy(copy, message)
+        elif kind in IN_SLICES or kind in OF_THE_CLOCK:
+            answer = self._moved(message, token)
         else:
             answer = _HANDLERS[kind](self, message, token)
         reply: ask.Reply = answer
         return reply
 
     def advance_to(self, now: float) -> float:
-        """Takes the steps that are due at `now` (perf_counter seconds), and publishes the facts that waited
+        """Takes the steps that are due at `now` (seconds of `home.now`), and publishes the facts that waited
         for durability; returns the seconds until the next call.
 
-        The ticker calls this. Nothing happens while another thread holds the stage, or nobody uses it.
+        Nothing happens while another thread holds the stage, or nobody uses it.
         """
         if self.is_unclaimed or not self._lock.lock.acquire(blocking=False):
             return 1 / self.rate
@@ -93,29 +96,45 @@ class StageHost:
         finally:
             self._lock.lock.release()
 
-    def join(self, outbox: Outbox) -> None:
-        """Adds a viewer, whose outbox gets the frames and facts from now on. Call it in the event loop.
+    def keep(self, kept: KeptStage, also: Sequence[Statement] = ()) -> None:
+        """Keeps the stage from now on; `also` goes into the same commit."""
+        with self._locked() as live:
+            live.keep(kept, also)
 
-        :raises BusyError: when the stage has the most viewers that it may have.
-        """
-        self._live.fanout.join(outbox)
+    def resume(self, kept: KeptStage, *, paused: bool, speed: float) -> None:
+        """Goes on with a stage that was kept."""
+        with self._locked() as live:
+            live.kept, live.restored = kept, live.stage.tick
+            live.clock.paused, live.clock.speed = paused, speed
+
+    def save(self) -> None:
+        """Keeps the playhead, the clock and new snapshots, if they changed."""
+        with self._locked() as live:
+            live.save()
+
+    def join(self, outbox: Outbox, loop: Loop | None = None) -> None:
+        """Adds a viewer in the event loop; :raises BusyError: when the stage has the most viewers it may."""
+        self._live.fanout.join(outbox, loop)
 
     def leave(self, outbox: Outbox) -> None:
         """Removes a viewer; the stage counts as idle from now on if it was the last one."""
         self._live.fanout.leave(outbox)
         if not self._live.fanout.outboxes:
             self._past.forget()
-        self._lock.touched = time.monotonic()
+        self._lock.touched = self.home.now()
 
     def look_after_viewers(self, now: float) -> None:
-        """Disconnects viewers that leave frames unacknowledged, and sends the others the status; `now` on the
-        monotonic clock. Call it in the event loop.
-        """
+        """Sends the status to viewers, in the event loop; disconnects viewers that acknowledge no frames."""
         self._live.fanout.cut_overdue(now)
         self._live.announce()
 
+    @property
+    def actors(self) -> int:
+        """The number of actors."""
+        return len(self._live.stage.state.ids)
+
     def idle_for(self, now: float) -> float:
-        """Returns the seconds without a request or a viewer until `now`, on the monotonic clock."""
+        """Returns the seconds without a request or a viewer until `now`, in seconds of `home.now`."""
         return 0.0 if self._live.fanout.outboxes else now - self._lock.touched
 
     @contextmanager
@@ -128,10 +147,9 @@ class StageHost:
         with self._locked() as live:
             return live.stage.copy()
 
-    def _in_slices(self, work: Iterator[int], token: CancelToken) -> StageStatus:
-        """Runs long work; what is done stays if the work is cancelled.
-
-        :raises CancelledError: when the token is cancelled, or the stage is closed, before the work is done.
+    def _moved(self, message: ask.Message[Any], token: CancelToken) -> StageStatus:
+        """Moves the stage through time or sets its clock, and answers when that is kept; what is done of long
+        work stays if the work is cancelled.
         """
 
         def check() -> None:
@@ -139,112 +157,88 @@ class StageHost:
             if self._closed.is_set():
                 raise CancelledError("the work is cancelled: the stage is closed")
 
-        self._lock.in_slices(work, check)
-        if self._live.facts_waiting:
-            self.home.wake()
+        self.home.check_storage()
+        if in_slices := IN_SLICES.get(type(message)):
+            self._lock.in_slices(in_slices(self._live, message), check)
+        else:
+            with self._locked() as live:
+                OF_THE_CLOCK[type(message)](live, message)
+        self.home.wake()
+        self.save()
+        self.home.flush()
         return self._live.status()
 
     # --- one method for each message
-
     def _post(self, message: ask.Post, token: CancelToken) -> Posted:
         """Answers when the commands are durable: what was acknowledged survives a crash."""
         token.check()
+        self.home.check_storage()
         stage, posted = self._applied(message, token)
-        while not stage.durable(posted.seq, LOOK_SECONDS):
+        if stage is None:  # the message came before
+            self.home.flush()
+        while stage and not stage.durable(posted.seq, LOOK_SECONDS):
             token.check()
+            self.home.check_storage()
         return posted
 
-    def _applied(self, message: ask.Post, token: CancelToken) -> tuple[Stage, Posted]:
-        machines = {command.machine for command in message.commands if isinstance(command, AddActor)}
-        roles = {machine: _packed(self.home.catalogue.role(machine)) for machine in machines}
+    def _applied(self, message: ask.Post, token: CancelToken) -> tuple[Stage | None, Posted]:
+        roles = roles_to_add(message.commands, self.home.catalogue.role)
         with self._locked() as live:
             stage = live.stage
+            if live.keys and (earlier := live.keys.earlier(message)):
+                return None, earlier
             tick = stage.tick if message.at is None else min(message.at, stage.head)
             if not message.forks or tick == stage.tick == stage.head:
-                return stage, live.apply(message.commands, roles)
+                return stage, live.apply(message, roles)
             if not message.may_fork:
                 raise LimitError("too many forks at once; wait a few seconds, or continue in one of them")
-            past = stage.copy()
-        branch = self._branch(past, tick, token)  # may take long: without the lock, the stage keeps running
-        with branch._locked() as live:
-            stage, posted = live.stage, live.apply(message.commands, roles)
-        branch.is_unclaimed = True
-        self.home.hold(branch)
+            past, keys = stage.copy(), live.keys
+            under_way: Context[object] = keys.reserved(message) if keys else nullcontext()
+        with under_way:  # may take long: without the lock, the stage keeps running
+            branch = self._branch(past, tick, token)
+            with branch._locked() as live:
+                stage, posted = live.stage, live.apply(message, roles)
+            branch.is_unclaimed = True
+            kept: Context[list[Statement]] = keys.answering(message, posted) if keys else nullcontext([])
+            with kept as answer:
+                self.home.hold(branch, answer)
         return stage, posted
 
     def _fork(self, message: ask.Fork, token: CancelToken) -> str:
+        self.home.check_storage()
         past = self._copy()
         tick = past.tick if message.tick is None else message.tick
         return self.home.hold(self._branch(past, tick, token)).id
 
     def _branch(self, past: Stage, tick: int, token: CancelToken) -> StageHost:
-        """Returns the host of a fork of `past` at a tick; `past` is a copy that this method may change."""
-        past.before_tick = token.check
-        if tick != past.tick:
-            past.seek(tick)
-        branch = past.fork()
-        branch.before_tick = NEVER.check
-        return StageHost(secrets.token_hex(4), branch, self.clock_kind, self.home)
+        branch = branch_at(past, tick, token)
+        identity = StageIdentity(self.home.new_id(), "", branch.seed, branch.rate, self.clock_kind)
+        return StageHost(identity, branch, self.home)
 
     def _edit(self, message: ask.Edit, _: CancelToken) -> bool:
-        role = _packed(self.home.catalogue.version(message.machine, message.text))
+        role = packed(self.home.catalogue.version(message.machine, message.text))
         with self._locked() as live:
             return live.edit(role, message.text)
-
-    def _step(self, message: ask.Step, token: CancelToken) -> StageStatus:
-        return self._in_slices(self._live.stepping(message.ticks), token)
-
-    def _step_to(self, message: ask.StepTo, token: CancelToken) -> StageStatus:
-        return self._in_slices(self._live.stepping_to(message.tick), token)
-
-    def _seek(self, message: ask.Seek, token: CancelToken) -> StageStatus:
-        return self._in_slices(self._live.seeking(message.tick), token)
-
-    def _pause(self, message: ask.Pause, _: CancelToken) -> StageStatus:
-        with self._locked() as live:
-            live.pause(message.paused)
-        self.home.wake()
-        return self._live.status()
-
-    def _set_speed(self, message: ask.SetSpeed, _: CancelToken) -> StageStatus:
-        with self._locked() as live:
-            live.set_speed(message.speed)
-        self.home.wake()
-        return self._live.status()
 
     def _frame(self, message: ask.Frame, token: CancelToken) -> EncodedFrame:
         if message.tick is None:
             with self._locked() as live:
-                encode = live.taken_frame(live.stage, message.kind)
+                encode = live.taken_frame(live.stage, message.form)
         else:
             with self._past.at(message.tick, token) as past:
-                encode = self._live.taken_frame(past, message.kind)
+                encode = self._live.taken_frame(past, message.form)
         return encode()
-
-    def _status(self, _: ask.Status, __: CancelToken) -> StageStatus:
-        return self._live.status()
 
     def _close(self, _: ask.Close, __: CancelToken) -> None:
         self._closed.set()
         self._live.fanout.end("deleted", "the stage was deleted")
 
 
-def _packed(role: Role) -> Role:
-    """Returns the role once the arrays that ticks read are made, without the lock of a stage."""
-    role.packed  # noqa: B018 - kept in the role
-    return role
-
-
 _HANDLERS: dict[type[ask.Message[Any]], Callable[[StageHost, Any, CancelToken], Any]] = {
     ask.Post: StageHost._post,
     ask.Edit: StageHost._edit,
-    ask.Step: StageHost._step,
-    ask.StepTo: StageHost._step_to,
-    ask.Seek: StageHost._seek,
     ask.Fork: StageHost._fork,
-    ask.Pause: StageHost._pause,
-    ask.SetSpeed: StageHost._set_speed,
     ask.Close: StageHost._close,
-    ask.Status: StageHost._status,
+    ask.Status: lambda host, *_: host._live.status(),
     ask.Frame: StageHost._frame,
 }

@@ -9,16 +9,17 @@ from contextlib import contextmanager
 
 from statwalk.errors import BusyError
 from statwalk.services.cancel import SLICE_SECONDS
+from statwalk.services.threads import Now
 
 BUSY_SECONDS = 20.0
 
 
 class StageLock:
-    """A lock that says when it was last asked for: `touched`, in seconds of the monotonic clock."""
+    """A lock that says when it was last asked for: `touched`, in seconds of `now`."""
 
-    def __init__(self) -> None:
-        self.lock = threading.Lock()
-        self.touched = time.monotonic()
+    def __init__(self, now: Now = time.perf_counter) -> None:
+        self.lock, self.now = threading.Lock(), now
+        self.touched = now()
 
     @contextmanager
     def held(self) -> Iterator[None]:
@@ -29,7 +30,7 @@ class StageLock:
         if not self.lock.acquire(timeout=BUSY_SECONDS):
             raise BusyError("the stage is busy with a long step; try again")
         try:
-            self.touched = time.monotonic()
+            self.touched = self.now()
             yield
         finally:
             self.lock.release()
@@ -43,7 +44,7 @@ class StageLock:
         while unfinished:
             check()
             with self.held():
-                slice_end = time.perf_counter() + SLICE_SECONDS
-                while unfinished and time.perf_counter() < slice_end:
+                slice_end = self.now() + SLICE_SECONDS
+                while unfinished and self.now() < slice_end:
                     unfinished = next(work, None) is not None
             time.sleep(0)  # lets a thread that waits for the lock run

@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
+from statwalk.files.skeleton_svg import Side
 from statwalk.services.hosting import stage_replies as replies
 from statwalk.services.hosting.commands import Command
-from statwalk.services.publish.outbox import EncodedFrame, FrameKind
+from statwalk.services.publish.outbox import EncodedFrame, FrameForm, FrameKind
+from statwalk.skin.skinning import Skinning
 from statwalk.stage.explain import why, whynot
 
 Reply = TypeVar("Reply", covariant=True)
@@ -28,12 +30,16 @@ class Post(Message[replies.Posted]):
 
     The first refused command raises, and the later ones do not run; a fork with a refused command is dropped.
     Without `may_fork` commands that need a new fork are refused.
+
+    `key`: an idempotency key; a second message with the key does nothing, and gets the answer of the first,
+    as long as the stage has a store.
     """
 
     commands: tuple[Command, ...]
     at: int | None = None
     forks: bool = True
     may_fork: bool = True
+    key: str = ""
 
 
 @dataclass(frozen=True)
@@ -163,13 +169,32 @@ class Frame(Message[EncodedFrame]):
 
     kind: FrameKind
     tick: int | None = None
+    skinning: Skinning | None = None
+    """of `glb`; None: each character's own"""
+
+    @property
+    def form(self) -> FrameForm:
+        """Returns the kind and the way of skinning."""
+        return FrameForm(self.kind, self.skinning)
 
 
 @dataclass(frozen=True)
 class FrameFile(Message[bytes]):
-    """Asks for the frame of a tick (None: the playhead) as a complete .glb with its images."""
+    """Asks for the frame of a tick (None: the playhead) as a complete .glb with its images; `skinning` None:
+    each character's own.
+    """
 
     tick: int | None = None
+    skinning: Skinning | None = None
+
+
+@dataclass(frozen=True)
+class StickFigures(Message[str]):
+    """Asks for an actor at some ticks as stick figures, SVG; without ticks at the playhead."""
+
+    actor: int
+    ticks: tuple[int, ...]
+    side: Side
 
 
 @dataclass(frozen=True)

@@ -20,12 +20,12 @@ from statwalk.services.hosting.stage_replies import (
     StateHistory,
 )
 from statwalk.services.hosting.state_history import MOST_CHANGES, state_changes
+from statwalk.services.hosting.stick_figures import stick_figures
 from statwalk.services.publish.gltf_frames import whole
 from statwalk.stage.explain.why import Why, why
 from statwalk.stage.explain.whynot import WhyNot, whynot
 from statwalk.stage.history.state_codec import to_bytes
 from statwalk.stage.stage import Stage
-from statwalk.stage.state.commands import Add
 
 Reply = TypeVar("Reply")
 Item = TypeVar("Item")
@@ -134,7 +134,11 @@ def _history(stage: Stage, _: ask.History) -> StateHistory:
 def _frame_file(stage: Stage, message: ask.FrameFile) -> bytes:
     if message.tick is not None:
         stage.seek(message.tick)
-    return whole(stage.frame)
+    return whole(stage.frame, message.skinning)
+
+
+def _stick_figures(stage: Stage, message: ask.StickFigures) -> str:
+    return stick_figures(stage, message.actor, message.ticks or (stage.tick,), message.side)
 
 
 def _recording(stage: Stage, message: ask.Recording) -> bytes:
@@ -152,11 +156,11 @@ def _whynot(stage: Stage, message: ask.WhyNot) -> WhyNot:
 
 
 def _check_actor(stage: Stage, actor: int) -> None:
-    """Accepts a removed actor too: the log still has its arrival.
+    """Accepts a removed actor too.
 
-    :raises UnknownNameError: when the stage never had this actor.
+    :raises UnknownNameError: when the stage never had this actor, or has forgotten it.
     """
-    if all(entry.actor != actor for entry in stage.log if isinstance(entry.command, Add)):
+    if actor not in stage.arrivals():
         stage.actor(actor)
 
 
@@ -176,6 +180,7 @@ ON_A_COPY: Mapping[type[ask.Message[Any]], Callable[[Stage, Any], Any]] = {
     ask.History: _history,
     ask.FrameFile: _frame_file,
     ask.Recording: _recording,
+    ask.StickFigures: _stick_figures,
     ask.Why: _why,
     ask.WhyNot: _whynot,
 }

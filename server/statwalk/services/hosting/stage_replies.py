@@ -16,7 +16,9 @@ from statwalk.stage.steps.reached import ReachedTarget
 
 @dataclass(frozen=True)
 class StageStatus:
-    """The status of a stage: `tick` is its playhead, `head` the newest tick, `first` the oldest tick."""
+    """The status of a stage: `tick` is its playhead, `head` the newest tick, `first` the oldest tick; `pace`
+    is the part of its speed at which it runs, less than 1 while it takes more time than it may.
+    """
 
     tick: int
     head: int
@@ -24,6 +26,11 @@ class StageStatus:
     paused: bool
     speed: float
     viewers: int
+    pace: float = 1.0
+    restored: int | None = None
+    """the tick at which the stage came back when the server started; None: it was opened since then"""
+    trouble: str = ""
+    """why nothing can be kept now, such as a full disk; empty while everything is kept"""
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from statwalk.services.hosting.stage_replies import StateChange
 from statwalk.stage.stage import LONGEST_HISTORY, Stage
-from statwalk.stage.state.commands import Add
 from statwalk.stage.state.frame import Verdict
 
 MOST_CHANGES = 10_000
@@ -19,7 +18,7 @@ def state_changes(stage: Stage) -> list[StateChange]:
     later = [
         StateChange(verdict.tick, verdict.actor, verdict.layer, verdict.to_state)
         for verdict in stage.verdicts
-        if verdict.verdict == "taken" and verdict.to_state
+        if verdict.verdict == "taken" and verdict.to_state and verdict.tick >= _oldest(stage)
     ]
     return sorted([*_beginnings(stage), *later], key=lambda change: change.tick)
 
@@ -28,25 +27,34 @@ def _beginnings(stage: Stage) -> Iterator[StateChange]:
     """Yields the first state of each layer of each actor: at the actor's arrival, or at the oldest tick whose
     verdicts the stage still holds.
     """
-    oldest = stage.verdicts[0].tick if len(stage.verdicts) == LONGEST_HISTORY else 0
+    oldest = _oldest(stage)
     first: dict[tuple[int, int], Verdict] = {}
     for verdict in stage.verdicts:
-        first.setdefault((verdict.actor, verdict.layer), verdict)
-    arrivals = {entry.actor: entry for entry in stage.log if isinstance(entry.command, Add)}
-    for entry in arrivals.values():
-        if entry.tick >= oldest and isinstance(entry.command, Add):
-            for layer, state in enumerate(_initial_states(stage, entry.command.role)):
-                yield StateChange(entry.tick, entry.actor, layer, state)
+        if verdict.tick >= oldest:
+            first.setdefault((verdict.actor, verdict.layer), verdict)
+    came_later = set()
+    for change in _arrivals(stage, oldest):
+        came_later.add(change.actor)
+        yield change
     for (actor, layer), verdict in first.items():
-        if arrivals[actor].tick < oldest:
+        if actor not in came_later:
             yield StateChange(oldest, actor, layer, verdict.from_state)
     for present in stage.actors if stage.tick >= oldest else ():
         for layer, state in enumerate(present.states):  # without a verdict since then, the state is the same
-            if arrivals[present.id].tick < oldest and (present.id, layer) not in first:
+            if present.id not in came_later and (present.id, layer) not in first:
                 yield StateChange(oldest, present.id, layer, state)
 
 
-def _initial_states(stage: Stage, role: str) -> list[str]:
-    """Returns the initial state of each layer."""
-    machine = stage.roles[role].machine
-    return [machine.states[state] for state in machine.initials]
+def _oldest(stage: Stage) -> int:
+    """The oldest tick whose verdicts the stage still holds."""
+    known = max(stage.first, stage.remembered_from)
+    return max(known, stage.verdicts[0].tick) if len(stage.verdicts) == LONGEST_HISTORY else known
+
+
+def _arrivals(stage: Stage, oldest: int) -> Iterator[StateChange]:
+    """Yields the initial states of the actors that came at tick `oldest` or later."""
+    for actor, (tick, role) in stage.arrivals().items():
+        if tick is not None and tick >= oldest:
+            machine = stage.roles[role].machine
+            for layer, state in enumerate(machine.initials):
+                yield StateChange(tick, actor, layer, machine.states[state])

@@ -9,44 +9,29 @@ from __future__ import annotations
 import logging
 import threading
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from weakref import WeakKeyDictionary
 
 from statwalk.character.character import Character
 from statwalk.character.role import Role
 from statwalk.errors import ContentError, UnknownNameError
-from statwalk.files.machine_yaml.machine_file import FILE_NAME, MachineFile, load_machine, machine_of
+from statwalk.files.machine_yaml.machine_file import FILE_NAME, load_machine, machine_of
 from statwalk.files.scene import FILE_NAME as SCENE_FILE
 from statwalk.files.scene import load_scene_file
 from statwalk.services.library.checked_characters import CheckedCharacters
+from statwalk.services.library.entry import Entry
 from statwalk.services.library.load import (
-    Scene,
     character_path,
     load_role,
     shipped_machines,
     shipped_machines_folder,
-    shipped_scenes,
 )
+from statwalk.services.library.load_scene import Scene, shipped_scenes
 from statwalk.services.library.model_store import ModelStore, UploadedCharacter
 
 DEFAULT_MACHINE = "faq-walker"
 log = logging.getLogger(__name__)
-
-
-@dataclass(frozen=True)
-class Entry:
-    """A machine folder; `character` is its character's name in the catalogue; `made`: the folder is in the
-    data folder, made by this API.
-    """
-
-    name: str
-    folder: Path
-    file: MachineFile
-    character: str
-    made: bool = False
-    scene: str = ""
-    """the scene whose folder holds the machine; empty: none"""
 
 
 class Catalogue:
@@ -59,6 +44,8 @@ class Catalogue:
         self.entries: dict[str, Entry] = {}
         self.owners: dict[str, str] = {}
         self.roles: dict[str, Role] = {}
+        self.texts: WeakKeyDictionary[Role, str] = WeakKeyDictionary()
+        """the machine file's text of every role"""
         self.checked = CheckedCharacters()
         self.lock = threading.RLock()
         self.scene_folders: dict[str, Path] = {}
@@ -153,13 +140,15 @@ class Catalogue:
                 self.entries = self.entries | {
                     folder.name: Entry(folder.name, folder, file, version, made=True)
                 }
-                self.roles |= {folder.name: role} if role else {}
+                if role:
+                    self.roles[folder.name], self.texts[role] = role, file.text
 
     def renew(self, entry: Entry, role: Role) -> None:
         """Replaces a machine by another version of it."""
         with self.lock:
             self.entries = self.entries | {entry.name: entry}
             self.roles = self.roles | {entry.name: role}
+            self.texts[role] = entry.file.text
 
     def drop(self, machine: str) -> None:
         """Removes a machine of the store."""
@@ -186,7 +175,8 @@ class Catalogue:
         with self.lock:
             if machine not in self.roles:
                 text, character_at = entry.file.text, partial(self.checked.character_at, self.store)
-                self.roles[machine] = load_role(entry.folder, entry.name, text, character_at)
+                role = load_role(entry.folder, entry.name, text, character_at)
+                self.roles[machine], self.texts[role] = role, text
             return self.roles[machine]
 
     def version(self, machine: str, text: str) -> Role:
@@ -200,9 +190,12 @@ class Catalogue:
             return role
         file = machine_of(text, entry.folder, FILE_NAME)
         if file.captures != entry.file.captures:
-            return load_role(entry.folder, entry.name, text, partial(self.checked.character_at, self.store))
-        file.check_root(role.character.skeleton.names)
-        return Role.build(role.name, role.character, file.definition, file.root_joint)
+            role = load_role(entry.folder, machine, text, partial(self.checked.character_at, self.store))
+        else:
+            file.check_root(role.character.skeleton.names)
+            role = Role.build(role.name, role.character, file.definition, file.root_joint)
+        self.texts[role] = text
+        return role
 
     def uploads(self) -> dict[str, UploadedCharacter]:
         """Returns the uploaded characters by name, without names that a machine folder's character has."""
@@ -227,7 +220,7 @@ class Catalogue:
         owner = self._owner(name)
         if owner is not None:
             return self.role(owner).character.model_glb
-        return self._store_with(name).model(self.uploads()[name].sha256).read_bytes()
+        return self._store_with(name).read_model(self.uploads()[name].sha256)
 
     def _owner(self, name: str) -> str | None:
         """Returns the machine in whose folder the character is, or the first machine made from it."""

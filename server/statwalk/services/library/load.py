@@ -1,4 +1,4 @@
-"""Loads a Character, a Role (a machine with its character) or a Scene by path or name.
+"""Loads a Character or a Role (a machine with its character) by path or name.
 
 This module joins files and stage, which do not import each other.
 """
@@ -6,31 +6,24 @@ This module joins files and stage, which do not import each other.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from math import radians
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from statwalk.character.character import Character
 from statwalk.character.role import Role
-from statwalk.errors import ContentError, MachineError, UnknownNameError
-from statwalk.files import captures
+from statwalk.errors import ContentError, UnknownNameError
+from statwalk.files import captures, model_formats
 from statwalk.files.bvh.bvh_file import Position
 from statwalk.files.character_yaml import load_character
-from statwalk.files.gltf import read_model
 from statwalk.files.machine_yaml.capture_lines import with_captures
 from statwalk.files.machine_yaml.machine_file import FILE_NAME as MACHINE_FILE
 from statwalk.files.machine_yaml.machine_file import MachineFile, load_machine, machine_of
-from statwalk.files.scene import FILE_NAME as SCENE_FILE
-from statwalk.files.scene import ActorLine, SceneFile, load_scene_file
-from statwalk.files.zipped_model import load_zip
-from statwalk.stage.actor import Actor
-from statwalk.stage.stage import Stage
+from statwalk.files.md2 import md2_file
 
 PACKAGE = Path(__file__).resolve().parents[2]
-MODEL_SUFFIXES = (".glb", ".gltf")
-ZIP_SUFFIX = ".zip"
 TEXT_SUFFIXES = (".yaml", ".yml")
-LARGEST_MODEL_BYTES = 64 << 20
+GLTF_SUFFIXES = (".glb", ".gltf")
 
 
 def shipped_machines_folder() -> Path:
@@ -59,14 +52,21 @@ def machine_folders() -> dict[str, Path]:
 
 
 def load(
-    source: str | Path, text: str = "", *, position: Position = "replace", scale: float = 1.0
+    source: str | Path,
+    text: str = "",
+    *,
+    position: Position = "replace",
+    scale: float = 1.0,
+    inbetween: md2_file.Inbetween = "linear",
 ) -> Character | Role:
-    """Loads a Character from a model (.glb, .gltf, .zip), a folder with one model, a motion capture (.bvh,
-    .trc) or a character file (.yaml); loads a Role from a machine folder or a shipped machine's name.
+    """Loads a Character from a model of any format (.glb, .gltf, .zip, .bvh, .trc …: `model_formats`), a
+    folder with one model, or a character file (.yaml); loads a Role from a machine folder or a shipped
+    machine's name.
 
     `text`: the text of another version of the machine, as `replay` finds it in a log under `name@2`. For a
     capture: `position` "replace" (a joint's position channels replace its offset) or "add", and `scale`,
-    which multiplies all lengths; the file's units are kept otherwise.
+    which multiplies all lengths; the file's units are kept otherwise. For an .md2: `scale`, and `inbetween`
+    "linear" (vertices go from frame to frame) or "switched" (they switch half-way).
 
     :raises ContentError: when a file is refused.
     :raises UnknownNameError: when no file, folder or shipped machine has this name.
@@ -76,14 +76,27 @@ def load(
     path = Path(source)
     if path.suffix.lower() in captures.SUFFIXES:
         return captures.load_capture(path, captures.Reading(position, scale))
-    if path.suffix.lower() in (*MODEL_SUFFIXES, ZIP_SUFFIX, *TEXT_SUFFIXES):
+    if path.suffix.lower() == md2_file.SUFFIX:
+        read = partial(md2_file.read_md2, inbetween=inbetween, scale=scale)
+        return replace(model_formats.format_of(path), read=read).load_file(path)
+    if path.suffix.lower() in (*model_formats.SUFFIXES, *TEXT_SUFFIXES):
         return load_character_file(path)
     if path.is_dir():
         return load_role(path) if (path / MACHINE_FILE).is_file() else _load_model_folder(path)
-    return _load_shipped(str(source), "model file, machine folder or shipped machine")
+    return load_shipped(str(source), "model file, machine folder or shipped machine")
 
 
-def _load_shipped(name: str, kind: str = "shipped machine", text: str = "") -> Role:
+def character_from(source: str | Path) -> Character:
+    """Returns the Character of whatever `load` reads: of a machine its character.
+
+    :raises ContentError: when a file is refused.
+    :raises UnknownNameError: when no file, folder or shipped machine has this name.
+    """
+    loaded = load(source)
+    return loaded if isinstance(loaded, Character) else loaded.character
+
+
+def load_shipped(name: str, kind: str = "shipped machine", text: str = "") -> Role:
     """Returns the Role of a shipped machine: `faq-walker`, or in a scene `playground.door`.
 
     Looks the name up in `machine_folders()`; a name from outside never becomes part of a path.
@@ -100,7 +113,7 @@ def _load_version(name: str, text: str) -> Role:
     """Returns the Role of a machine folder or a shipped machine, with `text` in place of its machine file."""
     if (Path(name) / MACHINE_FILE).is_file():
         return load_role(Path(name), text=text)
-    return _load_shipped(name, text=text)
+    return load_shipped(name, text=text)
 
 
 def load_character_file(path: Path) -> Character:
@@ -108,29 +121,17 @@ def load_character_file(path: Path) -> Character:
 
     :raises ContentError: when the file does not exist, is too large, or is refused.
     """
+    if path.suffix.lower() not in TEXT_SUFFIXES:
+        return model_formats.format_of(path).load_file(path)
     if not path.is_file():
         raise ContentError("there is no such file", file=str(path))
-    if path.suffix.lower() in TEXT_SUFFIXES:
-        return load_character(path)
-    if path.suffix.lower() in captures.SUFFIXES:
-        return captures.load_capture(path)
-    if path.suffix.lower() == ZIP_SUFFIX:
-        return load_zip(path)
-    if path.stat().st_size > LARGEST_MODEL_BYTES:
-        raise ContentError(f"a model may have {LARGEST_MODEL_BYTES >> 20} MiB at most", file=str(path))
-    try:
-        return read_model(path.read_bytes(), path.stem, path.parent)
-    except ContentError as error:
-        raise error.in_file(str(path)) from None
+    return load_character(path)
 
 
 def _load_model_folder(folder: Path) -> Character:
-    """Loads the Character of a folder with exactly one model and the files that the model needs.
-
-    :raises ContentError: when the folder has no model or more than one, or the model is refused.
-    """
+    """Loads the Character of a folder with exactly one model and the files that the model needs."""
     models = sorted(
-        path for path in folder.iterdir() if path.suffix.lower() in MODEL_SUFFIXES and path.is_file()
+        path for path in folder.iterdir() if path.suffix.lower() in GLTF_SUFFIXES and path.is_file()
     )
     if not models:
         raise ContentError(f"the folder holds no {MACHINE_FILE}, and no .gltf or .glb", file=str(folder))
@@ -176,72 +177,3 @@ def character_path(file: MachineFile) -> Path:
             )
         file = load_machine(shipped_machines_folder() / name)
     return file.character_path
-
-
-@dataclass(frozen=True)
-class Scene:
-    """The actors of a stage when it opens: for each line of the scene file its role and its places."""
-
-    name: str
-    title: str
-    description: str
-    seed: int
-    lines: tuple[tuple[Role, ActorLine], ...]
-
-    def enter(self, stage: Stage) -> list[Actor]:
-        """Adds the actors to a stage; returns them in the order of the scene file."""
-        actors: list[Actor] = []
-        for role, line in self.lines:
-            names, positions = zip(*line.places(), strict=True)
-            heading = radians(line.heading_deg)
-            actors += stage.add_many(role, [(position, heading) for position in positions], names)
-        return actors
-
-    def open(self, rate: int = 60) -> Stage:
-        """Returns a new stage with the actors of the scene."""
-        stage = Stage(self.seed, rate)
-        self.enter(stage)
-        return stage
-
-
-def shipped_scenes() -> list[str]:
-    """Returns the names of the shipped scenes, sorted."""
-    return sorted(path.parent.name for path in shipped_machines_folder().glob(f"*/{SCENE_FILE}"))
-
-
-def load_scene(source: str | Path) -> Scene:
-    """Loads a scene from its folder or by a shipped scene's name; each of its machines is a sub-folder, or a
-    shipped machine.
-
-    :raises ContentError: when a file is refused.
-    :raises UnknownNameError: when no folder and no shipped scene has this name.
-    """
-    shipped_folders = {name: shipped_machines_folder() / name for name in shipped_scenes()}
-    folder = Path(source) if (Path(source) / SCENE_FILE).is_file() else shipped_folders.get(str(source))
-    if folder is None:
-        raise UnknownNameError("scene", str(source), shipped_folders)
-    file = load_scene_file(folder)
-    roles: dict[str, Role] = {}
-    for line in file.actors:
-        if line.machine not in roles:
-            roles[line.machine] = _role_of(file, folder, line)
-    return Scene(
-        file.name,
-        file.title,
-        file.description,
-        file.seed,
-        tuple((roles[line.machine], line) for line in file.actors),
-    )
-
-
-def _role_of(file: SceneFile, folder: Path, line: ActorLine) -> Role:
-    scene_machines = sorted(path.parent.name for path in folder.glob(f"*/{MACHINE_FILE}"))
-    if line.machine in scene_machines:
-        return load_role(folder / line.machine, f"{file.name}.{line.machine}")
-    if line.machine in shipped_machines():
-        return _load_shipped(line.machine)
-    raise MachineError(
-        str(UnknownNameError("machine", line.machine, [*scene_machines, *shipped_machines()])),
-        file=file.file,
-        place=f"line {line.line}",
-    )

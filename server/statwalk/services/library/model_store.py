@@ -27,7 +27,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.character.character import Character
-from statwalk.errors import ContentError
+from statwalk.errors import ContentError, StorageError
 from statwalk.files.character_archive import read_character
 from statwalk.files.machine_yaml.machine_file import FILE_NAME
 from statwalk.services.library.upload_sandbox import checked_beside, read_in_child
@@ -78,6 +78,18 @@ class ModelStore:
         """Returns the path of the model with this hash."""
         return self.models / f"{sha256}.glb"
 
+    def read_model(self, sha256: str) -> bytes:
+        """Returns the model with this hash.
+
+        :raises StorageError: when the disk holds something else by now.
+        """
+        data = self.model(sha256).read_bytes()
+        if hashlib.sha256(data).hexdigest() != sha256:
+            raise StorageError(
+                f"the model {sha256[:8]} in the data folder is damaged; upload it again, or restore a backup"
+            )
+        return data
+
     def machine_folders(self) -> list[Path]:
         """Returns the folders of the machines in the data folder, sorted by name."""
         return sorted(
@@ -99,15 +111,16 @@ class ModelStore:
         checks the model again.
 
         :raises ContentError: when the child refuses the model.
+        :raises StorageError: when the model is damaged.
         """
-        model = self.model(sha256)
+        model, data = self.model(sha256), self.read_model(sha256)
         try:
-            return read_character(checked_beside(model), model.read_bytes())
+            return read_character(checked_beside(model), data)
         except ContentError:
             with self.working() as folder:
                 read_in_child(model, folder / "model.glb", sha256)
                 self.keep_checked(sha256, checked_beside(folder / "model.glb"))
-            return read_character(checked_beside(model), model.read_bytes())
+            return read_character(checked_beside(model), data)
 
     # --- writing
 

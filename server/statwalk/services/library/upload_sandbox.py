@@ -19,15 +19,18 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from statwalk.character.character import Character
 from statwalk.errors import ContentError, ModelError
-from statwalk.files import archive, captures
+from statwalk.files import archive, captures, model_formats
 from statwalk.files.character_archive import write_character
 from statwalk.files.gltf import read_model
+from statwalk.files.md2 import md2_header, read_md2
+from statwalk.files.md2.md2_file import Inbetween
 from statwalk.motion.filter_clip import Filter
 from statwalk.services.cancel import NEVER, CancelToken
 
@@ -36,7 +39,10 @@ if sys.platform != "win32":
 
 MEMORY_BYTES = 1 << 30
 PROCESSOR_SECONDS = 10
-WALL_SECONDS = 15
+WALL_SECONDS = 60
+"""long, because a busy server runs the child last, and its start counts: what a file costs is bounded by
+PROCESSOR_SECONDS
+"""
 POLL_SECONDS = 0.1
 """the time between two checks of the token"""
 NICENESS = 10
@@ -56,26 +62,33 @@ def read_in_child(
     """Has a child read `upload`, and write `out`, a self-contained .glb, and `checked_beside(out)`; returns
     facts about the character. `how` says how a capture is read.
 
-    Blocks for at most 15 s.
+    Blocks for at most 60 s.
 
     :raises ContentError: when the file is refused, or the child exceeds its memory or time.
     :raises CancelledError: when the token is cancelled; the child is killed.
     """
-    command = [
-        sys.executable,
-        "-P",
-        "-m",
-        "statwalk.services.library.upload_sandbox",
-        str(upload),
-        str(out),
-        name,
-        json.dumps(asdict(how or captures.Reading())),
-    ]
+    arguments = [str(upload), str(out), name, json.dumps(asdict(how or captures.Reading()))]
+    module = "statwalk.services.library.upload_sandbox"
+    return child_answer(module, arguments, out.parent, token, WALL_SECONDS)
+
+
+def child_answer(
+    module: str, arguments: list[str], folder: Path, token: CancelToken, seconds: float
+) -> dict[str, Any]:
+    """Runs a module of ours in a child process in `folder`; returns the line of JSON that it prints.
+
+    :raises ContentError: when the child refuses the file, or exceeds its memory or `seconds`.
+    :raises CancelledError: when the token is cancelled; the child is killed.
+    """
     with subprocess.Popen(  # noqa: S603 - our own program, no shell
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=out.parent, env=os.environ | ONE_THREAD
+        [sys.executable, "-P", "-m", module, *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        cwd=folder,
+        env=os.environ | ONE_THREAD,
     ) as child:
         try:
-            output, error_output = _wait_for(child, token)
+            output, error_output = _wait_for(child, token, seconds)
         finally:
             child.kill()
     if child.returncode:
@@ -91,18 +104,18 @@ def checked_beside(model: Path) -> Path:
     return model.with_suffix(".npz")
 
 
-def _wait_for(child: subprocess.Popen[bytes], token: CancelToken) -> tuple[bytes, bytes]:
+def _wait_for(child: subprocess.Popen[bytes], token: CancelToken, seconds: float) -> tuple[bytes, bytes]:
     """Returns the child's standard output and standard error when it ends.
 
-    :raises ContentError: when the child runs longer than 15 s.
+    :raises ContentError: when the child runs longer than `seconds`.
     :raises CancelledError: when the token is cancelled.
     """
-    deadline = time.monotonic() + WALL_SECONDS
+    deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
         token.check()
         with contextlib.suppress(subprocess.TimeoutExpired):
             return child.communicate(timeout=POLL_SECONDS)
-    raise ContentError(f"reading it takes longer than {WALL_SECONDS} s")
+    raise ContentError(f"reading it takes longer than {seconds:g} s")
 
 
 def refusal(status: int, error_output: bytes) -> ContentError:
@@ -115,14 +128,23 @@ def refusal(status: int, error_output: bytes) -> ContentError:
 
 
 def main(upload: str, out: str, name: str, how: str = "{}") -> None:
-    """Runs the child: sets its limits, then reads the file."""
-    _limit_self()
+    """Runs the child that reads an upload."""
+    answer_as_child(lambda: read_upload(Path(upload), name, _reading(how)), Path(out))
+
+
+def answer_as_child(
+    character_of: Callable[[], Character], out: Path, seconds: int = PROCESSOR_SECONDS
+) -> None:
+    """Sets the limits of this process, makes a character, writes its model and the checked character, and
+    prints the facts, or the reason why it is refused.
+    """
+    _limit_self(seconds)
     answer: dict[str, Any]
     try:
-        character = read_upload(Path(upload), name, _reading(how))
+        character = character_of()
         answer = _checked_facts(character)
-        write_character(character, checked_beside(Path(out)))
-        Path(out).write_bytes(character.model_glb)
+        write_character(character, checked_beside(out))
+        out.write_bytes(character.model_glb)
     except ContentError as error:
         answer = {"message": error.message[:2_000], "file": error.file[:200], "place": error.place[:500]}
     except OSError as error:
@@ -134,10 +156,10 @@ def main(upload: str, out: str, name: str, how: str = "{}") -> None:
     sys.stdout.write(json.dumps(answer))
 
 
-def _limit_self() -> None:
+def _limit_self(seconds: int) -> None:
     if sys.platform != "win32":
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-        resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_SECONDS, PROCESSOR_SECONDS + 1))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
         resource.setrlimit(
             resource.RLIMIT_FSIZE, (archive.LARGEST_UNPACKED_BYTES, archive.LARGEST_UNPACKED_BYTES)
         )
@@ -151,25 +173,33 @@ def _reading(text: str) -> captures.Reading:
 
 
 def read_upload(upload: Path, name: str, how: captures.Reading | None = None) -> Character:
-    """Reads the character of a .glb, a self-contained .gltf, a zip, or a capture (.bvh, .trc).
+    """Reads the character of a zip, or of a file of any format that stands alone (`model_formats`).
 
     :raises ContentError: when the file is refused.
     """
     with upload.open("rb") as file:
         start = file.read(64)
-    zipped, kind = archive.is_zip(start), captures.kind_of(start)
+    kind = captures.kind_of(start)
     if kind:
         return captures.read_capture(upload.read_bytes(), kind, name, how)
+    if start.startswith(md2_header.START):
+        return read_md2(upload.read_bytes(), name, *_of_md2(how or captures.Reading()))
     if how is not None and how != captures.Reading():
-        raise ContentError("position, scale and filters are for captures: .bvh and .trc files")
-    if not zipped:
-        return read_model(upload.read_bytes(), name)
+        raise ContentError("position, scale and filters are for captures, .bvh and .trc; inbetween for .md2")
+    if not archive.is_zip(start):
+        return model_formats.format_that_starts(start).read_bytes(upload.read_bytes(), name)
     with tempfile.TemporaryDirectory(dir=upload.parent) as unpacked:
         model = archive.unpack(upload, Path(unpacked))
         try:
             return read_model(model.read_bytes(), name, model.parent)
         except ContentError as error:
             raise error.in_file(str(model.relative_to(unpacked))) from None
+
+
+def _of_md2(how: captures.Reading) -> tuple[Inbetween, float]:
+    if how != captures.Reading(scale=how.scale, inbetween=how.inbetween):
+        raise ContentError("position and filters are for captures: .bvh and .trc files")
+    return how.inbetween, how.scale
 
 
 def _checked_facts(character: Character) -> dict[str, Any]:

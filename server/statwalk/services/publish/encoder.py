@@ -12,7 +12,7 @@ from statwalk.services.publish import pose_message
 from statwalk.services.publish.fanout import Fanout
 from statwalk.services.publish.gltf_frames import GlbFrames
 from statwalk.services.publish.layout import CastLayout, FrameLayout
-from statwalk.services.publish.outbox import EncodedFrame, FrameKind
+from statwalk.services.publish.outbox import EncodedFrame, FrameForm
 from statwalk.stage.state.frame import CastFrame, Frame
 
 MOST_LAYOUTS = 16
@@ -33,29 +33,29 @@ class Encoder:
         self.lock = threading.Lock()
 
     def show(self, frame: Frame, head: int, describe: Describe, facts: Sequence[bytes]) -> None:
-        """Publishes a frame in the kinds that viewers watch, and encoded facts.
+        """Publishes a frame in the forms that viewers watch, and encoded facts.
 
         `head`: the newest tick of the stage.
         """
         frames = {
-            kind: encoded
-            for kind in self.fanout.kinds()
-            if (encoded := self._try_encode(frame, kind, head, describe))
+            form: encoded
+            for form in self.fanout.forms()
+            if (encoded := self._try_encode(frame, form, head, describe))
         }
         self.fanout.publish(frames, facts)
 
-    def encode(self, frame: Frame, kind: FrameKind, head: int, describe: Describe) -> EncodedFrame:
+    def encode(self, frame: Frame, form: FrameForm, head: int, describe: Describe) -> EncodedFrame:
         """Returns a frame as a binary message.
 
         :raises StageError: when the frame is too large.
         """
         layout = self.layout(frame, describe)
         data = (
-            self.glb.streamed(frame, layout.epoch)
-            if kind == "glb"
+            self.glb.streamed(frame, layout.epoch, form.skinning)
+            if form.kind == "glb"
             else pose_message.encode(frame, layout.epoch, head)
         )
-        return EncodedFrame(frame.tick, kind, layout, data)
+        return EncodedFrame(frame.tick, form.kind, layout, data, form.skinning)
 
     def layout(self, frame: Frame, describe: Describe) -> FrameLayout:
         """Returns the layout of a frame.
@@ -74,13 +74,13 @@ class Encoder:
             return self.layouts[key]
 
     def _try_encode(
-        self, frame: Frame, kind: FrameKind, head: int, describe: Describe
+        self, frame: Frame, form: FrameForm, head: int, describe: Describe
     ) -> EncodedFrame | None:
-        """Returns None if the frame is too large: the viewers of this kind are disconnected, the
+        """Returns None if the frame is too large: the viewers of this form are disconnected, the
         stage runs on.
         """
         try:
-            return self.encode(frame, kind, head, describe)
+            return self.encode(frame, form, head, describe)
         except StageError as error:
-            self.fanout.end("too large", str(error)[:100], kind)
+            self.fanout.end("too large", str(error)[:100], form)
             return None

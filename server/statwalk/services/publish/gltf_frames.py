@@ -6,58 +6,67 @@ import threading
 from collections import OrderedDict
 from collections.abc import Sequence
 
+from statwalk.character.character import Character
 from statwalk.errors import StageError
 from statwalk.files.gltf.template import FrameTemplate, PosedCast
+from statwalk.skin.skinning import SKINNINGS, Skinning
 from statwalk.stage.state.frame import CastFrame, Frame
 
 MOST_VERTICES = 1_000_000
 """the vertices of all actors together: a frame of 24 MB"""
-MOST_TEMPLATES = 2
-"""one for the present, one for a past tick with other actors"""
+MOST_TEMPLATES = 1 + len(SKINNINGS)
+"""one for each way of skinning of the present, one for a past tick with other actors"""
 
 
 class GlbFrames:
     """Keeps the templates of the last streamed layouts. Thread-safe."""
 
     def __init__(self) -> None:
-        self.templates: OrderedDict[int, FrameTemplate] = OrderedDict()
+        self.templates: OrderedDict[tuple[int, Skinning | None], FrameTemplate] = OrderedDict()
         self.lock = threading.Lock()
 
-    def streamed(self, frame: Frame, epoch: int) -> bytes:
-        """Returns a frame of a stream as a GLB without images.
+    def streamed(self, frame: Frame, epoch: int, skinning: Skinning | None = None) -> bytes:
+        """Returns a frame of a stream as a GLB without images; `skinning` None: each character's own.
 
         :raises StageError: when the actors have too many vertices together.
         """
         with self.lock:
-            if epoch not in self.templates:
-                self.templates[epoch] = _template_for(frame, images=False)
-            self.templates.move_to_end(epoch)
+            key = epoch, skinning
+            if key not in self.templates:
+                self.templates[key] = _template_for(frame, skinning, images=False)
+            self.templates.move_to_end(key)
             while len(self.templates) > MOST_TEMPLATES:
                 self.templates.popitem(last=False)
-            template = self.templates[epoch]
+            template = self.templates[key]
         return _filled(template, frame)
 
 
-def whole(frame: Frame) -> bytes:
-    """Returns one frame as a complete GLB with images.
+def whole(frame: Frame, skinning: Skinning | None = None) -> bytes:
+    """Returns one frame as a complete GLB with images; `skinning` None: each character's own.
 
     :raises StageError: when the actors have too many vertices together.
     """
-    return _filled(_template_for(frame, images=True), frame)
+    return _filled(_template_for(frame, skinning, images=True), frame)
 
 
-def _template_for(frame: Frame, *, images: bool) -> FrameTemplate:
-    check_size(frame.casts)
-    return FrameTemplate([(cast.role.character, len(cast.ids)) for cast in frame.casts], images=images)
+def _template_for(frame: Frame, skinning: Skinning | None, *, images: bool) -> FrameTemplate:
+    check_size(frame.casts, skinning)
+    entries = [(_character(cast, skinning), len(cast.ids)) for cast in frame.casts]
+    return FrameTemplate(entries, images=images)
 
 
-def check_size(casts: Sequence[CastFrame]) -> None:
-    """Counts the vertices before any memory is allocated.
+def _character(cast: CastFrame, skinning: Skinning | None) -> Character:
+    return cast.role.character.skinned(skinning or cast.role.character.skinning)
+
+
+def check_size(casts: Sequence[CastFrame], skinning: Skinning | None = None) -> None:
+    """Counts the vertices before memory is allocated for frames.
 
     :raises StageError: when the actors have too many vertices together.
     """
     vertices = sum(
-        len(cast.ids) * sum(len(part.positions) for part in cast.role.character.parts) for cast in casts
+        len(cast.ids) * sum(len(part.positions) for part in _character(cast, skinning).shown_parts)
+        for cast in casts
     )
     if vertices > MOST_VERTICES:
         raise StageError(

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from statwalk.character.role import Role
+from statwalk.skin.skinning import Skinning
 from statwalk.stage.state.frame import CastFrame
 
 Vector = tuple[float, float, float]
@@ -54,6 +55,8 @@ class CastLayout:
     events: tuple[str, ...]
     colliders: tuple[ColliderLayout, ...]
     actors: tuple[NamedActor, ...]
+    skinning: Skinning
+    muscle_bones: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -85,6 +88,8 @@ def cast_layout(
         events=tuple(machine.events),
         colliders=_collider_layouts(role),
         actors=tuple(NamedActor(int(actor), actor_name(int(actor))) for actor in cast.ids),
+        skinning=role.character.skinning,
+        muscle_bones=tuple(sorted(skeleton.index(name) for name in skeleton.muscle_bones)),
     )
 
 

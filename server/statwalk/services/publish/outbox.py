@@ -11,17 +11,25 @@ import asyncio
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from statwalk.services.publish.layout import FrameLayout
+from statwalk.skin.skinning import Skinning
 
 FrameKind = Literal["pose", "glb"]
 FRAME_KINDS: tuple[FrameKind, ...] = ("pose", "glb")
 CREDITS = 3
 ACKNOWLEDGE_SECONDS = 5.0
 MOST_FACTS = 16_384
-Ending = Literal["slow", "too many messages", "too large", "deleted"]
+Ending = Literal["slow", "too many messages", "too large", "deleted", "access ended"]
 """why a viewer is disconnected"""
+
+
+class FrameForm(NamedTuple):
+    """The kind of a viewer's frames, and for `glb` the way of skinning; None: each character's own."""
+
+    kind: FrameKind
+    skinning: Skinning | None = None
 
 
 @dataclass(frozen=True)
@@ -32,13 +40,15 @@ class EncodedFrame:
     kind: FrameKind
     layout: FrameLayout
     data: bytes
+    skinning: Skinning | None = None
+    """the way of skinning that a viewer of `glb` chose"""
 
 
 class Outbox:
     """The queue of one viewer: the stage fills it, the viewer's writer empties it."""
 
-    def __init__(self, frames: FrameKind) -> None:
-        self.frames: FrameKind = frames
+    def __init__(self, frames: FrameKind, skinning: Skinning | None = None) -> None:
+        self.form = FrameForm(frames, skinning)
         self.live = True
         self.frame: EncodedFrame | None = None
         self.status: bytes | None = None
@@ -53,6 +63,11 @@ class Outbox:
         self.skipped += self.frame is not None
         self.frame = frame
         self.filled.set()
+
+    def take_skipped(self) -> int:
+        """Returns how many pending frames were replaced since the last call."""
+        skipped, self.skipped = self.skipped, 0
+        return skipped
 
     def put_status(self, text: bytes) -> None:
         """Replaces the pending status."""

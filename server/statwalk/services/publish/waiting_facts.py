@@ -1,4 +1,4 @@
-"""Holds actions and verdicts back until the commands that led to them would survive a crash."""
+"""Holds actions and verdicts back until a crash can take back nothing that led to them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 
 class WaitingFacts:
-    """Encoded facts in order, in batches; each batch waits for the command of a number in the log."""
+    """Encoded facts in order, in batches; each batch waits for its tick."""
 
     def __init__(self) -> None:
         self._batches: deque[tuple[int, Sequence[bytes]]] = deque()
@@ -16,14 +16,14 @@ class WaitingFacts:
     def __len__(self) -> int:
         return self._length
 
-    def put(self, number: int, texts: Sequence[bytes]) -> None:
-        """Appends the facts of a tick; `number`: the newest command that the tick may have read."""
+    def put(self, tick: int, texts: Sequence[bytes]) -> None:
+        """Appends the facts of a tick."""
         if texts:
-            self._batches.append((number, texts))
+            self._batches.append((tick, texts))
             self._length += len(texts)
 
     def take(self, is_durable: Callable[[int], bool]) -> list[bytes]:
-        """Removes and returns the facts whose commands are durable, and all facts before them."""
+        """Removes and returns the facts whose ticks are durable, and all facts before them."""
         taken: list[bytes] = []
         while self._batches and is_durable(self._batches[0][0]):
             taken.extend(self._batches.popleft()[1])

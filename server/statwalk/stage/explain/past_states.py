@@ -5,7 +5,6 @@ from __future__ import annotations
 from statwalk.errors import UnknownNameError
 from statwalk.stage.explain.influencing_actors import InfluencingActors
 from statwalk.stage.stage import Stage
-from statwalk.stage.state.commands import Add
 from statwalk.stage.state.stage_state import StageState
 
 EARLIEST_S = 1.0
@@ -20,7 +19,7 @@ class PastStates:
 
     def __init__(self, stage: Stage, actor: int, tick: int) -> None:
         self.stage, self.actor, self.tick = stage, actor, tick
-        self.first = max(tick - 1 - round(EARLIEST_S * stage.rate), 0)
+        self.first = max(tick - 1 - round(EARLIEST_S * stage.rate), stage.first)
         self.influences = InfluencingActors(stage.roles, actor, _role_name(stage, actor, tick))
         self._states: dict[int, StageState] = {}
         if self.look_at(tick - 1).find(actor) is None:
@@ -51,9 +50,8 @@ class PastStates:
 
 
 def _role_name(stage: Stage, actor: int, tick: int) -> str:
-    for entry in stage.log:
-        if isinstance(entry.command, Add) and entry.command.actor == actor:
-            return stage.roles[entry.command.role].name
+    if arrival := stage.arrivals().get(actor):
+        return stage.roles[arrival.role].name
     raise _no_such_actor(stage, actor, tick)
 
 

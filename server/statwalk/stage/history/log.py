@@ -18,6 +18,10 @@ class Log(Protocol):
     def newest(self) -> int:
         """The sequence number of the newest command; 0 if the log is empty."""
 
+    @property
+    def held(self) -> int:
+        """The number of entries that the log holds, or more: what is shared with another log may count."""
+
     def durable(self, number: int, seconds: float = 0.0) -> bool:
         """Returns whether the command of this number, and all commands before it, would survive a crash of
         the machine; waits for durability for at most `seconds`.
@@ -31,6 +35,9 @@ class Log(Protocol):
         next tick) and is independent afterwards.
         """
 
+    def forget(self, tick: int) -> None:
+        """Drops the entries up to `tick`."""
+
     def __iter__(self) -> Iterator[LogEntry]:
         """Yields all entries by tick, and in the order in which they came."""
 
@@ -38,21 +45,24 @@ class Log(Protocol):
 class MemoryLog:
     """A log in the memory of its process; a command is as durable as it will ever be at once."""
 
-    def __init__(self, entries: Iterable[LogEntry] = ()) -> None:
+    def __init__(self, entries: Iterable[LogEntry] = (), newest: int = 0) -> None:
+        """`newest`: the number of the newest entry that came before these."""
         self._by_tick: dict[int, list[LogEntry]] = {}
         self._past: list[
             tuple[int, Mapping[int, list[LogEntry]]]
         ] = []  # (first tick that is not shared, entries), oldest first
-        self.newest = 0
+        self.newest, self.held = newest, 0
         for entry in entries:
             self._by_tick.setdefault(entry.tick, []).append(entry)
             self.newest = max(self.newest, entry.number)
+            self.held += 1
 
     def append(self, tick: int, commands: Iterable[Command]) -> list[int]:
         """Appends commands after all other commands of their tick; returns their sequence numbers."""
         new = [LogEntry(number, tick, command) for number, command in enumerate(commands, self.newest + 1)]
         self._by_tick.setdefault(tick, []).extend(new)
         self.newest += len(new)
+        self.held += len(new)
         return [entry.number for entry in new]
 
     def durable(self, number: int, seconds: float = 0.0) -> bool:  # noqa: ARG002 - memory has no disk to wait for
@@ -72,8 +82,13 @@ class MemoryLog:
         """
         fork = MemoryLog([*self.at(tick), *(self.at(tick + 1) if takes_waiting else ())])
         fork._past = [(min(end, tick), entries) for end, entries in (*self._past, (tick, self._by_tick))]
-        fork.newest = self.newest
+        fork.newest, fork.held = self.newest, self.held
         return fork
+
+    def forget(self, tick: int) -> None:
+        """Drops the entries up to `tick`; a log that shares them keeps them."""
+        later = MemoryLog(entry for entry in self if entry.tick > tick)
+        self._past, self._by_tick, self.held = [], later._by_tick, later.held
 
     def __iter__(self) -> Iterator[LogEntry]:
         """Yields all entries by tick, and in the order in which they came."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from base64 import b64decode, b64encode
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import fields
 from itertools import chain
@@ -11,6 +12,7 @@ from typing import Any, NamedTuple
 import orjson
 
 from statwalk.errors import StageError
+from statwalk.stage.history.engine import ENGINE, check_engine, release
 from statwalk.stage.state.commands import (
     Add,
     Command,
@@ -28,23 +30,47 @@ SEMANTICS = 1
 LARGEST = (1 << 63) - 1
 
 
+class Beginning(NamedTuple):
+    """What a log goes on from whose oldest entries were forgotten."""
+
+    state: bytes
+    texts: Mapping[str, str]
+    """of the machine files of the roles that play, by the key of the role; empty: the file itself says it"""
+    number: int
+    """the sequence number of the newest entry that was forgotten"""
+
+
 class Loaded(NamedTuple):
     """The contents of a log file; `lines` are the line numbers of the entries."""
 
     header: dict[str, Any]
     entries: list[LogEntry]
     lines: list[int]
+    beginning: Beginning | None = None
 
 
-def dump(log: Iterable[LogEntry], header: Mapping[str, Any]) -> Iterator[str]:
+def dump(
+    log: Iterable[LogEntry], header: Mapping[str, Any], beginning: Beginning | None = None
+) -> Iterator[str]:
     """Yields a log as JSON lines, the header first."""
-    first = {"statwalk": "log", "semantics": SEMANTICS, **header}
-    return (orjson.dumps(line).decode() for line in chain([first], map(_line, log)))
+    return chain([log_header(header, beginning)], map(line_of, log))
 
 
-def _line(entry: LogEntry) -> dict[str, Any]:
+def log_header(header: Mapping[str, Any], beginning: Beginning | None = None) -> str:
+    """Returns the first line of a log."""
+    made_by = {"engine": ENGINE, "version": release()}
+    first = {"statwalk": "log", "semantics": SEMANTICS, **made_by, **header}
+    if beginning:
+        state = b64encode(beginning.state).decode()
+        first["beginning"] = {**beginning._asdict(), "state": state}
+    return orjson.dumps(first).decode()
+
+
+def line_of(entry: LogEntry) -> str:
+    """Returns an entry as a JSON line."""
     kind = type(entry.command).__name__.lower()
-    return {"number": entry.number, "tick": entry.tick, "kind": kind, **vars(entry.command)}
+    line = {"number": entry.number, "tick": entry.tick, "kind": kind, **vars(entry.command)}
+    return orjson.dumps(line).decode()
 
 
 def load(lines: Iterable[str]) -> Loaded:
@@ -58,6 +84,7 @@ def load(lines: Iterable[str]) -> Loaded:
         header,
         [_entry(number, record) for number, record in records[1:]],
         [number for number, _ in records[1:]],
+        _beginning(header["beginning"]) if "beginning" in header else None,
     )
 
 
@@ -78,10 +105,25 @@ def _header(header: dict[str, Any]) -> dict[str, Any]:
         raise StageError(
             f"line 1: the log has semantics {header.get('semantics')!r}, this build reads {SEMANTICS}"
         )
+    check_engine(header)
+    if not _is_text(header.get("hash", "")):
+        raise StageError("line 1: hash is text")
     for name, least in (("seed", -1 << 63), ("rate", 1), ("head", 0)):
         if name in header and not _is_whole(header[name], least):
             raise StageError(f"line 1: {name} is a whole number of at least {least}, not {header[name]!r}")
     return header
+
+
+def _beginning(written: object) -> Beginning:
+    match written:
+        case {"state": str(state), "texts": dict(texts), "number": number} if all(
+            map(_is_text, texts.values())
+        ) and _is_whole(number):
+            try:
+                return Beginning(b64decode(state, validate=True), texts, number)
+            except ValueError as error:
+                raise StageError(f"line 1: the state of the beginning is no base64: {error}") from None
+    raise StageError("line 1: a beginning has a state (base64), texts (by the keys of roles) and a number")
 
 
 def _entry(number: int, record: dict[str, Any]) -> LogEntry:
@@ -92,8 +134,8 @@ def _entry(number: int, record: dict[str, Any]) -> LogEntry:
             f"line {number}: an entry has number and tick, whole numbers of at least 0, and kind "
             f"({', '.join(KINDS)})"
         )
-    checks = {field.name: CHECKS[field.name] for field in fields(kind)}
-    if set(record) != set(checks):
+    checks = CHECKS_OF[kind]
+    if record.keys() != checks.keys():
         raise StageError(
             f"line {number}: {kind.__name__.lower()} has {', '.join(checks)} beside number, tick and kind"
         )
@@ -133,3 +175,4 @@ CHECKS: Mapping[str, tuple[Callable[[object], bool], str]] = {
     "position": (_is_place, "three finite numbers"),
 }
 """for each field of a command its check, and the value it needs in words"""
+CHECKS_OF = {kind: {field.name: CHECKS[field.name] for field in fields(kind)} for kind in KINDS.values()}

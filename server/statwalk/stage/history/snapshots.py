@@ -7,6 +7,7 @@ opened.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 
 from statwalk.character.role import Role
 from statwalk.stage.history.state_codec import from_bytes, to_bytes
@@ -14,7 +15,7 @@ from statwalk.stage.state.stage_state import StageState
 
 EVERY = 60
 """ticks between snapshots near the head"""
-REACH = 16
+REACH = 64
 """a snapshot whose number can be halved z times is kept for REACH·2^z numbers: about REACH/2 snapshots for
 each doubling of the past
 """
@@ -25,10 +26,16 @@ always kept
 
 
 class Snapshots:
-    """States by tick. The state of tick 0 is always kept."""
+    """States by tick. The oldest one, of tick `first`, is always kept."""
 
-    def __init__(self, start: StageState, most_bytes: int = MOST_BYTES) -> None:
-        self._data = {0: to_bytes(start)}
+    def __init__(
+        self,
+        start: StageState,
+        most_bytes: int = MOST_BYTES,
+        later: Mapping[int, bytes] = MappingProxyType({}),
+    ) -> None:
+        self.first = start.tick
+        self._data = {self.first: to_bytes(start), **later}
         self._most_bytes = most_bytes
 
     def __len__(self) -> int:
@@ -38,6 +45,11 @@ class Snapshots:
     def size(self) -> int:
         """Bytes that the snapshots take in memory."""
         return sum(map(len, self._data.values()))
+
+    @property
+    def data(self) -> Mapping[int, bytes]:
+        """The states as bytes."""
+        return self._data
 
     def offer(self, state: StageState) -> None:
         """Keeps a state if its tick is a multiple of EVERY, and drops states that are no longer needed."""
@@ -54,21 +66,30 @@ class Snapshots:
 
     def until(self, tick: int) -> Snapshots:
         """Returns the snapshots before `tick`, the past that a fork shares."""
-        fork = Snapshots(StageState(), self._most_bytes)
-        fork._data = {kept: data for kept, data in self._data.items() if kept < tick or kept == 0}
-        return fork
+        return self._with(
+            {kept: data for kept, data in self._data.items() if kept < tick or kept == self.first}
+        )
+
+    def after(self, tick: int) -> Snapshots:
+        """Returns the snapshots from `tick` on, of which there is one."""
+        return self._with({kept: data for kept, data in self._data.items() if kept >= tick})
+
+    def _with(self, data: dict[int, bytes]) -> Snapshots:
+        other = Snapshots(StageState(), self._most_bytes)
+        other.first, other._data = min(data), data
+        return other
 
     def _put(self, data: Mapping[int, bytes], head: int) -> None:
         """Keeps the states that are needed while the head is at `head`."""
         reach = REACH
-        kept = [tick for tick in data if _is_kept(tick, head, reach)]
+        kept = [tick for tick in data if tick == self.first or _is_kept(tick, head, reach)]
         while reach and sum(len(data[tick]) for tick in kept) > self._most_bytes:
             reach //= 2
-            kept = [tick for tick in kept if _is_kept(tick, head, reach)]
+            kept = [tick for tick in kept if tick == self.first or _is_kept(tick, head, reach)]
         self._data = {tick: data[tick] for tick in kept}
 
 
 def _is_kept(tick: int, head: int, reach: int) -> bool:
     number = tick // EVERY
     halvings = number & -number  # 2^z, the largest power of two that divides `number`
-    return number in (0, head // EVERY) or head // EVERY - number <= reach * halvings
+    return number == head // EVERY or head // EVERY - number <= reach * halvings

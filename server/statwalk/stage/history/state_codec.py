@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from statwalk.character.role import Role
 from statwalk.errors import StageError
 from statwalk.stage.history.cast_codec import Arrays, from_arrays, to_arrays
+from statwalk.stage.history.engine import ENGINE
 from statwalk.stage.state.cast import CastState
 from statwalk.stage.state.contacts import Contacts
 from statwalk.stage.state.flights import Flight
@@ -38,6 +39,7 @@ def to_bytes(state: StageState) -> bytes:
     arrays = dict(_arrays(state))
     header = {
         "version": VERSION,
+        "engine": ENGINE,
         "tick": state.tick,
         "next_id": state.next_id,
         "names": list(state.names.items()),
@@ -121,6 +123,8 @@ def _parsed(data: bytes) -> tuple[dict[str, Any], Arrays]:
             raise StageError(
                 f"the stage was written in version {header['version']!r}; this build reads version {VERSION}"
             )
+        if header.get("engine") != ENGINE:
+            raise StageError(f"engine {header.get('engine')!r} made the stage; this is engine {ENGINE}")
         place, arrays = end + len(_filling(end - start)), Arrays()
         for name, kind, shape in header["arrays"]:
             if not KIND.fullmatch(kind):

@@ -12,12 +12,14 @@ from statwalk.stage.advance import advance
 from statwalk.stage.apply_commands import apply_commands
 from statwalk.stage.effects.effects import Effects
 from statwalk.stage.effects.verdicts import RememberedVerdicts
-from statwalk.stage.history.log import Log, MemoryLog
-from statwalk.stage.history.log_codec import dump
+from statwalk.stage.history.log import Log
+from statwalk.stage.history.log_codec import Beginning
+from statwalk.stage.history.past import Past
 from statwalk.stage.history.snapshots import Snapshots
 from statwalk.stage.state.cast import Cast
+from statwalk.stage.state.cast_frame import cast_frame
 from statwalk.stage.state.commands import Command, LogEntry
-from statwalk.stage.state.frame import Action, CastFrame, Frame
+from statwalk.stage.state.frame import Action, Frame
 from statwalk.stage.state.stage_state import StageState
 
 LONGEST_HISTORY = 10_000
@@ -26,27 +28,24 @@ SLICE = 60
 """ticks after which `seeking` and `stepping` yield"""
 
 
-class Timeline:
-    """A timeline of fixed steps of 1/`rate` seconds.
+class Timeline(Past):
+    """A past with a playhead.
 
-    `tick` is the playhead: `seek` moves it anywhere in 0…`head`, `step` forwards; at the head, steps make new
-    ticks.
+    `tick` is the playhead: `seek` moves it anywhere in `first`…`head`, `step` forwards; at the head, steps
+    make new ticks.
     """
 
     def __init__(self, seed: int = 0, rate: int = 60) -> None:
-        if rate <= 0:
-            raise StageError(f"a stage needs a rate above 0 Hz, not {rate}")
-        self.seed, self.rate = seed, rate
-        self.roles: dict[str, Role] = {}
-        """all versions of all roles by their keys in the log: the role's name, then `name@2` … for edits"""
+        self._state, self._effects = StageState(), Effects()
+        super().__init__(seed, rate, self._state)
         self.actions: deque[Action] = deque(maxlen=LONGEST_HISTORY)
         self.verdicts = RememberedVerdicts(LONGEST_HISTORY)
-        self.head = 0
+        self.remembered_from = 0
+        """the oldest tick whose actions and verdicts are remembered, if they are not too many"""
         self.before_tick: Callable[[], None] = lambda: None
         """called before each tick is computed; an exception from it ends a long seek"""
-        self._state, self._effects = StageState(), Effects()
-        self._log: Log = MemoryLog()
-        self._snapshots = Snapshots(self._state)
+        self._head_hash = ""
+        """that of the newest tick, while an older one is shown"""
 
     # the tick that is shown
 
@@ -54,11 +53,6 @@ class Timeline:
     def tick(self) -> int:
         """The tick that is shown."""
         return self._state.tick
-
-    @property
-    def first(self) -> int:
-        """The oldest tick that `seek` accepts."""
-        return 0
 
     @property
     def seconds(self) -> float:
@@ -83,7 +77,7 @@ class Timeline:
     @property
     def frame(self) -> Frame:
         """The frame of the tick that is shown: poses, places, and the events of the tick."""
-        casts = tuple(_cast_frame(cast) for cast in self.casts)
+        casts = tuple(cast_frame(cast) for cast in self.casts)
         return Frame(self.tick, self.hash, casts, self._effects.actions, self._effects.verdicts)
 
     @property
@@ -92,22 +86,9 @@ class Timeline:
         return self._state.hash
 
     @property
-    def log(self) -> list[LogEntry]:
-        """All commands."""
-        return list(self._log)
-
-    def commands(self, tick: int) -> list[Command]:
-        """Returns the commands of one tick."""
-        return [entry.command for entry in self._log.at(tick)]
-
-    def dump(self) -> list[str]:
-        """Returns the log as JSON lines, for `replay`."""
-        return list(self.dumping())
-
-    def dumping(self) -> Iterator[str]:
-        """Yields the log as it is now as JSON lines, for `replay`; the stage may go on in between."""
-        log = self._log.until(self.head, takes_waiting=True)
-        return dump(log, {"seed": self.seed, "rate": self.rate, "head": self.head})
+    def head_hash(self) -> str:
+        """The hash of the newest tick."""
+        return self.hash if self.tick == self.head else self._head_hash
 
     # the playhead
 
@@ -117,9 +98,7 @@ class Timeline:
             self._forward()
 
     def stepping(self, n: int, most: int = SLICE) -> Iterator[int]:
-        """Runs `step(n)` in slices of at most `most` ticks: each resumption takes one slice, and yields the
-        tick that it reached.
-        """
+        """Runs `step(n)` in slices of at most `most` ticks; yields the tick reached after each slice."""
         for done in range(0, n, most):
             self.step(min(most, n - done))
             yield self.tick
@@ -140,6 +119,7 @@ class Timeline:
             for _ in range(min(most, tick - state.tick)):
                 state, effects = self.after(state)
             yield state.tick
+        self._head_hash = self.head_hash
         self._state, self._effects = state, effects
 
     def state_at(self, tick: int) -> StageState:
@@ -152,12 +132,12 @@ class Timeline:
 
     def state_before(self, tick: int) -> StageState:
         """Returns a copy of the latest available state before `tick`, so that the step to `tick` gives its
-        effects again; for tick 0 the state of tick 0.
+        effects again; for the oldest tick the state of that tick.
         """
-        kept = self._snapshots.nearest(max(tick - 1, 0))
-        if kept <= self.tick < max(tick, 1):
+        kept = self.snapshots.nearest(max(tick - 1, self.first))
+        if kept <= self.tick < max(tick, self.first + 1):
             return self._state.copy()
-        return self._snapshots.open(kept, self.roles)
+        return self.snapshots.open(kept, self.roles)
 
     def fork(self) -> Self:
         """Returns an independent stage that shares the past up to the tick that is shown.
@@ -171,7 +151,7 @@ class Timeline:
         return self.fork_from(self.state_at(tick))
 
     def fork_from(self, state: StageState) -> Self:
-        """Returns an independent stage that goes on from a state of this stage, and takes the state over."""
+        """Returns an independent stage that goes on from a state of this stage, which it takes over."""
         return self._branch(state.tick, state, takes_waiting=False)
 
     def copy(self) -> Self:
@@ -179,19 +159,44 @@ class Timeline:
         return self._branch(self.head, self._state.copy(), takes_waiting=True)
 
     @classmethod
-    def of(cls, log: Log, roles: Mapping[str, Role], seed: int, rate: int) -> Self:
-        """Returns a stage at tick 0 whose steps follow a log."""
+    def of(
+        cls,
+        log: Log,
+        roles: Mapping[str, Role],
+        start: StageState,
+        seed: int,
+        rate: int,
+        beginning: Beginning | None = None,
+    ) -> Self:
+        """Returns a stage at the state `start`, whose steps follow a log; `beginning`: if the past of `start`
+        was forgotten.
+        """
         stage = cls(seed, rate)
         stage._log, stage.roles = log, dict(roles)
-        stage._state = apply_commands(roles, stage._state, stage.commands(0), 1 / rate)
+        if beginning:
+            stage.begin_with(start, beginning)
+        stage._state = apply_commands(roles, start, stage.commands(start.tick), 1 / rate)
         return stage
+
+    def resume(self, head: int, snapshots: Mapping[int, bytes]) -> None:
+        """Takes a stage from its first tick to tick `head` of its log, from the newest snapshot on that is at
+        least a second older; remembers the actions and verdicts since that snapshot.
+
+        :raises StageError: when the snapshots do not fit the stage.
+        """
+        self.snapshots = Snapshots(self._state, later=snapshots)
+        self.head = self.remembered_from = self.snapshots.nearest(max(head - self.rate, self.first))
+        self._state = self.snapshots.open(self.head, self.roles)
+        self.step(head - self.head)
 
     def after(self, state: StageState) -> tuple[StageState, Effects]:
         """Returns the state after the next tick, along the log, and the effects of that tick.
 
-        Takes `state` over.
+        Takes `state` over. :raises StageError: when that part of the log was forgotten meanwhile.
         """
         self.before_tick()
+        if state.tick < self.first:
+            self.check(state.tick)
         return advance(self.roles, state, self.commands(state.tick + 1), 1 / self.rate, self.seed)
 
     def keep(self, tick: int, command: Command) -> LogEntry:
@@ -200,34 +205,20 @@ class Timeline:
         (number,) = self._log.append(tick, [command])
         return LogEntry(number, tick, command)
 
-    @property
-    def newest(self) -> int:
-        """The sequence number of the newest command; 0 if the log is empty."""
-        return self._log.newest
-
-    def durable(self, number: int, seconds: float = 0.0) -> bool:
-        """Returns whether a crash would leave the command of this number; waits for at most `seconds`."""
-        return self._log.durable(number, seconds)
-
     def _branch(self, head: int, shown: StageState, *, takes_waiting: bool) -> Self:
         branch = type(self)(self.seed, self.rate)
-        branch.roles, branch.head, branch._state = dict(self.roles), head, shown
+        branch.take_past(self, head, self._log.until(head, takes_waiting), self.roles)
+        branch._state, branch._head_hash = shown, self._head_hash
         branch.before_tick = self.before_tick
         branch._effects = self._effects if shown.tick == self.tick else Effects()
-        branch._log, branch._snapshots = self._log.until(head, takes_waiting), self._snapshots.until(head)
         branch.actions.extend(action for action in self.actions if action.tick <= head)
-        branch.verdicts = self.verdicts.until(head)
+        branch.verdicts, branch.remembered_from = self.verdicts.until(head), self.remembered_from
         return branch
-
-    def check(self, tick: int) -> None:
-        """:raises StageError: when the stage does not have the tick."""
-        if not self.first <= tick <= self.head:
-            raise StageError(f"tick {tick} is not there: this stage has {self.first} … {self.head}")
 
     def _forward(self) -> None:
         is_new = self.tick == self.head
         if is_new:
-            self._snapshots.offer(self._state)  # no actor is added or removed in this tick any more
+            self.snapshots.offer(self._state)  # no actor is added or removed in this tick any more
         self._state, self._effects = self.after(self._state)
         if is_new:
             self.head = self.tick
@@ -243,8 +234,3 @@ class Timeline:
         if self.tick < self.head:
             past = f"tick {self.tick} is past (the stage is at {self.head})"
             raise StageError(f"{past}: call fork() first, and change the fork")
-
-
-def _cast_frame(cast: Cast) -> CastFrame:
-    place, state = (cast.position.copy(), cast.heading.copy()), cast.machine.state.copy()
-    return CastFrame(cast.role, cast.ids, cast.shown.poses(), *place, state, cast.phase, cast.offsets.left)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from statwalk.machine.runtime.effects import CHANGE_CURVE, CHANGE_FROM, OF_CHANGES
+from statwalk.machine.runtime.pace import motion_seconds
 from statwalk.machine.runtime.state import BEGINNING, MOST_WAITING
 from statwalk.machine.runtime.timing import seams_carried
 from statwalk.maths.compiling import inlined
@@ -18,34 +19,15 @@ from statwalk.maths.simd.hashing import hash_row, hash_span
 from statwalk.maths.simd.lanes import load, store
 from statwalk.maths.simd.pose_layout import end_row, first_row, index_at
 from statwalk.motion.layer_lanes import additive_block, override_block
-from statwalk.motion.sampling.blend import rate
 from statwalk.motion.sampling.root_motion import compose, way
 from statwalk.motion.sampling.sample import sample_block
+from statwalk.solve.contract_lanes import contract_lanes
 from statwalk.solve.express import express
 
 NONE = -1.0
 """seconds of a transition: none begins"""
 QUINTIC = 1
 """row of CURVES"""
-
-
-@inlined
-def _speed_of(p: Any, s: Any, row: int, state: int) -> Any:
-    """The speed factor of an actor's motion, without the factor of a blend."""
-    parameter = p.speed_parameter[state]
-    return s.smoothed[row, parameter] if parameter >= 0 else p.speed[state]
-
-
-@inlined
-def pace_of(p: Any, m: Any, s: Any, mem: Any, row: int, state: int, time: float, dt: float) -> Any:
-    """Returns the factor that a blend of clips adds to the speed of an actor's motion."""
-    return rate(m, state, time, dt * _speed_of(p, s, row, state), s.smoothed, row, mem.weights)
-
-
-@inlined
-def motion_seconds(p: Any, m: Any, s: Any, mem: Any, row: int, state: int, time: float, dt: float) -> Any:
-    """Returns by how many seconds an actor's motion, now at `time`, advances in `dt` seconds."""
-    return dt * (_speed_of(p, s, row, state) * pace_of(p, m, s, mem, row, state, time, dt))
 
 
 @inlined
@@ -131,25 +113,24 @@ def _express_motions(
 @called
 def express_block(x: Any, smoothed: Any, ahead: float, mem: Any, out: Any, block: int) -> None:
     """Runs the machine's expressions on the poses of a block's actors, in block 0 of `out`, as they are
-    `ahead` ticks after this one.
+    `ahead` ticks after this one; then the muscles follow their contractions.
     """
-    if x.first_assignment[1] == 0:
-        return
     first, frame = first_row(block), mem.clock[0] + ahead
-    for row in range(first, end_row(block, smoothed.shape[0])):
-        values, stack = mem.express_values, mem.express_stack
-        express(x, 0, smoothed, row, frame, frame * mem.clock[1], values, stack, out, 0, row - first)
+    if x.first_assignment[1] > 0:
+        for row in range(first, end_row(block, smoothed.shape[0])):
+            values, stack = mem.express_values, mem.express_stack
+            express(x, 0, smoothed, row, frame, frame * mem.clock[1], values, stack, out, 0, row - first)
+    contract_lanes(x, out, 0)
 
 
 @called
-def look_ahead(p: Any, m: Any, s: Any, mem: Any, block: int, dt: float) -> None:
+def look_ahead(p: Any, s: Any, mem: Any, block: int, dt: float) -> None:
     """Writes the time of each motion of a block in `dt` seconds, if no event happens."""
     for row in range(first_row(block), end_row(block, s.state.shape[0])):
         for layer in range(s.state.shape[1]):
             state, time = s.state[row, layer], s.time[row, layer]
-            mem.ahead[row, layer] = time_in(
-                p, state, time + motion_seconds(p, m, s, mem, row, state, time, dt)
-            )
+            ahead = motion_seconds(p, s, mem.weights, row, state, time, dt)
+            mem.ahead[row, layer] = time_in(p, state, time + ahead)
 
 
 @called

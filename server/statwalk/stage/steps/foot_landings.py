@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from statwalk.maths.blending import member_phase
 from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
-from statwalk.motion.sampling.blend import member_phase
 from statwalk.motion.sampling.root_motion import compose, way
 
 

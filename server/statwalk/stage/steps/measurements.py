@@ -1,4 +1,4 @@
-"""Measurements of how actors move, after the tick before: values of conditions, and speed factors of blends.
+"""Measurements of how actors move, after the tick before: values of conditions and of entries.
 `step_machines` measures in a tick; `surroundings` is for explanations.
 """
 
@@ -10,41 +10,20 @@ import numpy as np
 from numba import types
 
 from statwalk.character.pose_tables import POSES
-from statwalk.machine.compile.program import PROGRAM
 from statwalk.machine.conditions.variables import HEIGHT, SPEED, TURNING
-from statwalk.machine.runtime.state import STATE
 from statwalk.machine.runtime.surroundings import SURROUNDINGS, Measurements
 from statwalk.maths.compiling import FLOAT, inlined, kernel, read
 from statwalk.maths.packed import ADDRESSES, PackedColumns, opened
 from statwalk.maths.simd.pose_layout import joint_channel, place_of
-from statwalk.motion.tables.motion_tables import MOTIONS
 from statwalk.stage.state.cast import Cast
-from statwalk.stage.steps._kernels import pace_of
-from statwalk.stage.steps.memory import MEMORY, Memory
+from statwalk.stage.steps.memory import Memory
 
-_program, _motions, _poses, _state = opened(PROGRAM), opened(MOTIONS), opened(POSES), opened(STATE)
-_memory, _surroundings = opened(MEMORY), opened(SURROUNDINGS)
+_poses, _surroundings = opened(POSES), opened(SURROUNDINGS)
 
 
 @inlined
-def measure(
-    p: Any,
-    m: Any,
-    t: Any,
-    s: Any,
-    mem: Any,
-    shown: Any,
-    position: Any,
-    root_delta: Any,
-    around: Any,
-    row: int,
-    dt: float,
-) -> None:
-    """Measures an actor's motion after the tick before: the speed factors of its motions, its speed, turning
-    and height.
-    """
-    for layer in range(s.state.shape[1]):
-        around.rate[row, layer] = pace_of(p, m, s, mem, row, s.state[row, layer], s.time[row, layer], dt)
+def measure(t: Any, shown: Any, position: Any, root_delta: Any, around: Any, row: int, dt: float) -> None:
+    """Measures an actor's motion after the tick before: its speed, turning and height."""
     x, z = root_delta[row, 0], root_delta[row, 1]
     around.measured[SPEED, row] = np.sqrt(x * x + z * z) / dt
     around.measured[TURNING, row] = root_delta[row, 2] / dt
@@ -72,31 +51,15 @@ def surroundings(cast: Cast, memory: Memory, dt: float, seed: int) -> PackedColu
     role, around = cast.role, memory.surroundings
     memory.key(cast.ids, seed)
     if role.measures:
-        machine, places = (
-            memory.machine(cast.machine).argument,
-            (cast.shown.values, cast.position, cast.root_delta),
-        )
-        _measure_all(*role.packed.arguments[:3], machine, memory.poses.argument, *places, around.argument, dt)
+        places = cast.shown.values, cast.position, cast.root_delta
+        _measure_all(role.packed.poses.argument, *places, around.argument, dt)
     return around
 
 
 @kernel(
-    ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, read(FLOAT, 3), read(types.float64, 2),
-    read(types.float64, 2), ADDRESSES, types.float64,
+    ADDRESSES, read(FLOAT, 3), read(types.float64, 2), read(types.float64, 2), ADDRESSES, types.float64,
 )  # fmt: skip
-def _measure_all(
-    program: Any,
-    motions: Any,
-    poses: Any,
-    machine: Any,
-    memory: Any,
-    shown: Any,
-    position: Any,
-    root_delta: Any,
-    around: Any,
-    dt: float,
-) -> None:
-    p, m, t, s, mem = _program(program), _motions(motions), _poses(poses), _state(machine), _memory(memory)
-    out = _surroundings(around)
-    for row in range(s.state.shape[0]):
-        measure(p, m, t, s, mem, shown, position, root_delta, out, row, dt)
+def _measure_all(poses: Any, shown: Any, position: Any, root_delta: Any, around: Any, dt: float) -> None:
+    t, out = _poses(poses), _surroundings(around)
+    for row in range(position.shape[0]):
+        measure(t, shown, position, root_delta, out, row, dt)

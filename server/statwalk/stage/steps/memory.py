@@ -114,7 +114,7 @@ class Memory:
         self.model = ModelBuffer.room(role.colliders.joints, actors)
         self.poses = packed(_pose_memory(role, actors, layers, self.model), MEMORY)
         self.effects = packed(effects_for(program, actors), EFFECTS)
-        self.surroundings = packed(Measurements.none(actors, layers), SURROUNDINGS)
+        self.surroundings = packed(Measurements.none(actors), SURROUNDINGS)
         self._keyed: tuple[NDArray[np.int64], int] | None = None
         self._machine: PackedColumns[MachineState] | None = None
         self._offsets: PackedColumns[PoseOffsets] | None = None

@@ -87,7 +87,7 @@ def _sample_mixed(
             at = COMING
             if mem.seconds[row, layer] > 0.0 and layer >= exchanged:
                 at = moment if exchanged == ALL or layer == exchanged else SHOWN
-            put_at(p, m, s, done, mem, row, layer, at, dt)
+            put_at(p, s, done, mem, row, layer, at, dt)
     sample_layers(m, t, s, masks, mem, mem.mixed_state, mem.mixed_time, out, block)
 
 
@@ -196,7 +196,7 @@ def begin_transitions(
     `previous` and `shown` are the buffers shown two ticks and one tick before this one; `root_delta` (N, 3)
     is the root motion of the tick before; `mem.coming` has the poses of this tick.
     """
-    look_ahead(p, m, s, mem, block, dt)
+    look_ahead(p, s, mem, block, dt)
     sample_layers(m, t, s, masks, mem, s.state, mem.ahead, mem.following, block)
     # what was shown has the machine's expressions in it: they must be no part of the jump
     express_block(t.expressions, s.smoothed, 0.0, mem, mem.coming, block)

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from statwalk.machine.runtime.pace import motion_seconds
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_functions import either, with_lane
@@ -30,7 +31,7 @@ from statwalk.maths.simd.pose_lanes import (
     weight_at,
 )
 from statwalk.maths.simd.pose_layout import end_row, first_row
-from statwalk.stage.steps._kernels import look_ahead, motion_seconds, sample_layers, time_in
+from statwalk.stage.steps._kernels import look_ahead, sample_layers, time_in
 from statwalk.stage.steps.offset_lanes import add_block
 
 ZERO, ONE = np.float32(0), np.float32(1)
@@ -60,7 +61,7 @@ def cut_lanes(transitions: Any, block: int) -> Any:
 
 
 @inlined
-def put_at(p: Any, m: Any, s: Any, done: Any, mem: Any, row: int, layer: int, moment: int, dt: float) -> None:
+def put_at(p: Any, s: Any, done: Any, mem: Any, row: int, layer: int, moment: int, dt: float) -> None:
     """Writes state and seconds of an actor's layer at a moment of its old or new motion."""
     state, time = s.state[row, layer], s.time[row, layer]
     if moment == FOLLOWING:
@@ -68,7 +69,7 @@ def put_at(p: Any, m: Any, s: Any, done: Any, mem: Any, row: int, layer: int, mo
     elif moment != COMING:
         state, time = mem.old_state[row, layer], done.before[row, layer]
     if moment == BEFORE:
-        time = max(time_in(p, state, time - motion_seconds(p, m, s, mem, row, state, time, dt)), 0.0)
+        time = max(time_in(p, state, time - motion_seconds(p, s, mem.weights, row, state, time, dt)), 0.0)
     mem.mixed_state[row, layer], mem.mixed_time[row, layer] = state, time
 
 
@@ -82,7 +83,7 @@ def _sample_cut(
     """
     for row in range(first_row(block), end_row(block, s.state.shape[0])):
         for layer in range(s.state.shape[1]):
-            put_at(p, m, s, done, mem, row, layer, moment if mem.seconds[row, layer] == 0.0 else SHOWN, dt)
+            put_at(p, s, done, mem, row, layer, moment if mem.seconds[row, layer] == 0.0 else SHOWN, dt)
     sample_layers(m, t, s, masks, mem, mem.mixed_state, mem.mixed_time, out, block)
     add_block(o, masks, out, 0, block, 0.0, mem.scratch)
 
@@ -117,7 +118,7 @@ def forget_cuts(
     """Replaces what a block's actors with a cut have shown one tick before; needs the transitions of this
     tick, and the offsets of the tick before.
     """
-    look_ahead(p, m, s, mem, block, dt)
+    look_ahead(p, s, mem, block, dt)
     _sample_cut(p, m, t, s, o, masks, done, mem, COMING, mem.part_coming, block, dt)
     _sample_cut(p, m, t, s, o, masks, done, mem, FOLLOWING, mem.part_following, block, dt)
     _sample_cut(p, m, t, s, o, masks, done, mem, SHOWN, mem.part_shown, block, dt)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from statwalk.maths.blending import member_phase, weigh
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.lanes import LANES
 from statwalk.maths.simd.pose_layout import end_row, first_row
-from statwalk.motion.sampling.blend import member_phase, weigh
 from statwalk.rig.hierarchy import model_block
 from statwalk.solve.chains import ROWS
 from statwalk.solve.foot_fit import begin_fit, fit_foot, slow_rise

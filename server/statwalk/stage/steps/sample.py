@@ -86,7 +86,7 @@ def _sample_ahead(
     p, m, t, s, mem = _program(program), _motions(motions), _poses(poses), _state(machine), _memory(memory)
     moved, o, limits = _masks(masks), _offsets(offsets), _limits(limited)
     for block in range(out.shape[0]):
-        look_ahead(p, m, s, mem, block, seconds)
+        look_ahead(p, s, mem, block, seconds)
         sample_layers(m, t, s, moved, mem, s.state, mem.ahead, mem.coming, block)
         add_block(o, moved, mem.coming, 0, block, 0.0, mem.scratch)
         if is_expressed:

@@ -11,32 +11,27 @@ from numba import types
 
 from statwalk.character.pose_tables import POSES
 from statwalk.machine.compile.program import PROGRAM, Program
-from statwalk.machine.runtime.effects import EFFECTS, OF_CHANGES, MachineEffects, doubled, effects_for
-from statwalk.machine.runtime.state import BEGINNING, STATE, MachineState
+from statwalk.machine.runtime.effects import EFFECTS, MachineEffects, doubled, effects_for
+from statwalk.machine.runtime.state import STATE, MachineState
 from statwalk.machine.runtime.step import step_from
 from statwalk.machine.runtime.surroundings import INPUTS, SURROUNDINGS, Inputs, Measurements
 from statwalk.maths.arrays import Floats
-from statwalk.maths.compiling import FLOAT, LONG, inlined, kernel, read
+from statwalk.maths.compiling import FLOAT, LONG, kernel, read
 from statwalk.maths.packed import ADDRESSES, PackedColumns, opened, packed
 from statwalk.maths.reference import by_reference
-from statwalk.motion.tables.motion_tables import MOTIONS
-from statwalk.stage.steps._kernels import motion_seconds
 from statwalk.stage.steps.measurements import measure
-from statwalk.stage.steps.memory import MEMORY
 
 DOUBLE = types.float64
-_program, _motions, _poses, _state = opened(PROGRAM), opened(MOTIONS), opened(POSES), opened(STATE)
-_memory, _surroundings, _effects = opened(MEMORY), opened(SURROUNDINGS), opened(EFFECTS)
+_program, _poses, _state = opened(PROGRAM), opened(POSES), opened(STATE)
+_surroundings, _effects = opened(SURROUNDINGS), opened(EFFECTS)
 
 
 class MeasuredFrom(NamedTuple):
-    """The source of measurements: motions, tables and pose memory as kernels take them, and what the tick
-    before has shown. Without a block of poses, the measurements stay as they are.
+    """The source of measurements: the pose tables as kernels take them, and what the tick before has shown.
+    Without a block of poses, the measurements stay as they are.
     """
 
-    motions: Any
     poses: Any
-    memory: Any
     shown: Floats
     """(B, C, 16) float32"""
     position: Floats
@@ -45,9 +40,8 @@ class MeasuredFrom(NamedTuple):
     """(N, 3)"""
 
 
-_NO_ADDRESS = np.zeros(0, np.int64)
 NOT_MEASURED = MeasuredFrom(
-    *(_NO_ADDRESS,) * 3, np.zeros((0, 0, 0), np.float32), np.zeros((0, 3)), np.zeros((0, 3))
+    np.zeros(0, np.int64), np.zeros((0, 0, 0), np.float32), np.zeros((0, 3)), np.zeros((0, 3))
 )
 
 
@@ -77,36 +71,17 @@ def step_machines(
     return effects
 
 
-@inlined
-def _carry_at_own_pace(p: Any, m: Any, s: Any, mem: Any, done: Any, number: int) -> None:
-    """Lets the time left after END advance a motion as fast as its blend is, where it stays in its lap."""
-    row, layer = done.changes[number, 0], done.changes[number, 1]
-    carried, state = done.carried[number], s.state[row, layer]
-    entered = s.passed[row, layer] - BEGINNING
-    if carried > 0.0 and entered >= 0.0:
-        time = entered + motion_seconds(p, m, s, mem, row, state, entered, carried)
-        if p.loop[state] == 0 or time < p.duration[state]:
-            s.time[row, layer] = min(time, p.duration[state])
-            done.start[number] = s.time[row, layer]
-
-
 @kernel(
-    ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, read(FLOAT, 3), read(DOUBLE, 2),
-    read(DOUBLE, 2), INPUTS, ADDRESSES, LONG, DOUBLE, LONG, returns=LONG,
+    ADDRESSES, ADDRESSES, ADDRESSES, ADDRESSES, read(FLOAT, 3), read(DOUBLE, 2), read(DOUBLE, 2), INPUTS,
+    ADDRESSES, LONG, DOUBLE, LONG, returns=LONG,
 )  # fmt: skip
 def _step_machines(
-    program: Any, machine: Any, around: Any, motions: Any, poses: Any, memory: Any, shown: Any, position: Any,
-    root_delta: Any, inputs: Inputs, effects: Any, tick: int, dt: float, row: int,
+    program: Any, machine: Any, around: Any, poses: Any, shown: Any, position: Any, root_delta: Any,
+    inputs: Inputs, effects: Any, tick: int, dt: float, row: int,
 ) -> int:  # fmt: skip
     """Runs `step_from` for the actors from `row` on; measures all actors first if `row` is 0."""
     p, s, surroundings, done = _program(program), _state(machine), _surroundings(around), _effects(effects)
-    m, t, mem = _motions(motions), _poses(poses), _memory(memory)
     if row == 0 and shown.shape[0] > 0:
         for actor in range(s.state.shape[0]):
-            measure(p, m, t, s, mem, shown, position, root_delta, surroundings, actor, dt)
-    changes = done.counts[OF_CHANGES]
-    reached = int(step_from(p, s, surroundings, by_reference(inputs), done, tick, dt, row))
-    if shown.shape[0] > 0:
-        for number in range(changes, done.counts[OF_CHANGES]):
-            _carry_at_own_pace(p, m, s, mem, done, number)
-    return reached
+            measure(_poses(poses), shown, position, root_delta, surroundings, actor, dt)
+    return int(step_from(p, s, surroundings, by_reference(inputs), done, tick, dt, row))

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from fastapi import APIRouter, Depends, Response
+from fastapi import APIRouter, Depends, Header, Query, Response
 
+from statwalk.files.film_strip import MOST_PICTURES
+from statwalk.files.skeleton_svg import Side
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.commands import RemoveActor, SendEvent, SetParameter
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_replies import ActorFacts
 from statwalk.web.bounded_json import BoundedRoute
-from statwalk.web.dependencies import stage_of
+from statwalk.web.dependencies import LongWorkToken, stage_of
 from statwalk.web.routes.stages import Token, view_actor
 from statwalk.web.schemas.actor import (
     Accepted,
@@ -23,9 +25,11 @@ from statwalk.web.schemas.actor import (
     PoseAnswer,
     RootView,
 )
+from statwalk.web.schemas.base import IdempotencyKey, Tick
 
 router = APIRouter(prefix="/api/stages/{stage_id}", tags=["actors"], route_class=BoundedRoute)
 HostDep = Annotated[StageHost, Depends(stage_of)]
+Key = Annotated[IdempotencyKey, Header(alias="Idempotency-Key")]
 
 
 @router.get("/actors")
@@ -73,24 +77,43 @@ def get_pose(host: HostDep, actor_id: int) -> PoseAnswer:
     )
 
 
+@router.get(
+    "/actors/{actor_id}/skeleton.svg",
+    response_class=Response,
+    responses={200: {"content": {"image/svg+xml": {}}}},
+)
+def get_actor_skeleton(
+    host: HostDep,
+    actor_id: int,
+    token: LongWorkToken,
+    tick: Annotated[list[Tick] | None, Query(max_length=MOST_PICTURES)] = None,
+    side: Side = "right",
+) -> Response:
+    """Draws an actor as a stick figure at each `tick`, by default at the playhead."""
+    drawn = host.handle(ask.StickFigures(actor_id, tuple(tick or ()), side), token)
+    return Response(drawn, media_type="image/svg+xml", headers={"Cache-Control": "no-cache"})
+
+
 @router.post("/events", status_code=202)
-def post_event(host: HostDep, event: NewEvent, token: Token) -> Accepted:
+def post_event(host: HostDep, event: NewEvent, token: Token, key: Key = "") -> Accepted:
     """Sends an event to one actor or to all; the event counts in the next tick.
 
-    If the playhead is in the past, the event goes to a fork of the stage.
+    If the playhead is in the past, the event goes to a fork of the stage. A second request with the same
+    Idempotency-Key does nothing, and gets the first answer.
     """
-    return accepted(host, event.command(), None, token)
+    return accepted(host, event.command(), key, token)
 
 
 @router.post("/parameters", status_code=202)
-def post_parameter(host: HostDep, parameter: NewParameter, token: Token) -> Accepted:
-    """Sets a parameter of one actor or of all; the value counts in the next tick."""
-    return accepted(host, parameter.command(), None, token)
+def post_parameter(host: HostDep, parameter: NewParameter, token: Token, key: Key = "") -> Accepted:
+    """Sets a parameter of one actor or of all; the value counts in the next tick.
+
+    A second request with the same Idempotency-Key does nothing, and gets the first answer.
+    """
+    return accepted(host, parameter.command(), key, token)
 
 
-def accepted(
-    host: StageHost, command: SendEvent | SetParameter, at: int | None, token: CancelToken
-) -> Accepted:
-    """Posts an input at tick `at` (None: the playhead)."""
-    posted = host.handle(ask.Post((command,), at), token)
+def accepted(host: StageHost, command: SendEvent | SetParameter, key: str, token: CancelToken) -> Accepted:
+    """Posts an input at the playhead."""
+    posted = host.handle(ask.Post((command,), key=key), token)
     return Accepted(tick=posted.tick, seq=posted.seq, stage=posted.stage)

@@ -21,7 +21,7 @@ from statwalk.services.library.upload_sandbox import LARGEST_MODEL_BYTES, checke
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import catalogue_of
 from statwalk.web.errors import Problem
-from statwalk.web.routes.uploads import check_free, check_name, model_store_of, room_on_disk
+from statwalk.web.routes.uploads import check_free, check_result_name, model_store_of, room_on_disk
 from statwalk.web.schemas.capture import BonesView, JointPair, NewClip, NewClipView
 
 router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
@@ -61,14 +61,7 @@ def _result_name(name: str, new: NewClip, catalogue: Catalogue, store: ModelStor
 
     :raises Problem: 409, when the name is taken, or the character belongs to the server.
     """
-    result = check_name(new.character) if new.character is not None else name
-    if new.character is None and name not in catalogue.uploads():
-        raise Problem(
-            409,
-            f"the character {name[:80]!r} belongs to the server and stays as it is; "
-            "name the new one: character",
-            field="character",
-        )
+    result = check_result_name(name, new.character, catalogue)
     check_free(result, catalogue, store)
     return result
 

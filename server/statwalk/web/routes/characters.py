@@ -6,14 +6,16 @@ import math
 from typing import Annotated
 
 import numpy as np
-from fastapi import APIRouter, Depends, Response
+from fastapi import APIRouter, Depends, Query, Response
 
 from statwalk.character.chain_of_names import chain_joints
 from statwalk.character.character import Character
 from statwalk.character.feet import feet_of
 from statwalk.character.foot_contacts import contacts_of
 from statwalk.character.role import Role
+from statwalk.files.film_strip import MOST_PICTURES, film_strip
 from statwalk.files.machine_yaml.state_names import MEANINGS, proposed
+from statwalk.files.skeleton_svg import Side
 from statwalk.maths import quat
 from statwalk.maths.clamp_table import JointLimit
 from statwalk.maths.pose import Pose
@@ -22,6 +24,7 @@ from statwalk.services.library.model_store import UploadedCharacter
 from statwalk.solve.chains import top_of
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import catalogue_of
+from statwalk.web.schemas.base import Coordinate
 from statwalk.web.schemas.character import (
     CharacterView,
     ClipView,
@@ -77,7 +80,10 @@ def get_character(name: str, catalogue: CatalogueDep) -> CharacterView:
             for part in character.parts
         ],
         notes=list(character.notes),
+        targets=list(character.targets),
         expressions=[line.text for line in character.expressions],
+        muscle_bones=sorted(character.skeleton.muscle_bones),
+        skinning=character.skinning,
         model=f"/api/characters/{name}/model.glb",
     )
 
@@ -88,6 +94,24 @@ def get_character_feet(name: str, catalogue: CatalogueDep) -> FeetView:
     character = catalogue.character(name)
     feet = feet_of(character)
     return feet_view(character.skeleton, feet, contacts_of(character, feet))
+
+
+@router.get(
+    "/{name}/skeleton.svg", response_class=Response, responses={200: {"content": {"image/svg+xml": {}}}}
+)
+def get_skeleton(
+    name: str,
+    catalogue: CatalogueDep,
+    clip: Annotated[str, Query(max_length=200)] = "",
+    time: Annotated[list[Coordinate] | None, Query(max_length=MOST_PICTURES)] = None,
+    frames: Annotated[int, Query(ge=0, le=MOST_PICTURES)] = 0,
+    side: Side = "right",
+) -> Response:
+    """Draws the skeleton as stick figures: at rest, or a clip as a film strip, at each `time` (seconds) or at
+    so many `frames`.
+    """
+    drawn = film_strip(catalogue.character(name), clip, time or (), frames, side)
+    return Response(drawn, media_type="image/svg+xml", headers={"Cache-Control": "no-cache"})
 
 
 @router.get(

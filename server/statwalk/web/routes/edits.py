@@ -9,17 +9,20 @@ from collections.abc import Callable
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Header, Request, Response
+from pydantic.json_schema import SkipJsonSchema
 
 from statwalk.errors import ContentError, RefusedEditError
 from statwalk.files.machine_yaml.cell_text import CellPlace, with_cell
 from statwalk.files.machine_yaml.expression_text import with_expressions
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, SCHEMA_PATH
 from statwalk.services.cancel import CancelToken
-from statwalk.services.hosting.machine_versions import CurrentMachine, Edited, MachineVersion, MachineVersions
+from statwalk.services.hosting.machine_versions import CurrentMachine, Edited, MachineVersions
+from statwalk.services.hosting.store.records import MachineVersion
 from statwalk.web.bounded_json import BoundedRoute
-from statwalk.web.dependencies import LongWorkToken, registry_of
+from statwalk.web.dependencies import LongWorkToken, registry_in
 from statwalk.web.errors import Problem, from_error
 from statwalk.web.routes.machines import encoded, machine_members
+from statwalk.web.schemas.base import Flag
 from statwalk.web.schemas.finding import FindingView, finding_views
 from statwalk.web.schemas.machine import (
     EditedMachine,
@@ -38,11 +41,17 @@ router = APIRouter(prefix="/api", tags=["machines"], route_class=BoundedRoute)
 
 
 def _versions_of(request: Request) -> MachineVersions:
-    versions: MachineVersions = registry_of(request).versions
+    versions: MachineVersions = registry_in(request).versions
     return versions
 
 
-def _version_of(if_match: Annotated[str | None, Header(alias="If-Match")] = None) -> int:
+IfMatch = Annotated[
+    str | SkipJsonSchema[None],
+    Header(alias="If-Match", json_schema_extra={"pattern": '^ *"?[0-9]{1,9}"? *$'}),
+]
+
+
+def _version_of(if_match: IfMatch = None) -> int:
     """Returns the version that the editor has read.
 
     :raises Problem: 428, when the header is missing; 422, when it is no number.
@@ -104,7 +113,7 @@ def put_machine(
     versions: Versions,
     seen: SeenVersion,
     token: LongWorkToken,
-    dry: bool = False,
+    dry: Flag = False,
 ) -> Response:
     """Replaces the machine's text: verifies it, then plays it on all stages at once.
 
@@ -126,7 +135,7 @@ def patch_cell(
     versions: Versions,
     seen: SeenVersion,
     token: LongWorkToken,
-    dry: bool = False,
+    dry: Flag = False,
 ) -> Response:
     """Changes one cell of a table, and leaves the rest of the file as it is; like PUT otherwise.
 
@@ -150,7 +159,7 @@ def patch_expressions(
     versions: Versions,
     seen: SeenVersion,
     token: LongWorkToken,
-    dry: bool = False,
+    dry: Flag = False,
 ) -> Response:
     """Replaces the machine's expressions, and leaves the rest of the file as it is; like PUT otherwise.
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Annotated, Any
 
-from fastapi import APIRouter, Depends, Response
+from fastapi import APIRouter, Depends, Query, Response
 from pydantic import TypeAdapter
 
 from statwalk.character.expressions import OWN
@@ -23,9 +23,11 @@ from statwalk.machine.definition.machine_definition import (
 )
 from statwalk.machine.definition.sense_definition import SenseDefinition, TouchDefinition
 from statwalk.machine.graph import edges, full_table
-from statwalk.services.hosting.machine_versions import MachineVersion, saved
+from statwalk.services.hosting.machine_versions import saved
 from statwalk.services.hosting.registry import Registry
-from statwalk.services.library.catalogue import Catalogue, Entry
+from statwalk.services.hosting.store.records import MachineVersion
+from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.entry import Entry
 from statwalk.services.library.measuring import measured
 from statwalk.stage.measure.figures import UNITS
 from statwalk.stage.measure.over_budget import over_budget
@@ -210,7 +212,7 @@ def verify_machine(name: str, catalogue: CatalogueDep, token: LongWorkToken) -> 
 
 @router.get("/{name}/measure")
 def measure_machine(
-    name: str, catalogue: CatalogueDep, token: LongWorkToken, cell: str = ""
+    name: str, catalogue: CatalogueDep, token: LongWorkToken, cell: Annotated[str, Query(max_length=200)] = ""
 ) -> MeasurementsView:
     """Plays every transition of a machine from ten phases and through interruptions, or one
     (`?cell=WALK/STOP`), and returns what feet, knees, hands and joints do, and what is over the budgets of

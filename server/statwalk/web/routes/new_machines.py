@@ -21,7 +21,7 @@ from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import ModelStore
 from statwalk.services.limits import MOST_UPLOADS
 from statwalk.web.bounded_json import BoundedRoute
-from statwalk.web.dependencies import registry_of
+from statwalk.web.dependencies import LongWorkToken, registry_of
 from statwalk.web.errors import Problem
 from statwalk.web.routes.machines import machine_members
 from statwalk.web.routes.uploads import check_name, model_store_of, room_on_disk
@@ -63,8 +63,10 @@ def _states_of(new: NewMachine, character: Character) -> dict[str, str]:
 def _check_free(name: str, catalogue: Catalogue, store: ModelStore) -> None:
     """Checks that a machine may be made.
 
-    :raises Problem: 409, when a machine has this name, or the data folder holds too many machines.
+    :raises Problem: 409, when a machine or scene has this name, or the data folder holds too many machines.
     """
+    if name in catalogue.scene_folders:
+        raise Problem(409, f"the scene {name!r} belongs to the server; choose another name", field="name")
     if name in catalogue.entries:
         raise Problem(
             409, f"a machine is called {name!r} already; delete it, or choose another name", field="name"
@@ -95,9 +97,9 @@ def write(
 
 
 @router.post("", status_code=201)
-def make_machine(new: NewMachine, registry: RegistryDep, response: Response) -> MachineView:
+def make_machine(new: NewMachine, registry: RegistryDep, response: Response, _: LongWorkToken) -> MachineView:
     """Makes a machine from a character: a state for each clip, a complete table, an event on a key for each
-    state.
+    state. A character without clips gets one state, its pose at rest.
 
     You can play it at once.
     """
@@ -134,6 +136,7 @@ def delete_machine(name: str, registry: RegistryDep) -> None:
             409, f"first delete the stages that play {name!r}: {', '.join(stages[:20])}", field="name"
         )
     store = model_store_of(catalogue)
-    with store.lock:
-        catalogue.drop(name)
+    with store.lock, room_on_disk():
         store.forget_machine(name)
+        catalogue.drop(name)
+        registry.versions.forget(name)

@@ -13,6 +13,7 @@ from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.registry import MAIN, Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_replies import ActorFacts
+from statwalk.skin.skinning import Skinning
 from statwalk.web.bounded_json import RoomyRoute
 from statwalk.web.dependencies import LongWorkToken, registry_of, stage_of, token_of
 from statwalk.web.errors import Problem
@@ -143,15 +144,22 @@ def fork(host: HostDep, registry: RegistryDep, response: Response) -> StageView:
 
 
 @router.get("/{stage_id}/log", response_class=Response, responses=LOG)
-def get_log(host: HostDep) -> Response:
+def get_log(host: HostDep, token: LongWorkToken) -> Response:
     """Returns the log as JSON lines: a header, then every input. `replay` makes the same stage from it."""
-    return Response("\n".join(host.handle(ask.Log())) + "\n", media_type="application/jsonl")
+    return Response("\n".join(host.handle(ask.Log(), token)) + "\n", media_type="application/jsonl")
 
 
 @router.get("/{stage_id}/frame.glb", response_class=Response, responses=GLB)
-def get_frame(host: HostDep, token: LongWorkToken, tick: Annotated[Tick | None, Query()] = None) -> Response:
-    """Returns the posed, skinned actors at a tick (by default the playhead) as a .glb with its images."""
-    data = host.handle(ask.FrameFile(tick), token)
+def get_frame(
+    host: HostDep,
+    token: LongWorkToken,
+    tick: Annotated[Tick | None, Query()] = None,
+    skinning: Annotated[Skinning | None, Query()] = None,
+) -> Response:
+    """Returns the posed, skinned actors at a tick (by default the playhead) as a .glb with its images;
+    `skinning` chooses a way of skinning for all of them.
+    """
+    data = host.handle(ask.FrameFile(tick, skinning), token)
     return Response(data, media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 from collections.abc import AsyncIterator, Iterator
 from contextlib import asynccontextmanager, contextmanager
 from functools import partial
@@ -12,10 +11,14 @@ from typing import Annotated, Any
 import anyio
 from anyio import CancelScope, CapacityLimiter, to_thread
 from fastapi import APIRouter, Depends, Query, Request, Response
+from fastapi import Path as PathParameter
 from starlette.requests import ClientDisconnect
 
-from statwalk.files.bvh.bvh_file import SMALLEST_SCALE, Position
+from statwalk.errors import StorageError
+from statwalk.files.bvh.bvh_file import Position
 from statwalk.files.captures import Reading
+from statwalk.files.md2.md2_file import Inbetween
+from statwalk.files.scale import LARGEST_SCALE, SMALLEST_SCALE
 from statwalk.motion.filter_clip import HIGHEST_CUTOFF, Filter
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import NAME, ModelStore, UploadedCharacter
@@ -24,51 +27,23 @@ from statwalk.services.limits import MOST_UPLOADS
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import catalogue_of, token_of
 from statwalk.web.errors import Problem
+from statwalk.web.schemas.base import FILE_NAME_PATTERN, Flag
 from statwalk.web.schemas.character import UploadView
 from statwalk.web.security import MODEL
+from statwalk.web.upload_limiter import upload_limiter_of
 
 router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)
 CatalogueDep = Annotated[Catalogue, Depends(catalogue_of)]
-MOST_AT_ONCE = 8
-MOST_CHILDREN = 2
 CHUNK_BYTES = 1 << 20
 ARRIVAL_SECONDS = 600.0
 BODY = {
     "requestBody": {
         "required": True,
-        "content": {kind: {"schema": {"type": "string", "format": "binary"}} for kind in MODEL.types},
+        "content": {
+            kind: {"schema": {"type": "string", "format": "binary", "minLength": 1}} for kind in MODEL.types
+        },
     }
 }
-
-
-class UploadLimiter:
-    """Limits the uploads that arrive at once, and the child processes that read them. The app has one."""
-
-    def __init__(self) -> None:
-        self.arriving = 0
-        self.children = CapacityLimiter(MOST_CHILDREN)
-
-    @contextmanager
-    def place(self) -> Iterator[None]:
-        """Counts one upload as arriving while the context is open.
-
-        :raises Problem: 503, when too many uploads are arriving.
-        """
-        if self.arriving >= MOST_AT_ONCE:
-            raise Problem(503, f"{MOST_AT_ONCE} uploads are arriving already; try again later")
-        self.arriving += 1
-        try:
-            yield
-        finally:
-            self.arriving -= 1
-
-
-def _upload_limiter_of(request: Request) -> UploadLimiter:
-    state = request.app.state
-    if not hasattr(state, "upload_limiter"):
-        state.upload_limiter = UploadLimiter()
-    limiter: UploadLimiter = state.upload_limiter
-    return limiter
 
 
 def model_store_of(catalogue: Catalogue) -> ModelStore:
@@ -83,13 +58,11 @@ def model_store_of(catalogue: Catalogue) -> ModelStore:
 
 @contextmanager
 def room_on_disk() -> Iterator[None]:
-    """Turns a full disk into a 507."""
+    """:raises StorageError: when the disk of the data folder refuses."""
     try:
         yield
     except OSError as error:
-        if error.errno in (errno.ENOSPC, errno.EDQUOT):
-            raise Problem(507, "the disk of the data folder is full; free some space") from None
-        raise
+        raise StorageError.of(error, "the data folder") from None
 
 
 def check_name(name: str) -> str:
@@ -106,16 +79,32 @@ def check_name(name: str) -> str:
     return name
 
 
+def check_result_name(name: str, wanted: str | None, catalogue: Catalogue) -> str:
+    """Returns the name under which a character that is made of another is kept.
+
+    :raises Problem: 409, when a character of the server would be replaced; 422, when the name is not safe.
+    """
+    if wanted is None and name not in catalogue.uploads():
+        raise Problem(
+            409,
+            f"the character {name[:80]!r} belongs to the server and stays as it is; "
+            "name the new one: character",
+            field="character",
+        )
+    return name if wanted is None else check_name(wanted)
+
+
 def check_free(name: str, catalogue: Catalogue, store: ModelStore) -> None:
     """Checks that a character may be uploaded under a name.
 
-    :raises Problem: 409, when the name belongs to the character of a machine folder, or the data folder holds
-        too many characters.
+    :raises Problem: 409, when the name belongs to a character, machine or scene of the server, or the data
+        folder holds too many characters.
     """
-    if name in catalogue.owners:
+    machine = catalogue.entries.get(name)
+    if name in catalogue.owners or name in catalogue.scene_folders or (machine and not machine.made):
         raise Problem(
             409,
-            f"the character {name!r} belongs to the server; choose another name",
+            f"the name {name!r} belongs to the server; choose another name",
             field="name",
         )
     if store.find(name) is None and len(store.characters()) >= MOST_UPLOADS:
@@ -129,26 +118,27 @@ def check_free(name: str, catalogue: Catalogue, store: ModelStore) -> None:
     responses={201: {"description": "the name is new", "model": UploadView}},
 )
 async def put_character(
-    name: str,
+    name: Annotated[str, PathParameter(json_schema_extra={"pattern": FILE_NAME_PATTERN})],
     request: Request,
     catalogue: CatalogueDep,
     response: Response,
     position: Position = "replace",
-    scale: Annotated[float, Query(ge=SMALLEST_SCALE, le=1 / SMALLEST_SCALE)] = 1.0,
+    scale: Annotated[float, Query(ge=SMALLEST_SCALE, le=LARGEST_SCALE)] = 1.0,
     low_pass: Annotated[float, Query(ge=0, le=HIGHEST_CUTOFF)] = 0.0,
-    spikes: bool = False,
+    spikes: Flag = False,
+    inbetween: Inbetween = "linear",
 ) -> UploadView:
-    """Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture
-    (.bvh, .trc), as the raw body.
+    """Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, an .md2, a
+    DirectX .x in text form, or a capture (.bvh, .trc), as the raw body.
 
     Replaces an uploaded character with the same name. The query is for captures: whether BVH position
     channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of
-    spikes.
+    spikes. For an .md2: the scale, and whether its vertices go from frame to frame or switch.
     """
-    how = Reading(position, scale, Filter(low_pass, spikes))
+    how = Reading(position, scale, Filter(low_pass, spikes), inbetween)
     store = model_store_of(catalogue)
     await to_thread.run_sync(check_free, check_name(name), catalogue, store)
-    limiter = _upload_limiter_of(request)
+    limiter = upload_limiter_of(request)
     with limiter.place(), room_on_disk():
         return await take(name, request, response, store, limiter.children, how)
 
@@ -165,7 +155,7 @@ async def take(
 
     Stops if the client disconnects.
     """
-    async with _working(store) as folder:
+    async with working_folder(store) as folder:
         await _receive(request, folder / "upload")
         async with asynccontextmanager(token_of)(request) as token:
             read = partial(read_in_child, folder / "upload", folder / "model.glb", name, token, how)
@@ -174,11 +164,11 @@ async def take(
         upload = await to_thread.run_sync(store.keep, name, folder / "model.glb")
     response.status_code = 200 if replaced else 201
     response.headers["Location"] = f"/api/characters/{name}"
-    return _view(upload, facts)
+    return upload_view(upload, facts)
 
 
 @asynccontextmanager
-async def _working(store: ModelStore) -> AsyncIterator[Path]:
+async def working_folder(store: ModelStore) -> AsyncIterator[Path]:
     """Yields the folder of `store.working`, which another thread makes and removes."""
     working = store.working()
     folder = await to_thread.run_sync(working.__enter__)
@@ -208,7 +198,8 @@ async def _receive(request: Request, file: Path) -> None:
         raise Problem(400, "the body is empty; send the bytes of a model", field="body")
 
 
-def _view(upload: UploadedCharacter, facts: dict[str, Any]) -> UploadView:
+def upload_view(upload: UploadedCharacter, facts: dict[str, Any]) -> UploadView:
+    """Returns the answer to an upload: the stored character, and the facts that the child found."""
     return UploadView(
         name=upload.name,
         sha256=upload.sha256,
@@ -243,4 +234,5 @@ def delete_character(name: str, catalogue: CatalogueDep) -> None:
                 field="name",
                 known=machines,
             )
-        store.forget(name)
+        with room_on_disk():
+            store.forget(name)

@@ -9,19 +9,37 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, StringConstraints
 
+from statwalk.services.library.model_store import NAME as FILE_NAME
+
 LATEST_TICK = 2**31 - 1
 Name = Annotated[str, StringConstraints(min_length=1, max_length=80)]
+FILE_NAME_PATTERN = f"^{FILE_NAME.pattern}$"
+FileName = Annotated[Name, Field(json_schema_extra={"pattern": FILE_NAME_PATTERN})]
+"""a name that becomes a file's; the routes refuse another one in words of their own"""
 Coordinate = Annotated[float, Field(ge=-1e6, le=1e6)]
 Tick = Annotated[int, Field(ge=0, le=LATEST_TICK)]
 ActorId = Annotated[int, Field(ge=0, le=LATEST_TICK)]
 Ref = Annotated[str, StringConstraints(max_length=200)] | Annotated[int, Field(ge=-(2**53), le=2**53)] | None
 """a client's name for its message, which the answer repeats; integers up to JavaScript's largest safe one"""
+IdempotencyKey = Annotated[str, StringConstraints(max_length=80)]
+"""a client's name for a request, by which the server knows a repetition; empty: none"""
 VerdictWord = Literal["taken", "waits", "dropped"]
 Place = Annotated[tuple[str, str], Strict(False)]
 """the row and the column of a cell, as the machine file writes them"""
 Vector = tuple[float, float, float]
 Values = Annotated[dict[str, float], BeforeValidator(dict)]
 """numbers by name; pydantic also accepts pairs"""
+
+
+def _flag(text: object) -> object:
+    """Takes no other words for a flag of the query than JSON's."""
+    if text not in ("true", "false", True, False):
+        raise ValueError("write true or false")
+    return text
+
+
+Flag = Annotated[bool, BeforeValidator(_flag)]
+"""in the query, where pydantic would also take yes, on and 1"""
 
 
 class RequestModel(BaseModel):

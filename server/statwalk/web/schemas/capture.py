@@ -7,7 +7,7 @@ from typing import Annotated
 from pydantic import Field
 
 from statwalk.motion.filter_clip import HIGHEST_CUTOFF
-from statwalk.web.schemas.base import Name, RequestModel, ResponseModel
+from statwalk.web.schemas.base import FileName, Name, RequestModel, ResponseModel
 
 MOST_BONES = 200
 Seconds = Annotated[float, Field(ge=0, le=36_000)]
@@ -24,7 +24,7 @@ class NewClip(RequestModel):
     """empty: the source's first clip"""
     name: Annotated[str, Field(max_length=80)] = ""
     """the new clip's name; empty: the clip's own"""
-    character: Name | None = None
+    character: FileName | None = None
     """the name of the character with the clip; by default the uploaded character itself gets it"""
     bones: Bones = Field(default_factory=dict)
     """the source's joint of a bone whose name does not tell it; an empty joint: none"""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from statwalk.skin.skinning import Skinning
 from statwalk.web.schemas.base import ResponseModel
 
 
@@ -63,8 +64,14 @@ class CharacterView(ResponseModel):
     skins: int
     parts: list[PartView]
     notes: list[str]
+    targets: list[str]
+    """the names of its morph targets, which expressions set: `NAME.weight`"""
     expressions: list[str]
     """what moves with what, whichever machine plays it"""
+    muscle_bones: list[str]
+    """the joints that only deform the skin"""
+    skinning: Skinning
+    """what its vertices follow, unless a viewer chooses another way"""
     model: str
 
 

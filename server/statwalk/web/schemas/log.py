@@ -14,11 +14,17 @@ class LogHeader(ResponseModel):
 
     statwalk: Literal["log"]
     semantics: int
+    engine: int
+    """the number of the engine that played the log; another one refuses it"""
+    version: str
+    """of statwalk"""
     seed: int
     rate: int
     """ticks a second"""
     head: int
     """the newest tick"""
+    hash: str
+    """of the state at the head: a replay must come to it"""
 
 
 class _Line(ResponseModel):

@@ -8,7 +8,7 @@ from pydantic import Field, StringConstraints
 
 from statwalk.files.machine_yaml.cell_text import LONGEST_CELL
 from statwalk.machine.definition.machine_definition import BASE
-from statwalk.web.schemas.base import Name, RequestModel, ResponseModel
+from statwalk.web.schemas.base import FileName, Name, RequestModel, ResponseModel
 from statwalk.web.schemas.finding import FindingView
 from statwalk.web.schemas.problem import FieldError
 from statwalk.web.schemas.table import (
@@ -32,7 +32,7 @@ class NewMachine(RequestModel):
     left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
     """
 
-    name: Name
+    name: FileName
     character: Name
     mapping: Annotated[dict[str, NewState | None], Field(max_length=1_000)] | None = None
     root: Annotated[str, StringConstraints(max_length=200)] = ""
@@ -142,7 +142,7 @@ class MachineView(ResponseModel):
     version: int
     """counts the edits, from 1"""
     saved: Literal["file", "memory"]
-    """where edits are kept: in machine.yaml, or in memory until the server stops"""
+    """where edits are kept: in machine.yaml, or by the server, in its data folder if it has one"""
     initial: str
     idle: str | None
     states: list[StateView]

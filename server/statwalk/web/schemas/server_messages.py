@@ -8,6 +8,7 @@ from pydantic import Field
 
 from statwalk.services.hosting.commands import ClockKind
 from statwalk.services.publish.outbox import FrameKind
+from statwalk.skin.skinning import Skinning
 from statwalk.web.schemas.actor import Accepted
 from statwalk.web.schemas.base import Place, Ref, ResponseModel, Values, Vector, VerdictWord
 from statwalk.web.schemas.problem import ProblemView
@@ -53,6 +54,10 @@ class CastView(ResponseModel):
     events: tuple[str, ...]
     colliders: tuple[CastCollider, ...]
     actors: tuple[ActorName, ...]
+    skinning: Skinning
+    """the character's way of skinning"""
+    muscle_bones: tuple[int, ...]
+    """the joints that only deform the skin"""
 
 
 class Hello(ResponseModel):
@@ -67,12 +72,20 @@ class Hello(ResponseModel):
     rate: int
     clock: ClockKind
     frames: FrameKind
+    skinning: Skinning | None
+    """the way of skinning that the viewer chose for `glb`; null: each character's own"""
     tick: int
     head: int
     first: int
     paused: bool
     speed: float
     viewers: int
+    restored: int | None
+    """the tick at which the stage came back when the server started; null: it was opened since then"""
+    pace: float
+    """the part of the speed at which the stage runs; less than 1 while it takes more time than it may"""
+    trouble: str
+    """why nothing can be kept now, such as a full disk; empty while everything is kept"""
     casts: tuple[CastView, ...]
 
 
@@ -86,6 +99,12 @@ class StatusMessage(ResponseModel):
     paused: bool
     speed: float
     viewers: int
+    restored: int | None
+    """the tick at which the stage came back when the server started; null: it was opened since then"""
+    pace: float
+    """the part of the speed at which the stage runs; less than 1 while it takes more time than it may"""
+    trouble: str
+    """why nothing can be kept now, such as a full disk; empty while everything is kept"""
 
 
 class ActionMessage(ResponseModel):

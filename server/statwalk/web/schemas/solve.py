@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Field, Strict
+from pydantic import Field, Strict
 
-from statwalk.web.schemas.base import Coordinate, Name, RequestModel, ResponseModel, Values, Vector
+from statwalk.web.schemas.base import Coordinate, Name, RequestModel, ResponseModel, Vector
 
 Point = Annotated[tuple[Coordinate, Coordinate, Coordinate], Strict(False)]
 Quaternion = Annotated[tuple[Coordinate, Coordinate, Coordinate, Coordinate], Strict(False)]
-Rotations = Annotated[dict[str, Quaternion], BeforeValidator(dict)]
+MOST_JOINTS = 1_000
+JointName = Annotated[str, Field(max_length=200)]
+Rotations = Annotated[dict[JointName, Quaternion], Field(max_length=MOST_JOINTS)]
 """local rotations x y z w by joint"""
-Translations = Annotated[dict[str, Point], BeforeValidator(dict)]
+Translations = Annotated[dict[JointName, Point], Field(max_length=MOST_JOINTS)]
 """local translations by joint, metres"""
+Shares = Annotated[dict[JointName, Annotated[float, Field(ge=0, le=1)]], Field(max_length=MOST_JOINTS)]
 
 
 class PoseSource(RequestModel):
@@ -64,7 +67,7 @@ class NewSolve(RequestModel):
         Field(ge=1, le=1_000, description="at most; null: 16, of force 64, of look-at 8"),
     ] = None
     sensitivity: Annotated[
-        Values,
+        Shares,
         Field(description="0…1 by joint: the part of a turn that it makes, else 1; not for two-bone"),
     ] = Field(default_factory=dict)
     forward: Annotated[

@@ -11,11 +11,14 @@ from statwalk.services.limits import MOST_ACTORS, MOST_TICKS
 from statwalk.web.schemas.actor import ActorView, NewActor
 from statwalk.web.schemas.base import Name, RequestModel, ResponseModel, Tick
 
+LARGEST_SEED = 9 * 10**18
+"""below 2**63, and exact as a double: the schema writes its bounds as doubles"""
+
 
 class NewStage(RequestModel):
     """A stage to open; `rate` in ticks a second; with a manual clock only `step` moves it."""
 
-    seed: Annotated[int, Field(ge=0, lt=2**63)] | None = None
+    seed: Annotated[int, Field(ge=0, le=LARGEST_SEED)] | None = None
     rate: Annotated[int, Field(ge=1, le=240)] = 60
     clock: ClockKind = "real"
     actors: list[NewActor] = Field([], max_length=MOST_ACTORS, fail_fast=True)
@@ -70,4 +73,10 @@ class StageView(ResponseModel):
     speed: float
     hash: str
     viewers: int
+    restored: Tick | None
+    """the tick at which the stage came back when the server started; null: it was opened since then"""
+    pace: float
+    """the part of the speed at which the stage runs; less than 1 while it takes more time than it may"""
+    trouble: str
+    """why nothing can be kept now, such as a full disk; empty while everything is kept"""
     actors: list[ActorView]

@@ -7,8 +7,9 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from statwalk.services.publish.outbox import FrameKind
+from statwalk.skin.skinning import Skinning
 from statwalk.web.schemas.actor import NewEvent, NewParameter
-from statwalk.web.schemas.base import Ref, RequestModel, Tick
+from statwalk.web.schemas.base import IdempotencyKey, Ref, RequestModel, Tick
 from statwalk.web.schemas.stage import SeekBody
 
 
@@ -25,6 +26,7 @@ class PostEvent(NewEvent):
     type: Literal["event"]
     ref: Ref = None
     tick: Tick | None = None
+    key: IdempotencyKey = ""
 
 
 class PostParameter(NewParameter):
@@ -32,6 +34,7 @@ class PostParameter(NewParameter):
 
     type: Literal["set"]
     ref: Ref = None
+    key: IdempotencyKey = ""
 
 
 class Look(SeekBody):
@@ -47,10 +50,13 @@ class Live(RequestModel):
 
 
 class ChooseFrames(RequestModel):
-    """Chooses the kind of frame for this viewer."""
+    """Chooses the kind of frame for this viewer, and for `glb` the way of skinning (null: each character's
+    own).
+    """
 
     type: Literal["frames"]
     frames: FrameKind
+    skinning: Skinning | None = None
 
 
 class Ping(RequestModel):

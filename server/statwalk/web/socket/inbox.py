@@ -4,19 +4,22 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+from collections.abc import Callable
 
 from anyio import CapacityLimiter, to_thread
 from pydantic import TypeAdapter, ValidationError
 
 from statwalk.errors import StatwalkError
+from statwalk.services.access.roles import EVERYTHING, Grant
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting import stage_messages as ask
-from statwalk.services.hosting.commands import SendEvent, SetParameter
+from statwalk.services.hosting.commands import SendEvent
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_replies import Posted
-from statwalk.services.publish.outbox import Outbox
+from statwalk.services.publish.outbox import FrameForm, Outbox
 from statwalk.web import bounded_json
 from statwalk.web.errors import Problem, field_name, from_error
+from statwalk.web.gate import check_role
 from statwalk.web.schemas.base import Ref
 from statwalk.web.schemas.viewer_messages import (
     Ack,
@@ -29,7 +32,7 @@ from statwalk.web.schemas.viewer_messages import (
     ViewerMessage,
 )
 from statwalk.web.socket import messages
-from statwalk.web.socket.token_bucket import TokenBucket, cost_of
+from statwalk.web.token_bucket import TokenBucket, cost_of
 
 INPUTS_PER_SECOND = 120.0
 INPUT_BURST = 240.0
@@ -54,7 +57,10 @@ class Inbox:
 
     `token`: cancelled when the viewer is gone, with it the past ticks that it wants to see; inputs for the
     present count though the viewer that sent them is gone, and end with the server (`ending`).
-    `past_limiter`: limits the threads that compute past ticks for viewers.
+    `past_limiter`: limits the threads that compute past ticks for viewers; `input_limiter`: those that take
+    inputs of the stage's viewers, so that what follows an input, such as an acknowledgement, waits for no
+    request. `count_input` raises `Problem` if the address or the stage has too many inputs; `cut_off` is told
+    that this viewer sends too many messages. `grant`: what the viewer may do.
     """
 
     def __init__(
@@ -64,9 +70,15 @@ class Inbox:
         token: CancelToken,
         ending: CancelToken,
         past_limiter: CapacityLimiter,
+        grant: Grant = EVERYTHING,
+        input_limiter: CapacityLimiter | None = None,
+        count_input: Callable[[], None] = lambda: None,
+        cut_off: Callable[[], None] = lambda: None,
     ) -> None:
+        self.grant = grant
         self.host, self.outbox, self.token, self.ending = host, outbox, token, ending
-        self.past_limiter = past_limiter
+        self.input_limiter = input_limiter
+        self.past_limiter, self.count_input, self.cut_off = past_limiter, count_input, cut_off
         self.inputs = TokenBucket(INPUTS_PER_SECOND, INPUT_BURST)
         self.acks = TokenBucket(IDLE_ACKS_PER_SECOND, IDLE_ACKS_PER_SECOND)
         self.forks = TokenBucket(1 / SECONDS_PER_FORK, MOST_FORKS)
@@ -78,6 +90,7 @@ class Inbox:
         """Handles one message; answers an error instead of raising it."""
         if not self._spend_for(data):
             self.outbox.cut("too many messages", f"more than {INPUTS_PER_SECOND:g} messages a second")
+            self.cut_off()
             return
         ref: Ref = None
         try:
@@ -97,7 +110,12 @@ class Inbox:
         self.outbox.put_facts([text])
 
     async def act(self, message: ViewerMessage) -> None:
-        """Does what a message asks."""
+        """Does what a message asks.
+
+        :raises Problem: 403, when the viewer may only look.
+        """
+        if isinstance(message, PostEvent | PostParameter):
+            check_role(self.grant, "drive")
         match message:
             case Ack(tick=tick):
                 if self.outbox.acknowledge(tick):
@@ -105,21 +123,22 @@ class Inbox:
             case Ping(ref=ref):
                 self.answer(messages.pong(ref, self.host.handle(ask.Status()).tick))
             case PostEvent(ref=ref):
-                await self.post(
-                    ref, message.command(), self.looked_at if message.tick is None else message.tick
-                )
+                at = self.looked_at if message.tick is None else message.tick
+                await self.post(ref, message, at)
                 self.remember(message)
             case PostParameter(ref=ref):
-                await self.post(ref, message.command(), self.looked_at)
+                await self.post(ref, message, self.looked_at)
             case Look(tick=tick):
                 self.look(tick)
             case Live() | ChooseFrames():
                 await self.choose(message)
 
-    async def post(self, ref: Ref, command: SendEvent | SetParameter, at: int | None) -> None:
+    async def post(self, ref: Ref, sent: PostEvent | PostParameter, at: int | None) -> None:
         """Posts an input at tick `at` (None: the playhead), and answers where it went."""
-        message = ask.Post((command,), at, may_fork=self.forks.has_one())
-        token, limiter = (self.ending, None) if at is None else (self.token, self.past_limiter)
+        self.count_input()
+        may_fork = self.grant.stage is None and self.forks.has_one()
+        message = ask.Post((sent.command(),), at, may_fork=may_fork, key=sent.key)
+        token, limiter = (self.ending, self.input_limiter) if at is None else (self.token, self.past_limiter)
         posted = await to_thread.run_sync(self.host.handle, message, token, limiter=limiter)
         if posted.stage != self.host.id:
             self.forks.spend()
@@ -152,9 +171,12 @@ class Inbox:
         frame at once.
         """
         outbox = self.outbox
-        frames = message.frames if isinstance(message, ChooseFrames) else outbox.frames
-        frame = await to_thread.run_sync(self.host.handle, ask.Frame(frames))
-        outbox.frames, outbox.frame = frames, None
+        form = outbox.form
+        if isinstance(message, ChooseFrames):
+            form = FrameForm(message.frames, message.skinning)
+        newest = ask.Frame(form.kind, None, form.skinning)
+        frame = await to_thread.run_sync(self.host.handle, newest, limiter=self.input_limiter)
+        outbox.form, outbox.frame = form, None
         if isinstance(message, Live):
             outbox.live, self.looked_at = True, None
         if outbox.live:
@@ -190,7 +212,7 @@ class Inbox:
         try:
             frame = await to_thread.run_sync(
                 self.host.handle,
-                ask.Frame(self.outbox.frames, tick),
+                ask.Frame(self.outbox.form.kind, tick, self.outbox.form.skinning),
                 self.token,
                 limiter=self.past_limiter,
             )

@@ -8,7 +8,7 @@ from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_messages import Status
 from statwalk.services.hosting.stage_replies import Posted, StageStatus
 from statwalk.services.publish.layout import CastLayout, FrameLayout
-from statwalk.services.publish.outbox import Ending, FrameKind
+from statwalk.services.publish.outbox import Ending, FrameForm
 from statwalk.stage.state.frame import Action, Verdict
 from statwalk.web.errors import Problem
 from statwalk.web.schemas.base import Ref
@@ -26,14 +26,20 @@ from statwalk.web.schemas.server_messages import (
 )
 
 VERSION = "statwalk.v1"
-CLOSE_CODES: dict[Ending, int] = {"slow": 4008, "too large": 4013, "too many messages": 4029, "deleted": 4404}
+CLOSE_CODES: dict[Ending, int] = {
+    "access ended": 4001,
+    "slow": 4008,
+    "too large": 4013,
+    "too many messages": 4029,
+    "deleted": 4404,
+}
 
 
 def _encoded(message: ServerMessage) -> bytes:
     return message.model_dump_json().encode()
 
 
-def hello(host: StageHost, layout: FrameLayout, frames: FrameKind) -> bytes:
+def hello(host: StageHost, layout: FrameLayout, form: FrameForm) -> bytes:
     """Encodes the hello, which a viewer gets before the first frame of a layout."""
     return _encoded(
         Hello(
@@ -42,7 +48,8 @@ def hello(host: StageHost, layout: FrameLayout, frames: FrameKind) -> bytes:
             epoch=layout.epoch,
             rate=host.rate,
             clock=host.clock_kind,
-            frames=frames,
+            frames=form.kind,
+            skinning=form.skinning,
             casts=tuple(_cast(cast) for cast in layout.casts),
             **asdict(host.handle(Status())),
         )

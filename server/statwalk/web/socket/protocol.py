@@ -8,10 +8,14 @@ never comes, and so does its shutdown. Only `transport.abort()` ends the connect
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable
 
 from uvicorn._types import ASGISendEvent
 from uvicorn.protocols.utils import ClientDisconnected
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+
+from statwalk.web.request_log import note_cut
+from statwalk.web.socket.messages import CLOSE_CODES
 
 UNWRITABLE_SECONDS = 5.0
 GOODBYE_SECONDS = 1.0
@@ -21,12 +25,19 @@ class ViewerProtocol(WebSocketsSansIOProtocol):
     """Aborts a connection that is not writable for 5 s, or that does not end 1 s after the close frame."""
 
     abort_timer: asyncio.TimerHandle | None = None
+    give_back: Callable[[], None] | None = None
+    """gives the place of the connection back"""
     leaving = False
 
-    def _abort_after(self, seconds: float) -> None:
-        """Aborts the connection after `seconds`, unless the timer runs already."""
+    def _end_after(self, seconds: float, end: Callable[[], None]) -> None:
+        """Calls `end`, which aborts the connection, after `seconds`, unless the timer runs already."""
         if self.abort_timer is None:
-            self.abort_timer = self.loop.call_later(seconds, self.transport.abort)
+            self.abort_timer = self.loop.call_later(seconds, end)
+
+    def _cut(self) -> None:
+        """Aborts the connection of a peer that does not read; it counts as one that got the close code."""
+        note_cut(self.scope, CLOSE_CODES["slow"], "slow")
+        self.transport.abort()
 
     def stop_timer(self) -> None:
         """Stops the timer that aborts the connection."""
@@ -38,12 +49,12 @@ class ViewerProtocol(WebSocketsSansIOProtocol):
         """Gives the peer a second to take the close frame, then aborts the connection."""
         self.stop_timer()
         self.leaving = True
-        self._abort_after(GOODBYE_SECONDS)
+        self._end_after(GOODBYE_SECONDS, self.transport.abort)
 
     def pause_writing(self) -> None:
         """Starts the timer: the buffers of the peer and of the server are full."""
         super().pause_writing()
-        self._abort_after(UNWRITABLE_SECONDS)
+        self._end_after(UNWRITABLE_SECONDS, self._cut)
 
     def resume_writing(self) -> None:
         """Stops the timer: the peer reads again."""
@@ -65,36 +76,60 @@ class ViewerProtocol(WebSocketsSansIOProtocol):
             self.handshake_complete = True  # a refused upgrade is an answer too; uvicorn would log an error
 
     def handle_parser_exception(self) -> None:
+        """Closes the connection with the code that tells what is wrong with a frame."""
+        if self.close_sent:
+            self._discard_what_comes()
+        else:
+            self._close_in_order()
+
+    def _close_in_order(self) -> None:
         """Sends the close frame, and discards for a second what the peer still sends.
 
         uvicorn closes at once; a socket that is closed with unread data is reset, and a reset takes the close
         frame from a peer that has not read it.
         """
-        if not self.close_sent:
-            assert self.conn.close_sent is not None
-            code, reason = self.conn.close_sent.code, self.conn.close_sent.reason
-            self.queue.put_nowait({"type": "websocket.disconnect", "code": code, "reason": reason})
-            self.transport.write(b"".join(self.conn.data_to_send()))
-            self.close_sent = True
-            self.leave()
-            self.close_timer = self.abort_timer  # uvicorn does not close a connection that has this timer
+        assert self.conn.close_sent is not None
+        code, reason = self.conn.close_sent.code, self.conn.close_sent.reason
+        self.queue.put_nowait({"type": "websocket.disconnect", "code": code, "reason": reason})
+        self.transport.write(b"".join(self.conn.data_to_send()))
+        self.close_sent = True
+        self.leave()
+        self.close_timer = self.abort_timer  # uvicorn does not close a connection that has this timer
+        self._discard_what_comes()
+
+    def _discard_what_comes(self) -> None:
         self.transport.resume_reading()
-        self.transport.write_eof()
+        if self.transport.can_write_eof():  # TLS cannot
+            self.transport.write_eof()
 
     def keepalive_timeout(self) -> None:
-        """Closes the connection: the peer does not answer pings."""
-        super().keepalive_timeout()
-        self.leave()
+        """Ends the connection: the peer does not answer pings, so that it does not read either, whatever it
+        acknowledges.
+        """
+        if self.close_sent or self.transport.is_closing():
+            return
+        self.conn.send_close(CLOSE_CODES["slow"], "pings were not answered")
+        self.transport.write(b"".join(self.conn.data_to_send()))
+        self.close_sent = True
+        self._cut()
 
     def shutdown(self) -> None:
         """Closes the connection with code 1012 when the server stops; aborts it if it is not writable."""
+        if self.leaving:
+            return  # it is being closed, and has a second for it
         if self.transport.is_closing() or not self.writable.is_set():
             self.transport.abort()
-            return
-        super().shutdown()
-        self.leave()
+        elif not self.handshake_complete or self.close_sent:
+            super().shutdown()
+            self.leave()
+        else:
+            self.stop_keepalive()
+            self.conn.send_close(1012)
+            self._close_in_order()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Stops the timer: the connection is closed."""
         self.stop_timer()
+        if self.give_back is not None:
+            self.give_back()
         super().connection_lost(exc)

@@ -3,45 +3,63 @@
 from __future__ import annotations
 
 import asyncio
-import time
+from contextlib import AbstractContextManager, nullcontext
+from functools import partial
+from weakref import WeakKeyDictionary
 
-from anyio import to_thread
+from anyio import CapacityLimiter, to_thread
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from starlette.types import Message as AsgiMessage
 
-from statwalk.errors import StageError, StatwalkError
+from statwalk.errors import StageError, StatwalkError, UnknownNameError
+from statwalk.services.access.authenticator import Authenticator
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
-from statwalk.services.publish.outbox import FRAME_KINDS, FrameKind, Outbox
-from statwalk.web.dependencies import ENDING
+from statwalk.services.publish.outbox import FRAME_KINDS, FrameForm, FrameKind, Outbox
+from statwalk.skin.skinning import SKINNINGS, Skinning, skinning_of
+from statwalk.web.client_address import address_of
+from statwalk.web.dependencies import ENDING, grant_of
 from statwalk.web.errors import Problem, answer, from_error
+from statwalk.web.metrics import Metrics
+from statwalk.web.rate_limits import RateLimits
+from statwalk.web.request_log import note_limit
 from statwalk.web.socket import messages
 from statwalk.web.socket.inbox import Inbox
 
+MOST_INPUT_THREADS = 2
+"""threads that take inputs of the viewers of one stage at once"""
 router = APIRouter()
 
 
 @router.websocket("/api/stages/{stage_id}/stream")
-async def stream(socket: WebSocket, stage_id: str, frames: str = "pose") -> None:
+async def stream(socket: WebSocket, stage_id: str, frames: str = "pose", skinning: str = "") -> None:
     """Streams the frames and facts of a stage; docs/api.md describes the messages."""
     registry: Registry = socket.app.state.registry
     try:
-        kind = _frame_kind(frames)
+        kind, way = _frame_kind(frames), _skinning(skinning)
         host = registry.find(stage_id)
         _check_subprotocol(socket)
-        outbox = Outbox(kind)
+        outbox = Outbox(kind, way)
         host.join(outbox)
     except (Problem, StatwalkError) as error:
         problem = error if isinstance(error, Problem) else from_error(error, socket.path_params)
+        note_limit(socket.scope, problem.limit)
         await answer(problem.body())(socket.scope, socket.receive, socket.send)
         return
     try:
         await socket.accept(subprotocol=messages.VERSION if socket.scope["subprotocols"] else None)
-        await Viewer(socket, host, outbox).serve()
+        with _while_allowed(socket, outbox):
+            await Viewer(socket, host, outbox).serve()
     finally:
         host.leave(outbox)
+
+
+def _while_allowed(socket: WebSocket, outbox: Outbox) -> AbstractContextManager[None]:
+    """Disconnects the viewer when its access ends."""
+    authenticator: Authenticator | None = socket.app.state.authenticator
+    return authenticator.watching(outbox, grant_of(socket)) if authenticator else nullcontext()
 
 
 def _frame_kind(frames: str) -> FrameKind:
@@ -53,6 +71,17 @@ def _frame_kind(frames: str) -> FrameKind:
         if frames == kind:
             return kind
     raise Problem(422, f"no kind of frame is called {frames[:20]!r}", field="frames", known=FRAME_KINDS)
+
+
+def _skinning(name: str) -> Skinning | None:
+    """Returns the way of skinning; None if the viewer leaves it to each character.
+
+    :raises Problem: 422, when there is no such way.
+    """
+    try:
+        return skinning_of(name) if name else None
+    except UnknownNameError as error:
+        raise Problem(422, str(error), field="skinning", known=SKINNINGS) from None
 
 
 def _check_subprotocol(socket: WebSocket) -> None:
@@ -76,13 +105,29 @@ class Viewer:
     def __init__(self, socket: WebSocket, host: StageHost, outbox: Outbox) -> None:
         self.socket, self.host, self.outbox = socket, host, outbox
         self.token, ending = (CancelToken(socket.scope.get(ENDING)) for _ in range(2))
-        self.inbox = Inbox(host, outbox, self.token, ending, socket.app.state.past_limiter)
-        self.sent_layout: tuple[int, str] | None = None
+        rates: RateLimits = socket.app.state.rates
+        address = address_of(socket.scope)
+        limiters: WeakKeyDictionary[StageHost, CapacityLimiter] = socket.app.state.input_limiters
+        self.limiter = limiters.setdefault(host, CapacityLimiter(MOST_INPUT_THREADS))
+        self.inbox = Inbox(
+            host,
+            outbox,
+            self.token,
+            ending,
+            socket.app.state.past_limiter,
+            grant=grant_of(socket),
+            input_limiter=self.limiter,
+            count_input=partial(rates.input, address, host.id),
+            cut_off=partial(rates.cool, address),
+        )
+        self.metrics: Metrics = socket.app.state.metrics
+        self.sent_layout: tuple[int, FrameForm] | None = None
 
     async def serve(self) -> None:
         """Serves until the viewer leaves or is disconnected, or the server stops."""
         try:
-            self.outbox.put_frame(await to_thread.run_sync(self.host.handle, ask.Frame(self.outbox.frames)))
+            first = ask.Frame(self.outbox.form.kind, None, self.outbox.form.skinning)
+            self.outbox.put_frame(await to_thread.run_sync(self.host.handle, first, limiter=self.limiter))
         except StageError as error:
             self.outbox.cut("too large", str(error)[:100])
         tasks = [
@@ -97,7 +142,7 @@ class Viewer:
                 task.cancel()
             results = await asyncio.gather(*tasks, return_exceptions=True)
             if self.inbox.held:
-                await to_thread.run_sync(self.inbox.release_held)
+                await to_thread.run_sync(self.inbox.release_held, limiter=self.limiter)
         for result in results:
             if isinstance(result, Exception) and not isinstance(result, OSError | WebSocketDisconnect):
                 raise result
@@ -135,15 +180,18 @@ class Viewer:
                 await self.socket.send_text(text.decode())
             await self._write_frame()
         ending, reason = outbox.closing
+        note_limit(self.socket.scope, ending)
         await self.socket.close(messages.CLOSE_CODES[ending], reason)
 
     async def _write_frame(self) -> None:
         """Sends the newest frame, after a hello if the viewer does not have its layout."""
-        frame = self.outbox.take_frame(time.monotonic())
+        frame = self.outbox.take_frame(self.host.home.now())
         if frame is None:
             return
-        layout = (frame.layout.epoch, frame.kind)
+        form = FrameForm(frame.kind, frame.skinning)
+        layout = frame.layout.epoch, form
         if self.sent_layout != layout:
             self.sent_layout = layout
-            await self.socket.send_text(messages.hello(self.host, frame.layout, frame.kind).decode())
+            await self.socket.send_text(messages.hello(self.host, frame.layout, form).decode())
         await self.socket.send_bytes(frame.data)
+        self.metrics.count_frame(self.host.handle(ask.Status()).viewers, self.outbox.take_skipped())

@@ -39,12 +39,12 @@ export interface paths {
         get: operations["get_character_api_characters__name__get"];
         /**
          * Put Character
-         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, or a capture
-         *     (.bvh, .trc), as the raw body.
+         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, an .md2, a
+         *     DirectX .x in text form, or a capture (.bvh, .trc), as the raw body.
          *
          *     Replaces an uploaded character with the same name. The query is for captures: whether BVH position
          *     channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of
-         *     spikes.
+         *     spikes. For an .md2: the scale, and whether its vertices go from frame to frame or switch.
          */
         put: operations["put_character_api_characters__name__put"];
         post?: never;
@@ -72,6 +72,27 @@ export interface paths {
          * @description Returns the feet that the names of the joints tell, and the spans of the clips in which they stand.
          */
         get: operations["get_character_feet_api_characters__name__feet_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/skeleton.svg": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Skeleton
+         * @description Draws the skeleton as stick figures: at rest, or a clip as a film strip, at each `time` (seconds) or at
+         *     so many `frames`.
+         */
+        get: operations["get_skeleton_api_characters__name__skeleton_svg_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -140,6 +161,47 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/characters/{name}/formats": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Formats
+         * @description Lists the formats in which the character can be downloaded, and what each cannot hold of it.
+         */
+        get: operations["list_formats_api_characters__name__formats_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/model.{suffix}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Model As
+         * @description Returns the character as a file of another format; `clip` comes first, and is the only one where a
+         *     format holds one.
+         */
+        get: operations["get_model_as_api_characters__name__model__suffix__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/deduce": {
         parameters: {
             query?: never;
@@ -179,7 +241,7 @@ export interface paths {
         /**
          * Make Machine
          * @description Makes a machine from a character: a state for each clip, a complete table, an event on a key for each
-         *     state.
+         *     state. A character without clips gets one state, its pose at rest.
          *
          *     You can play it at once.
          */
@@ -567,7 +629,8 @@ export interface paths {
         };
         /**
          * Get Frame
-         * @description Returns the posed, skinned actors at a tick (by default the playhead) as a .glb with its images.
+         * @description Returns the posed, skinned actors at a tick (by default the playhead) as a .glb with its images;
+         *     `skinning` chooses a way of skinning for all of them.
          */
         get: operations["get_frame_api_stages__stage_id__frame_glb_get"];
         put?: never;
@@ -634,6 +697,70 @@ export interface paths {
         put?: never;
         post?: never;
         delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/access": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Access
+         * @description Returns what you may do.
+         */
+        get: operations["get_access_api_access_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/stages/{stage_id}/links": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Links
+         * @description Lists the links to a stage, without their tokens.
+         */
+        get: operations["list_links_api_stages__stage_id__links_get"];
+        put?: never;
+        /**
+         * Make Link
+         * @description Makes a link to a stage; it ends at the latest with the server or with your own access.
+         */
+        post: operations["make_link_api_stages__stage_id__links_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/stages/{stage_id}/links/{link_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Revoke Link
+         * @description Ends a link, and disconnects its viewers.
+         */
+        delete: operations["revoke_link_api_stages__stage_id__links__link_id__delete"];
         options?: never;
         head?: never;
         patch?: never;
@@ -707,6 +834,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/stages/{stage_id}/actors/{actor_id}/skeleton.svg": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Actor Skeleton
+         * @description Draws an actor as a stick figure at each `tick`, by default at the playhead.
+         */
+        get: operations["get_actor_skeleton_api_stages__stage_id__actors__actor_id__skeleton_svg_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/stages/{stage_id}/events": {
         parameters: {
             query?: never;
@@ -720,7 +867,8 @@ export interface paths {
          * Post Event
          * @description Sends an event to one actor or to all; the event counts in the next tick.
          *
-         *     If the playhead is in the past, the event goes to a fork of the stage.
+         *     If the playhead is in the past, the event goes to a fork of the stage. A second request with the same
+         *     Idempotency-Key does nothing, and gets the first answer.
          */
         post: operations["post_event_api_stages__stage_id__events_post"];
         delete?: never;
@@ -741,6 +889,8 @@ export interface paths {
         /**
          * Post Parameter
          * @description Sets a parameter of one actor or of all; the value counts in the next tick.
+         *
+         *     A second request with the same Idempotency-Key does nothing, and gets the first answer.
          */
         post: operations["post_parameter_api_stages__stage_id__parameters_post"];
         delete?: never;
@@ -784,6 +934,93 @@ export interface paths {
          *     this one with a clip more, or a new one called `character`.
          */
         post: operations["add_clip_api_characters__name__clips_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/levels": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Levels
+         * @description Lists the levels of detail that the model holds, the full skin first; empty if it holds none.
+         */
+        get: operations["list_levels_api_characters__name__levels_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/lod.glb": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Coarser Model
+         * @description Returns a coarser model: at most `error` metres from the full skin, or with at most so many `vertices`,
+         *     or at most a `share` of them.
+         */
+        get: operations["get_coarser_model_api_characters__name__lod_glb_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/lod": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Find Detail
+         * @description Finds the order in which the vertices of a character collapse, and keeps the result as an uploaded
+         *     character: this one, or a new one called `character`.
+         *
+         *     A child process does the work; it is killed if the client disconnects.
+         */
+        post: operations["find_detail_api_characters__name__lod_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/characters/{name}/rig": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rig Character
+         * @description Gives a character a skeleton and a skin, and keeps the result as an uploaded character: this one, or a
+         *     new one called `character`.
+         *
+         *     A child process does the work; it is killed if the client disconnects.
+         */
+        post: operations["rig_character_api_characters__name__rig_post"];
         delete?: never;
         options?: never;
         head?: never;
@@ -919,6 +1156,67 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/healthz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Health
+         * @description Says that the process answers.
+         */
+        get: operations["get_health_healthz_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/readyz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Readiness
+         * @description Says whether the server takes requests: 503 while it stops, and while stages stand still that should
+         *     not.
+         */
+        get: operations["get_readiness_readyz_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/metrics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Metrics
+         * @description Returns what the server counts, in the text format of Prometheus.
+         */
+        get: operations["get_metrics_metrics_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
 export type webhooks = Record<string, never>;
 export interface components {
@@ -931,6 +1229,15 @@ export interface components {
             tick: number;
             seq: number;
             stage: string;
+        };
+        /** @description What you may do; `stage` is the only stage that your link shows, null: all stages. */
+        AccessView: {
+            /** @description whether the server asks for tokens */
+            token_needed: boolean;
+            name: string;
+            /** @enum {string} */
+            role: "view" | "drive" | "admin";
+            stage: string | null;
         };
         /** @description An actor at the stage's playhead; `time` in seconds, `position` in metres, `heading_deg` about +Y. */
         ActorView: {
@@ -1058,8 +1365,17 @@ export interface components {
             skins: number;
             parts: components["schemas"]["PartView"][];
             notes: string[];
+            /** @description the names of its morph targets, which expressions set: `NAME.weight` */
+            targets: string[];
             /** @description what moves with what, whichever machine plays it */
             expressions: string[];
+            /** @description the joints that only deform the skin */
+            muscle_bones: string[];
+            /**
+             * @description what its vertices follow, unless a viewer chooses another way
+             * @enum {string}
+             */
+            skinning: "linear" | "dual-quaternion" | "rigid" | "parts";
             model: string;
         };
         /**
@@ -1177,7 +1493,7 @@ export interface components {
             /** @description counts the edits, from 1 */
             version: number;
             /**
-             * @description where edits are kept: in machine.yaml, or in memory until the server stops
+             * @description where edits are kept: in machine.yaml, or by the server, in its data folder if it has one
              * @enum {string}
              */
             saved: "file" | "memory";
@@ -1325,6 +1641,13 @@ export interface components {
             toe: string;
             points: number;
         };
+        /** @description A format of files: its name and suffix, the address of the character in it, and what it cannot hold. */
+        FormatView: {
+            format: string;
+            suffix: string;
+            file: string;
+            lost: components["schemas"]["LossView"][];
+        };
         /** @description A value and its source: `given`, `default`, `rule 8`, `expression, line 3`. */
         FoundView: {
             /** @description one number, three, or nine (a matrix row by row); angles in degrees */
@@ -1356,6 +1679,15 @@ export interface components {
             corner: number[];
             opposite: number[];
             heights: number[];
+        };
+        /** @description The process answers; `version` is the server's. */
+        HealthView: {
+            /**
+             * @default ok
+             * @constant
+             */
+            status: "ok";
+            version: string;
         };
         /** @description The changes of state up to `head`, oldest first. */
         HistoryView: {
@@ -1488,6 +1820,15 @@ export interface components {
             rows: string[][];
             edges: components["schemas"]["EdgeView"][];
         };
+        /** @description A level of detail. */
+        LevelView: {
+            /** @description the collapses of the steps below are made; 0 is the full skin */
+            steps: number;
+            /** @description metres, at most, from the full skin in the poses in which it was measured */
+            error: number;
+            vertices: number;
+            triangles: number;
+        };
         /**
          * @description The limits of a joint. `type` and `symbol` are empty for limits of each axis; `frame` x y z w turns Y
          *     into the joint's axis; `rest`: translation x y z and rotation x y z w of the rest pose; `pitch`: metres a
@@ -1504,6 +1845,24 @@ export interface components {
             rest: number[];
             pitch: number;
             freedoms: components["schemas"]["FreedomView"][];
+        };
+        /** @description A link to a stage, without its token. */
+        LinkView: {
+            id: string;
+            /** @enum {string} */
+            role: "view" | "drive" | "admin";
+            maker: string;
+            seconds_left: number;
+        };
+        /**
+         * @description Something that a file cannot hold: the kind of part, the number of parts, the names of the first of
+         *     them, and what the file has in their place.
+         */
+        LossView: {
+            part: string;
+            count: number;
+            names: string[];
+            instead: string;
         };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
         MachineSummary: {
@@ -1525,7 +1884,7 @@ export interface components {
             /** @description counts the edits, from 1 */
             version: number;
             /**
-             * @description where edits are kept: in machine.yaml, or in memory until the server stops
+             * @description where edits are kept: in machine.yaml, or by the server, in its data folder if it has one
              * @enum {string}
              */
             saved: "file" | "memory";
@@ -1562,6 +1921,15 @@ export interface components {
             expression_text: string;
             /** @description the machine file */
             text: string;
+        };
+        /** @description A new link; `url` is shown once, who has it has the role. */
+        MadeLink: {
+            id: string;
+            /** @enum {string} */
+            role: "view" | "drive" | "admin";
+            maker: string;
+            seconds_left: number;
+            url: string;
         };
         /**
          * @description A proposed state for each clip of a character; `meanings` explains the states with a
@@ -1746,6 +2114,11 @@ export interface components {
             };
             expressions?: string[];
         };
+        /** @description Whose level of detail is found, and how the result is called. */
+        NewDetail: {
+            /** @description the name of the result; by default the uploaded character itself gets the order */
+            character?: string | null;
+        };
         /** @description An event for one actor, or (null) for all actors of the stage. */
         NewEvent: {
             event: string;
@@ -1769,6 +2142,16 @@ export interface components {
             /** @default 1 */
             weight?: number;
         };
+        /** @description A link to a stage; it ends after `seconds`, when you delete it, or when the server stops. */
+        NewLink: {
+            /**
+             * @default view
+             * @enum {string}
+             */
+            role?: "view" | "drive";
+            /** @default 86400 */
+            seconds?: number;
+        };
         /**
          * @description A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
          *     left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
@@ -1790,6 +2173,30 @@ export interface components {
             parameter: string;
             value: number | number[];
             actor?: number | null;
+        };
+        /** @description How a character is rigged. */
+        NewRig: {
+            /**
+             * @description own: the joints that the file has; human, mammal: a template placed in the mesh; parts: made of the
+             *     mesh alone
+             * @default parts
+             * @enum {string}
+             */
+            skeleton?: "own" | "human" | "mammal" | "parts";
+            /**
+             * @description heat: smooth; nearest: each vertex follows one bone
+             * @default heat
+             * @enum {string}
+             */
+            weights?: "heat" | "nearest";
+            /**
+             * @description where the mesh looks, for templates
+             * @default +z
+             * @enum {string}
+             */
+            facing?: "+x" | "-x" | "+z" | "-z";
+            /** @description the name of the rigged character; by default the uploaded character itself is rigged */
+            character?: string | null;
         };
         /**
          * @description A chain of joints and its target, in model space, metres; the other members have the defaults of
@@ -1991,6 +2398,14 @@ export interface components {
             distance: number;
             reached: boolean;
         };
+        /** @description The server takes requests, and its stages move. */
+        ReadyView: {
+            /**
+             * @default ready
+             * @constant
+             */
+            status: "ready";
+        };
         /**
          * @description The answer to a dry run whose text would be refused: what is wrong in words, the places, and the
          *     findings that the text would add (none if it cannot be read).
@@ -2135,6 +2550,12 @@ export interface components {
             speed: number;
             hash: string;
             viewers: number;
+            /** @description the tick at which the stage came back when the server started; null: it was opened since then */
+            restored: number | null;
+            /** @description the part of the speed at which the stage runs; less than 1 while it takes more time than it may */
+            pace: number;
+            /** @description why nothing can be kept now, such as a full disk; empty while everything is kept */
+            trouble: string;
             actors: components["schemas"]["ActorView"][];
         };
         /** @description A layer of an actor enters `state` at `tick`. */
@@ -2364,6 +2785,13 @@ export interface components {
             events: string[];
             colliders: components["schemas"]["CastCollider"][];
             actors: components["schemas"]["ActorName"][];
+            /**
+             * @description the character's way of skinning
+             * @enum {string}
+             */
+            skinning: "linear" | "dual-quaternion" | "rigid" | "parts";
+            /** @description the joints that only deform the skin */
+            muscle_bones: number[];
         };
         /** @description The problem with the message that has this `ref`; `type` is "error", no problem type. */
         ErrorMessage: {
@@ -2409,12 +2837,20 @@ export interface components {
             clock: "real" | "manual";
             /** @enum {string} */
             frames: "pose" | "glb";
+            /** @description the way of skinning that the viewer chose for `glb`; null: each character's own */
+            skinning: ("linear" | "dual-quaternion" | "rigid" | "parts") | null;
             tick: number;
             head: number;
             first: number;
             paused: boolean;
             speed: number;
             viewers: number;
+            /** @description the tick at which the stage came back when the server started; null: it was opened since then */
+            restored: number | null;
+            /** @description the part of the speed at which the stage runs; less than 1 while it takes more time than it may */
+            pace: number;
+            /** @description why nothing can be kept now, such as a full disk; empty while everything is kept */
+            trouble: string;
             casts: components["schemas"]["CastView"][];
         };
         /** @description The answer to a ping. */
@@ -2440,6 +2876,12 @@ export interface components {
             paused: boolean;
             speed: number;
             viewers: number;
+            /** @description the tick at which the stage came back when the server started; null: it was opened since then */
+            restored: number | null;
+            /** @description the part of the speed at which the stage runs; less than 1 while it takes more time than it may */
+            pace: number;
+            /** @description why nothing can be kept now, such as a full disk; empty while everything is kept */
+            trouble: string;
         };
         /**
          * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
@@ -2482,7 +2924,10 @@ export interface components {
             type: "ack";
             tick: number;
         };
-        /** @description Chooses the kind of frame for this viewer. */
+        /**
+         * @description Chooses the kind of frame for this viewer, and for `glb` the way of skinning (null: each character's
+         *     own).
+         */
         ChooseFrames: {
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -2491,6 +2936,8 @@ export interface components {
             type: "frames";
             /** @enum {string} */
             frames: "pose" | "glb";
+            /** @default null */
+            skinning?: ("linear" | "dual-quaternion" | "rigid" | "parts") | null;
         };
         /** @description Returns this viewer to the present. */
         Live: {
@@ -2538,6 +2985,8 @@ export interface components {
             ref?: string | number | null;
             /** @default null */
             tick?: number | null;
+            /** @default  */
+            key?: string;
         };
         /** @description Sets a parameter. */
         PostParameter: {
@@ -2552,6 +3001,8 @@ export interface components {
             type: "set";
             /** @default null */
             ref?: string | number | null;
+            /** @default  */
+            key?: string;
         };
         ViewerMessage: components["schemas"]["Ack"] | components["schemas"]["PostEvent"] | components["schemas"]["PostParameter"] | components["schemas"]["Look"] | components["schemas"]["Live"] | components["schemas"]["ChooseFrames"] | components["schemas"]["Ping"];
         /** @description The first line: which stage the commands make, and how far it went. */
@@ -2559,11 +3010,17 @@ export interface components {
             /** @constant */
             statwalk: "log";
             semantics: number;
+            /** @description the number of the engine that played the log; another one refuses it */
+            engine: number;
+            /** @description of statwalk */
+            version: string;
             seed: number;
             /** @description ticks a second */
             rate: number;
             /** @description the newest tick */
             head: number;
+            /** @description of the state at the head: a replay must come to it */
+            hash: string;
         };
         /** @description An actor comes. */
         AddLine: {
@@ -2665,8 +3122,134 @@ export interface components {
         LogLine: components["schemas"]["AddLine"] | components["schemas"]["RemoveLine"] | components["schemas"]["EventLine"] | components["schemas"]["SetLine"] | components["schemas"]["TravelLine"] | components["schemas"]["EditLine"];
     };
     responses: {
-        /** @description a refusal */
-        Problem: {
+        /** @description the JSON cannot be read, or the body is empty or ends early */
+        400: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description the server asks for a token */
+        401: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description the request comes from another site's page, or your role does not allow it */
+        403: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description nothing has the name in the path */
+        404: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description the body takes too long to arrive */
+        408: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description the stage, the machine or the data folder cannot do it now */
+        409: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description another editor has changed the machine since the version in If-Match */
+        412: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description the body is too large */
+        413: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description the body has another content type */
+        415: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description the Host is another server's name */
+        421: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description a field is wrong, a name in the body is unknown, or a file is refused */
+        422: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description If-Match is missing */
+        428: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description too many requests: try again later */
+        429: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description the server is busy or stops, or its disk refuses to write: try again */
+        503: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["ProblemView"];
+            };
+        };
+        /** @description the disk of the data folder is full */
+        507: {
             headers: {
                 [name: string]: unknown;
             };
@@ -2681,6 +3264,7 @@ export interface components {
     pathItems: never;
 }
 export type Accepted = components['schemas']['Accepted'];
+export type AccessView = components['schemas']['AccessView'];
 export type ActorView = components['schemas']['ActorView'];
 export type AlternativeView = components['schemas']['AlternativeView'];
 export type BoneBody = components['schemas']['BoneBody'];
@@ -2709,10 +3293,12 @@ export type FindingView = components['schemas']['FindingView'];
 export type FindingsView = components['schemas']['FindingsView'];
 export type FootContactView = components['schemas']['FootContactView'];
 export type FootView = components['schemas']['FootView'];
+export type FormatView = components['schemas']['FormatView'];
 export type FoundView = components['schemas']['FoundView'];
 export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
 export type GroundView = components['schemas']['GroundView'];
+export type HealthView = components['schemas']['HealthView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
 export type JointPair = components['schemas']['JointPair'];
@@ -2720,9 +3306,13 @@ export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
 export type KnownBody = components['schemas']['KnownBody'];
 export type LayerView = components['schemas']['LayerView'];
+export type LevelView = components['schemas']['LevelView'];
 export type LimitView = components['schemas']['LimitView'];
+export type LinkView = components['schemas']['LinkView'];
+export type LossView = components['schemas']['LossView'];
 export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
+export type MadeLink = components['schemas']['MadeLink'];
 export type MappingView = components['schemas']['MappingView'];
 export type MarkerView = components['schemas']['MarkerView'];
 export type MeasuredView = components['schemas']['MeasuredView'];
@@ -2736,11 +3326,14 @@ export type NewClip = components['schemas']['NewClip'];
 export type NewClipView = components['schemas']['NewClipView'];
 export type NewCurves = components['schemas']['NewCurves'];
 export type NewDeduction = components['schemas']['NewDeduction'];
+export type NewDetail = components['schemas']['NewDetail'];
 export type NewEvent = components['schemas']['NewEvent'];
 export type NewExpressions = components['schemas']['NewExpressions'];
 export type NewKey = components['schemas']['NewKey'];
+export type NewLink = components['schemas']['NewLink'];
 export type NewMachine = components['schemas']['NewMachine'];
 export type NewParameter = components['schemas']['NewParameter'];
+export type NewRig = components['schemas']['NewRig'];
 export type NewSolve = components['schemas']['NewSolve'];
 export type NewStage = components['schemas']['NewStage'];
 export type NewText = components['schemas']['NewText'];
@@ -2752,6 +3345,7 @@ export type PlanView = components['schemas']['PlanView'];
 export type PoseAnswer = components['schemas']['PoseAnswer'];
 export type PoseSource = components['schemas']['PoseSource'];
 export type ReachedView = components['schemas']['ReachedView'];
+export type ReadyView = components['schemas']['ReadyView'];
 export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
 export type RootView = components['schemas']['RootView'];
@@ -2807,7 +3401,21 @@ export type RemoveLine = components['schemas']['RemoveLine'];
 export type SetLine = components['schemas']['SetLine'];
 export type TravelLine = components['schemas']['TravelLine'];
 export type LogLine = components['schemas']['LogLine'];
-export type ResponseProblem = components['responses']['Problem'];
+export type Response400 = components['responses']['400'];
+export type Response401 = components['responses']['401'];
+export type Response403 = components['responses']['403'];
+export type Response404 = components['responses']['404'];
+export type Response408 = components['responses']['408'];
+export type Response409 = components['responses']['409'];
+export type Response412 = components['responses']['412'];
+export type Response413 = components['responses']['413'];
+export type Response415 = components['responses']['415'];
+export type Response421 = components['responses']['421'];
+export type Response422 = components['responses']['422'];
+export type Response428 = components['responses']['428'];
+export type Response429 = components['responses']['429'];
+export type Response503 = components['responses']['503'];
+export type Response507 = components['responses']['507'];
 export type $defs = Record<string, never>;
 export interface operations {
     list_characters_api_characters_get: {
@@ -2828,10 +3436,11 @@ export interface operations {
                     "application/json": (components["schemas"]["ShippedCharacterView"] | components["schemas"]["UploadedCharacterView"])[];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     get_character_api_characters__name__get: {
@@ -2854,10 +3463,13 @@ export interface operations {
                     "application/json": components["schemas"]["CharacterView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     put_character_api_characters__name__put: {
@@ -2867,6 +3479,7 @@ export interface operations {
                 scale?: number;
                 low_pass?: number;
                 spikes?: boolean;
+                inbetween?: "linear" | "switched";
             };
             header?: never;
             path: {
@@ -2879,9 +3492,11 @@ export interface operations {
                 "model/gltf-binary": string;
                 "model/gltf+json": string;
                 "application/zip": string;
-                "application/x-zip-compressed": string;
-                "application/octet-stream": string;
                 "model/bvh": string;
+                "model/x-directx": string;
+                "application/octet-stream": string;
+                "model/x-chunk": string;
+                "application/x-zip-compressed": string;
                 "text/plain": string;
             };
         };
@@ -2904,10 +3519,18 @@ export interface operations {
                     "application/json": components["schemas"]["UploadView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            408: components["responses"]["408"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     delete_character_api_characters__name__delete: {
@@ -2928,10 +3551,17 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_character_feet_api_characters__name__feet_get: {
@@ -2954,10 +3584,47 @@ export interface operations {
                     "application/json": components["schemas"]["FeetView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_skeleton_api_characters__name__skeleton_svg_get: {
+        parameters: {
+            query?: {
+                clip?: string;
+                time?: number[] | null;
+                frames?: number;
+                side?: "front" | "back" | "left" | "right" | "top";
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/svg+xml": unknown;
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     get_model_api_characters__name__model_glb_get: {
@@ -2980,10 +3647,13 @@ export interface operations {
                     "model/gltf-binary": unknown;
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     get_mapping_api_characters__name__mapping_get: {
@@ -3006,10 +3676,13 @@ export interface operations {
                     "application/json": components["schemas"]["MappingView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     solve_api_characters__name__solve_post: {
@@ -3036,10 +3709,84 @@ export interface operations {
                     "application/json": components["schemas"]["SolveView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    list_formats_api_characters__name__formats_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FormatView"][];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_model_as_api_characters__name__model__suffix__get: {
+        parameters: {
+            query?: {
+                clip?: string;
+            };
+            header?: never;
+            path: {
+                name: string;
+                suffix: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/gltf-binary": unknown;
+                    "model/gltf+json": unknown;
+                    "application/zip": unknown;
+                    "model/bvh": unknown;
+                    "model/x-directx": unknown;
+                    "application/octet-stream": unknown;
+                    "model/x-chunk": unknown;
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     deduce_bones_api_deduce_post: {
@@ -3064,10 +3811,16 @@ export interface operations {
                     "application/json": components["schemas"]["DeductionView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     list_machines_api_machines_get: {
@@ -3088,10 +3841,11 @@ export interface operations {
                     "application/json": components["schemas"]["MachineSummary"][];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     make_machine_api_machines_post: {
@@ -3116,10 +3870,17 @@ export interface operations {
                     "application/json": components["schemas"]["MachineView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_machine_api_machines__name__get: {
@@ -3142,10 +3903,13 @@ export interface operations {
                     "application/json": components["schemas"]["MachineView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     put_machine_api_machines__name__put: {
@@ -3153,8 +3917,8 @@ export interface operations {
             query?: {
                 dry?: boolean;
             };
-            header?: {
-                "If-Match"?: string | null;
+            header: {
+                "If-Match": string;
             };
             path: {
                 name: string;
@@ -3176,10 +3940,20 @@ export interface operations {
                     "application/json": components["schemas"]["EditedMachine"] | components["schemas"]["RefusedTrial"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     delete_machine_api_machines__name__delete: {
@@ -3200,10 +3974,17 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     verify_machine_api_machines__name__verify_get: {
@@ -3226,10 +4007,13 @@ export interface operations {
                     "application/json": components["schemas"]["FindingsView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     measure_machine_api_machines__name__measure_get: {
@@ -3254,10 +4038,13 @@ export interface operations {
                     "application/json": components["schemas"]["MeasurementsView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     get_feet_api_machines__name__feet_get: {
@@ -3280,10 +4067,13 @@ export interface operations {
                     "application/json": components["schemas"]["FeetView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     patch_cell_api_machines__name__cells_patch: {
@@ -3291,8 +4081,8 @@ export interface operations {
             query?: {
                 dry?: boolean;
             };
-            header?: {
-                "If-Match"?: string | null;
+            header: {
+                "If-Match": string;
             };
             path: {
                 name: string;
@@ -3314,10 +4104,20 @@ export interface operations {
                     "application/json": components["schemas"]["EditedMachine"] | components["schemas"]["RefusedTrial"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     patch_expressions_api_machines__name__expressions_patch: {
@@ -3325,8 +4125,8 @@ export interface operations {
             query?: {
                 dry?: boolean;
             };
-            header?: {
-                "If-Match"?: string | null;
+            header: {
+                "If-Match": string;
             };
             path: {
                 name: string;
@@ -3348,17 +4148,27 @@ export interface operations {
                     "application/json": components["schemas"]["EditedMachine"] | components["schemas"]["RefusedTrial"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     undo_api_machines__name__undo_post: {
         parameters: {
             query?: never;
-            header?: {
-                "If-Match"?: string | null;
+            header: {
+                "If-Match": string;
             };
             path: {
                 name: string;
@@ -3376,10 +4186,19 @@ export interface operations {
                     "application/json": components["schemas"]["EditedMachine"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     list_versions_api_machines__name__versions_get: {
@@ -3402,10 +4221,13 @@ export interface operations {
                     "application/json": components["schemas"]["VersionView"][];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     get_schema_api_schemas_machine_json_get: {
@@ -3426,10 +4248,11 @@ export interface operations {
                     "application/schema+json": Record<string, never>;
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     list_stages_api_stages_get: {
@@ -3450,10 +4273,11 @@ export interface operations {
                     "application/json": components["schemas"]["StageView"][];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     open_stage_api_stages_post: {
@@ -3478,10 +4302,17 @@ export interface operations {
                     "application/json": components["schemas"]["StageView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_stage_api_stages__stage_id__get: {
@@ -3504,10 +4335,12 @@ export interface operations {
                     "application/json": components["schemas"]["StageView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     close_stage_api_stages__stage_id__delete: {
@@ -3528,10 +4361,16 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     step_api_stages__stage_id__step_post: {
@@ -3558,10 +4397,18 @@ export interface operations {
                     "application/json": components["schemas"]["StageView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     seek_api_stages__stage_id__seek_post: {
@@ -3588,10 +4435,18 @@ export interface operations {
                     "application/json": components["schemas"]["StageView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     pause_api_stages__stage_id__pause_post: {
@@ -3618,10 +4473,18 @@ export interface operations {
                     "application/json": components["schemas"]["StageView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     speed_api_stages__stage_id__speed_post: {
@@ -3648,10 +4511,18 @@ export interface operations {
                     "application/json": components["schemas"]["StageView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     fork_api_stages__stage_id__fork_post: {
@@ -3674,10 +4545,16 @@ export interface operations {
                     "application/json": components["schemas"]["StageView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_log_api_stages__stage_id__log_get: {
@@ -3700,16 +4577,19 @@ export interface operations {
                     "application/jsonl": components["schemas"]["LogLine"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     get_frame_api_stages__stage_id__frame_glb_get: {
         parameters: {
             query?: {
                 tick?: number | null;
+                skinning?: ("linear" | "dual-quaternion" | "rigid" | "parts") | null;
             };
             header?: never;
             path: {
@@ -3728,10 +4608,14 @@ export interface operations {
                     "model/gltf-binary": unknown;
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     get_recording_api_stages__stage_id__recording_glb_get: {
@@ -3757,10 +4641,14 @@ export interface operations {
                     "model/gltf-binary": unknown;
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     list_scenes_api_scenes_get: {
@@ -3781,10 +4669,11 @@ export interface operations {
                     "application/json": components["schemas"]["SceneView"][];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     get_history_api_stages__stage_id__history_get: {
@@ -3807,10 +4696,135 @@ export interface operations {
                     "application/json": components["schemas"]["HistoryView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_access_api_access_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AccessView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    list_links_api_stages__stage_id__links_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LinkView"][];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    make_link_api_stages__stage_id__links_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewLink"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MadeLink"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    revoke_link_api_stages__stage_id__links__link_id__delete: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                link_id: string;
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     list_actors_api_stages__stage_id__actors_get: {
@@ -3833,10 +4847,12 @@ export interface operations {
                     "application/json": components["schemas"]["ActorView"][];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     add_actor_api_stages__stage_id__actors_post: {
@@ -3863,10 +4879,18 @@ export interface operations {
                     "application/json": components["schemas"]["ActorView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_actor_api_stages__stage_id__actors__actor_id__get: {
@@ -3890,10 +4914,13 @@ export interface operations {
                     "application/json": components["schemas"]["ActorView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     remove_actor_api_stages__stage_id__actors__actor_id__delete: {
@@ -3915,10 +4942,17 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_pose_api_stages__stage_id__actors__actor_id__pose_get: {
@@ -3942,16 +4976,55 @@ export interface operations {
                     "application/json": components["schemas"]["PoseAnswer"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_actor_skeleton_api_stages__stage_id__actors__actor_id__skeleton_svg_get: {
+        parameters: {
+            query?: {
+                tick?: number[] | null;
+                side?: "front" | "back" | "left" | "right" | "top";
+            };
+            header?: never;
+            path: {
+                actor_id: number;
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/svg+xml": unknown;
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     post_event_api_stages__stage_id__events_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
             path: {
                 stage_id: string;
             };
@@ -3972,16 +5045,26 @@ export interface operations {
                     "application/json": components["schemas"]["Accepted"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     post_parameter_api_stages__stage_id__parameters_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
             path: {
                 stage_id: string;
             };
@@ -4002,10 +5085,18 @@ export interface operations {
                     "application/json": components["schemas"]["Accepted"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_bones_api_characters__name__bones_get: {
@@ -4028,10 +5119,13 @@ export interface operations {
                     "application/json": components["schemas"]["BonesView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     add_clip_api_characters__name__clips_post: {
@@ -4058,10 +5152,156 @@ export interface operations {
                     "application/json": components["schemas"]["NewClipView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    list_levels_api_characters__name__levels_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LevelView"][];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_coarser_model_api_characters__name__lod_glb_get: {
+        parameters: {
+            query?: {
+                error?: number | null;
+                vertices?: number | null;
+                share?: number | null;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/gltf-binary": unknown;
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    find_detail_api_characters__name__lod_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewDetail"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["UploadView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    rig_character_api_characters__name__rig_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewRig"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["UploadView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_why_api_stages__stage_id__actors__actor_id__why_get: {
@@ -4087,10 +5327,14 @@ export interface operations {
                     "application/json": components["schemas"]["WhyView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     get_whynot_api_stages__stage_id__actors__actor_id__whynot_get: {
@@ -4117,10 +5361,14 @@ export interface operations {
                     "application/json": components["schemas"]["WhyNotView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     travel_api_stages__stage_id__actors__actor_id__travel_post: {
@@ -4148,10 +5396,18 @@ export interface operations {
                     "application/json": components["schemas"]["PlanView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     cancel_travel_api_stages__stage_id__actors__actor_id__travel_delete: {
@@ -4173,10 +5429,17 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     compare_api_curves_post: {
@@ -4201,10 +5464,16 @@ export interface operations {
                     "application/json": components["schemas"]["CurvesView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_twinning_api_characters__name__twinning_get: {
@@ -4229,10 +5498,13 @@ export interface operations {
                     "application/json": components["schemas"]["TwinningView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     get_path_api_characters__name__path_get: {
@@ -4258,10 +5530,88 @@ export interface operations {
                     "application/json": components["schemas"]["MotionPathView"];
                 };
             };
-            /** @description Client Error */
-            "4XX": components["responses"]["Problem"];
-            /** @description Server Error */
-            "5XX": components["responses"]["Problem"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_health_healthz_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HealthView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_readiness_readyz_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReadyView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_metrics_metrics_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": string;
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
 }

@@ -1,6 +1,6 @@
 /** Messages of the socket (`statwalk.v1`), in both directions, under the page's names. */
 
-import type { ChooseFrames, PostEvent } from "./api.generated";
+import type { CastView, ChooseFrames, PostEvent } from "./api.generated";
 
 export type {
   AcceptedMessage as Accepted,
@@ -17,5 +17,6 @@ export type {
   ViewerMessage as ClientMessage,
 } from "./api.generated";
 
+export type Skinning = CastView["skinning"];
 export type FrameKind = ChooseFrames["frames"];
 export type EventKind = NonNullable<PostEvent["kind"]>;

@@ -3,6 +3,7 @@
 import type { ShippedCharacterView, UploadedCharacterView } from "./api.generated";
 
 export type {
+  AccessView as Access,
   BonesView as Bones,
   ActorView as ActorFacts,
   ClampedView as ClampedJoint,

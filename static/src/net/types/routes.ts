@@ -29,4 +29,5 @@ export interface Extras<M extends Method, P extends Route<M>> {
   query?: Query<M, P>;
   body?: Body<M, P>;
   version?: number;
+  signal?: AbortSignal;
 }

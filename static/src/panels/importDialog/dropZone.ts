@@ -2,6 +2,7 @@
 
 import "./dropZone.css";
 import { el, svg } from "../../ui/dom";
+import { droppedFiles, type LocalFile } from "./localFiles";
 
 function picture(): SVGElement {
   const line = {
@@ -24,11 +25,15 @@ function picture(): SVGElement {
 
 const carriesFiles = (drag: DragEvent): boolean => drag.dataTransfer?.types.includes("Files") ?? false;
 
-/** Calls `taken` with the dropped files. */
-export function dropZone(taken: (files: File[]) => void): void {
+/** Calls `taken` with the dropped files, and with the files of dropped folders. */
+export function dropZone(taken: (files: LocalFile[]) => void): void {
   const words = [
     el("strong", {}, "Drop your character"),
-    el("span", {}, "a .glb, or a .zip of a .gltf with its files; or a motion for this one: .bvh, .trc"),
+    el(
+      "span",
+      {},
+      "a .glb, .md2, .x or .chunk, or a .gltf with its files (or a .zip of them); or a motion for this one: .bvh, .trc",
+    ),
   ];
   const overlay = el(
     "div",
@@ -48,6 +53,6 @@ export function dropZone(taken: (files: File[]) => void): void {
     show(false);
     if (!carriesFiles(drop)) return;
     drop.preventDefault();
-    taken([...drop.dataTransfer!.files]);
+    void droppedFiles(drop.dataTransfer!).then(taken);
   });
 }

@@ -7,9 +7,13 @@ import type { Mapping, UploadedCharacter } from "../../net/protocol";
 import { el, say } from "../../ui/dom";
 import { importCapture, isCapture } from "./captureImport";
 import type { BoneForm } from "./boneForm";
+import { FrameSwitch } from "./frameSwitch";
+import { MODELS, oneFile, PARTS } from "./gltfFiles";
+import { chosenFiles, type LocalFile } from "./localFiles";
 import { MappingForm } from "./mappingForm";
+import { offerRig } from "./rigStep";
 
-const ACCEPT = ".glb,.gltf,.zip,.bvh,.trc,model/gltf-binary,application/zip";
+const ACCEPT = [...MODELS, ...PARTS, "model/gltf-binary", "application/zip"].join();
 
 /** The server closes the connection on a larger file, which a page cannot tell from a lost connection. */
 const MOST_BYTES = 64 * 2 ** 20;
@@ -24,6 +28,7 @@ export class ImportDialog {
   private readonly fileInput = el("input", {
     type: "file",
     accept: ACCEPT,
+    multiple: true,
     hidden: true,
     tabindex: -1,
     "aria-hidden": "true",
@@ -43,9 +48,9 @@ export class ImportDialog {
     document.body.append(this.dialog, this.fileInput);
     this.dialog.addEventListener("close", () => this.forget());
     this.fileInput.addEventListener("change", () => {
-      const files = [...(this.fileInput.files ?? [])];
+      const files = chosenFiles(this.fileInput);
       this.fileInput.value = "";
-      this.take(files);
+      void this.take(files);
     });
   }
 
@@ -54,16 +59,19 @@ export class ImportDialog {
     this.fileInput.click();
   }
 
-  /** Takes one dropped or chosen file. */
-  take(files: readonly File[]): void {
+  /** Takes a dropped or chosen model or capture: one file, or a .gltf with its files. */
+  async take(files: readonly LocalFile[]): Promise<void> {
     if (!files.length) return;
     this.forget();
-    const [file, more] = files;
-    if (more) this.refuse("Import one file at a time; put a .gltf and its files into a .zip.");
-    else if (file!.size > MOST_BYTES)
-      this.refuse(`The file has ${size(file!.size)}; the server takes ${size(MOST_BYTES)} at most.`);
-    else if (isCapture(file!)) void this.capture(file!);
-    else void this.upload(file!);
+    try {
+      const total = files.reduce((sum, { file }) => sum + file.size, 0);
+      if (total > MOST_BYTES)
+        throw new Error(`The files have ${size(total)}; the server takes ${size(MOST_BYTES)} at most.`);
+      const file = await oneFile(files);
+      await (isCapture(file) ? this.capture(file) : this.upload(file));
+    } catch (error) {
+      this.refuse(error);
+    }
   }
 
   /** Carries a capture over to the watched character; plays it at once. */
@@ -107,9 +115,14 @@ export class ImportDialog {
     const progress = this.showProgress(file);
     try {
       const name = nameFor(file.name, takenNames(...(await Promise.all([api.machines(), api.characters()]))));
-      const character = await putCharacter(name, file, progress, cancel.signal);
+      const uploaded = await putCharacter(name, file, progress, cancel.signal);
       this.pending = name;
-      this.showMapping(character, await api.mapping(name));
+      const character = await offerRig(
+        uploaded,
+        (title, ...parts) => this.show(title, ...parts),
+        cancel.signal,
+      );
+      this.showMapping(character, await api.mapping(name), FrameSwitch.of(file));
     } catch (error) {
       if (!cancel.signal.aborted) this.refuse(error);
     }
@@ -158,8 +171,7 @@ export class ImportDialog {
     again.focus();
   }
 
-  private showMapping(character: UploadedCharacter, mapping: Mapping): void {
-    if (!character.clips) return this.refuse("The model has no animations, so you cannot make states of it.");
+  private showMapping(character: UploadedCharacter, mapping: Mapping, frames: FrameSwitch | null): void {
     const { joints, clips, vertices, notes } = character;
     const form = new MappingForm(mapping);
     const name = el("input", {
@@ -193,12 +205,17 @@ export class ImportDialog {
       el("span", { class: "space" }),
       make,
     );
-    const all = el("form", { class: "import-form", novalidate: true }, form.element, wrong, foot);
+    const states = clips
+      ? form.element
+      : el("p", {}, "Its machine gets one state, STAT: the pose at rest, which expressions can move.");
+    const choice = frames ? [frames.element] : [];
+    const all = el("form", { class: "import-form", novalidate: true }, states, ...choice, wrong, foot);
     all.addEventListener("submit", (submit) => {
       submit.preventDefault();
-      void this.make(name, make, wrong, form, character.name);
+      void this.make(name, make, wrong, form, character.name, frames);
     });
-    this.show("Which clip is which state?", el("p", { class: "import-about" }, facts), remarks, all);
+    const title = clips ? "Which clip is which state?" : "A model without animations";
+    this.show(title, el("p", { class: "import-about" }, facts), remarks, all);
     make.focus();
   }
 
@@ -208,10 +225,12 @@ export class ImportDialog {
     wrong: HTMLElement,
     form: MappingForm,
     character: string,
+    frames: FrameSwitch | null,
   ): Promise<void> {
     button.disabled = true;
     say(wrong, "");
     try {
+      await frames?.apply(character, this.cancel.signal);
       await api.makeMachine(name.value.trim(), character, form.states());
       this.pending = null;
       this.dialog.close();

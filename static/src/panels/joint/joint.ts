@@ -57,7 +57,7 @@ export class JointPanel {
   /** Follows the pose; called once per drawn frame. */
   update(): void {
     const machine = this.session.machine.value;
-    const marks = this.stageView.marks();
+    const marks = this.stageView.watched.marks();
     const wanted = marks.flatMap((mark) => this.wanted(mark, machine));
     this.handles.show(wanted);
     const values = wanted.flatMap(({ handle, values }) =>
@@ -84,7 +84,7 @@ export class JointPanel {
     held: ReadonlyMap<string, number>,
     machine: MachineInfo | null,
   ): void {
-    const chosen = this.stageView.joint.value;
+    const chosen = this.stageView.watched.joint.value;
     const mark = marks.length === 1 ? marks[0] : undefined;
     this.host.hidden = !chosen && !mark;
     if (this.host.hidden) return this.hideLabel();
@@ -128,24 +128,31 @@ export class JointPanel {
     this.label.hidden = true;
   }
 
-  /** Chooses the joint whose circle is under the pointer; beside all circles, none. */
+  /** Chooses the joint whose circle is under the pointer; beside all circles none, or the actor there. */
   private click(event: PointerEvent): void {
     const { down } = this;
     this.down = null;
     if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > STILL) return;
     const found = this.nearest(event);
-    if (found === null && !this.stageView.joint.value) return;
-    this.stageView.joint.set(found === this.stageView.joint.value ? "" : (found ?? ""));
+    if (found === null && !this.stageView.watched.joint.value) return this.chooseActor(event);
+    this.stageView.watched.joint.set(found === this.stageView.watched.joint.value ? "" : (found ?? ""));
+  }
+
+  private chooseActor({ clientX, clientY }: PointerEvent): void {
+    const actor = this.stageView.actorAt(clientX, clientY);
+    if (actor === null || actor === this.session.actor.value) return;
+    this.session.actor.set(actor);
+    void this.session.loadMachine();
   }
 
   private nearest(event: PointerEvent): string | null {
     const { scene } = this.stageView;
-    const actor = this.stageView.selected();
+    const actor = this.stageView.watched.model;
     if (!actor) return null;
     const box = scene.canvas.getBoundingClientRect();
     const places = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
     let [best, away]: [string | null, number] = [null, NEAR];
-    for (const name of this.stageView.circles()) {
+    for (const name of this.stageView.watched.circles()) {
       const joint = actor.cast.names.indexOf(name);
       const { x, y } = new THREE.Vector3().fromArray(places, joint * 3).project(scene.view.camera);
       const left = box.left + ((x + 1) / 2) * box.width - event.clientX;

@@ -46,7 +46,7 @@ export class PoseTrial {
   ) {
     this.handles = new PointHandles(stageView.scene, (_, point) => this.sender.put(point));
     stageView.scene.world.add(this.line.object);
-    stageView.joint.on(() => this.end());
+    stageView.watched.joint.on(() => this.end());
   }
 
   /** Where the ball is drawn, in pixels; for tests. */
@@ -62,22 +62,23 @@ export class PoseTrial {
       return;
     }
     const { actor, joints } = limb;
-    if (this.shown !== this.stageView.joint.value) {
+    if (this.shown !== this.stageView.watched.joint.value) {
       const box = actor.box();
       this.size = SIZE * Math.max(box.max.y - box.min.y, 0.1);
     }
-    this.shown = this.stageView.joint.value;
+    this.shown = this.stageView.watched.joint.value;
     if (this.handles.dragging !== null || !this.host.hidden) return;
     const e = actor.jointWorld(joints.at(-1)!);
     this.handles.show(HANDLE, [e[12]!, e[13]!, e[14]!], this.size);
   }
 
   private limb(): { actor: PosedModel; joints: number[] } | null {
-    const actor = this.stageView.selected();
-    const joint = actor?.cast.names.indexOf(this.stageView.joint.value) ?? -1;
-    if (!actor || joint < 0) return null;
+    const actor = this.stageView.watched.model;
+    const joint = actor?.cast.names.indexOf(this.stageView.watched.joint.value) ?? -1;
+    if (!actor || joint < 0 || actor.cast.muscle_bones.includes(joint)) return null;
     const { joints } = planBones(actor.cast, actor.model.skinJoints);
-    const limb = limbOf(joint, actor.cast.parents, new Set(joints));
+    const bones = joints.filter((each) => !actor.cast.muscle_bones.includes(each));
+    const limb = limbOf(joint, actor.cast.parents, new Set(bones));
     return limb.length > 1 ? { actor, joints: limb } : null;
   }
 
@@ -89,7 +90,7 @@ export class PoseTrial {
     if (!found || !machine || this.asking) return;
     const { actor, joints } = found;
     const names = actor.cast.names;
-    const inside = new THREE.Vector3(...point).applyMatrix4(actor.root.matrixWorld.clone().invert());
+    const inside = new THREE.Vector3(...point).applyMatrix4(actor.rootWorld().invert());
     this.asking = true;
     try {
       const answer = await solve(machine.character, {
@@ -103,7 +104,7 @@ export class PoseTrial {
       if (this.shown === null) return;
       this.line.show(
         answer.joints.map(({ position }) =>
-          new THREE.Vector3(...(position as Point)).applyMatrix4(actor.root.matrixWorld),
+          new THREE.Vector3(...(position as Point)).applyMatrix4(actor.rootWorld()),
         ),
       );
       this.host.hidden = false;

@@ -64,6 +64,6 @@ export class ParametersPanel {
     show(this.values.get(name));
     this.sliders.set(name, show);
     slider.addEventListener("input", () => this.values.set(name, slider.valueAsNumber));
-    return el("label", {}, el("span", {}, name), slider, shown);
+    return el("label", {}, el("span", { title: name }, name), slider, shown);
   }
 }

@@ -46,6 +46,7 @@ export class Picker {
     const group = furnished.length ? [el("optgroup", { label: "scenes" }, ...furnished)] : [];
     this.scenes = new Map(machines.map(({ name, scene }) => [name, scene]));
     this.machines.replaceChildren(el("optgroup", { label: "machines" }, ...alone), ...group);
+    this.machines.hidden = !this.machines.options.length; // a link to one stage lists no others
     this.select();
   }
 

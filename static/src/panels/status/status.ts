@@ -4,6 +4,10 @@ import "./status.css";
 import type { Session } from "../../state/session";
 import { el, say } from "../../ui/dom";
 
+/** Three times as long as the server is ever silent if it has time. */
+const SILENT_MS = 3000;
+const SILENCE = "The line is open, but the server says nothing: it has no time, or the network is gone.";
+
 interface Reading {
   value: HTMLElement;
   read: (now: number) => string;
@@ -22,6 +26,7 @@ export class StatusPanel {
     this.word,
   );
   private readonly readings: Reading[];
+  private silent = false;
 
   constructor(
     private readonly host: HTMLElement,
@@ -50,22 +55,37 @@ export class StatusPanel {
 
   private show(): void {
     const { state, detail } = this.session.link.value;
-    const past = this.session.looking.value !== null;
     const word =
-      state !== "live"
-        ? { connecting: "connecting", lost: "lost, trying again", refused: "refused" }[state]
-        : past
-          ? "past"
-          : this.session.status.value.paused
-            ? "paused"
-            : "live";
+      state === "live"
+        ? this.liveWord()
+        : { connecting: "connecting", lost: "lost, trying again", refused: "refused" }[state];
     this.host.dataset["link"] = state === "live" ? word : state;
-    this.dot.title = detail;
+    const { trouble } = this.session.status.value;
+    this.dot.title = { slow: this.slowness(), "not kept": trouble, "no answer": SILENCE }[word] ?? detail;
     say(this.word, word);
   }
 
-  /** Updates the rates. */
+  /** What matters most about a stage whose frames arrive. */
+  private liveWord(): "no answer" | "not kept" | "past" | "paused" | "slow" | "live" {
+    const { trouble, paused, pace } = this.session.status.value;
+    if (this.silent) return "no answer";
+    if (trouble) return "not kept";
+    if (this.session.looking.value !== null) return "past";
+    return paused ? "paused" : pace < 1 ? "slow" : "live";
+  }
+
+  private slowness(): string {
+    const percent = Math.round(this.session.status.value.pace * 100);
+    return `The server runs this stage at ${percent} % of its speed: it takes more time than it may. Fewer actors help.`;
+  }
+
+  /** Updates the rates, and notices when the server says nothing any more. */
   update(now: number): void {
+    const silent = now - this.session.heardAt > SILENT_MS;
+    if (silent !== this.silent) {
+      this.silent = silent;
+      this.show();
+    }
     for (const { value, read } of this.readings) say(value, read(now));
   }
 }

@@ -71,7 +71,7 @@ export class VersionBar {
     const newest = this.editing.newest.value;
     if (!machine) return;
     say(this.version, `v${machine.version}`);
-    const kept = machine.saved === "file" ? "in machine.yaml" : "until the server stops";
+    const kept = machine.saved === "file" ? "in machine.yaml" : "by the server, not in its file";
     const edited = machine.version > 1 && newest?.version === machine.version;
     say(this.what, edited ? `${newest.what}, kept ${kept}` : `edits are kept ${kept}`);
     this.what.title = this.what.textContent ?? "";

@@ -55,8 +55,8 @@ export class TargetsPanel {
 
   /** Lets the handles of chains that nobody holds follow the chains' ends; called once per drawn frame. */
   update(): void {
-    const actor = this.grips.size ? this.stageView.selected() : null;
-    if (!actor || !this.stageView.ready.value) return;
+    const actor = this.grips.size ? this.stageView.watched.model : null;
+    if (!actor || !this.stageView.watched.ready.value) return;
     const places = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
     for (const [name, { joint }] of this.grips) {
       const row = actor.cast.names.indexOf(joint);
@@ -142,7 +142,7 @@ export class TargetsPanel {
   }
 
   private size(): number {
-    const box = this.stageView.selected()?.box();
+    const box = this.stageView.watched.model?.box();
     return SIZE * (box ? Math.max(box.max.y - box.min.y, 0.1) : 1.8);
   }
 
@@ -155,7 +155,7 @@ export class TargetsPanel {
 
   /** Sends the place under the pointer on a plane in front of the character. */
   private follow(event: PointerEvent): void {
-    const actor = this.looks ? this.stageView.selected() : null;
+    const actor = this.looks ? this.stageView.watched.model : null;
     if (!actor) return;
     const { camera } = this.stageView.scene.view;
     const centre = actor.box().getCenter(new THREE.Vector3());

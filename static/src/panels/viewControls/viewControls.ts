@@ -1,11 +1,15 @@
 /** Controls over the stage view: the live state and its phase, skin modes, choice of stream, notices. */
 
 import "./viewControls.css";
+import type { Skinning } from "../../net/protocol";
 import type { Session } from "../../state/session";
 import type { Modes, StageView } from "../../view/stageView";
 import { FRAMINGS, type Framing } from "../../view/framing";
 import { el, say } from "../../ui/dom";
 import { icon } from "../../ui/icons";
+import { detailControls } from "./detailControls";
+import { lookControls } from "./lookControls";
+import { proofControls } from "./proofControls";
 
 const MODES: [keyof Modes, string, string][] = [
   ["skin", "1", "the skin with its materials"],
@@ -33,8 +37,8 @@ function turntable(stageView: StageView): HTMLButtonElement {
     { type: "button", title: "the view turns around the character (R)" },
     "turntable",
   );
-  made.addEventListener("click", () => stageView.turning.set(!stageView.turning.value));
-  stageView.turning.on((turning) => made.setAttribute("aria-pressed", String(turning)));
+  made.addEventListener("click", () => stageView.watched.turning.set(!stageView.watched.turning.value));
+  stageView.watched.turning.on((turning) => made.setAttribute("aria-pressed", String(turning)));
   return made;
 }
 
@@ -49,8 +53,27 @@ function modeButton(stageView: StageView, [mode, key, title]: (typeof MODES)[num
 function framingChoice(stageView: StageView): HTMLSelectElement {
   const options = FRAMINGS.map((framing) => el("option", { value: framing }, framing));
   const select = el("select", { "aria-label": "framing", title: "how much the camera shows" }, ...options);
-  select.addEventListener("change", () => stageView.framing.set(select.value as Framing));
-  stageView.framing.on((framing) => (select.value = framing));
+  select.addEventListener("change", () => stageView.watched.framing.set(select.value as Framing));
+  stageView.watched.framing.on((framing) => (select.value = framing));
+  return select;
+}
+
+const WAYS: [Skinning | "", string][] = [
+  ["", "own skin"],
+  ["linear", "linear"],
+  ["dual-quaternion", "dual quaternion"],
+  ["rigid", "rigid"],
+  ["parts", "parts"],
+];
+
+/** Makes the choice of the way of skinning. */
+function skinningChoice(session: Session): HTMLSelectElement {
+  const title =
+    "what the vertices follow: blended matrices, blended dual quaternions, one bone, or one bone a piece";
+  const options = WAYS.map(([value, text]) => el("option", { value }, text));
+  const select = el("select", { "aria-label": "way of skinning", title }, ...options);
+  select.addEventListener("change", () => session.skin((select.value || null) as Skinning | null));
+  session.skinning.on((way) => (select.value = way ?? ""));
   return select;
 }
 
@@ -59,14 +82,14 @@ function pathChoice(stageView: StageView): HTMLSelectElement {
   const none = el("option", { value: "" }, "no path");
   const select = el("select", { "aria-label": "path of a joint", title: "draw a joint's path (arc)" }, none);
   const fill = (): void => {
-    const names = stageView.jointNames().map((name) => el("option", { value: name }, name));
+    const names = stageView.watched.jointNames().map((name) => el("option", { value: name }, name));
     select.replaceChildren(none, ...names);
-    select.value = stageView.traced.value;
+    select.value = stageView.watched.traced.value;
   };
   select.addEventListener("pointerdown", fill);
   select.addEventListener("focus", fill);
-  select.addEventListener("change", () => stageView.traced.set(select.value));
-  stageView.ready.on(fill);
+  select.addEventListener("change", () => stageView.watched.traced.set(select.value));
+  stageView.watched.ready.on(fill);
   return select;
 }
 
@@ -97,17 +120,22 @@ export function modeBar(host: HTMLElement, session: Session, stageView: StageVie
     },
     icon("frame"),
   );
-  frame.addEventListener("click", () => stageView.frame());
+  frame.addEventListener("click", () => stageView.watched.frame());
   const stream = el("div", { class: "group choice", role: "group", "aria-label": "stream" }, ...streams);
   const staging = el(
     "div",
     { class: "group staging" },
+    skinningChoice(session),
     pathChoice(stageView),
     framingChoice(stageView),
     turntable(stageView),
     frame,
   );
-  host.append(skin, el("span", { class: "space" }), stream, staging);
+  const looks = el("div", { class: "group staging" }, ...lookControls(stageView));
+  const [prove, difference] = proofControls(stageView.proof);
+  staging.append(prove);
+  const detail = detailControls(stageView);
+  host.append(skin, looks, detail, el("span", { class: "space" }), stream, staging, difference);
 }
 
 /** Shows the live state's name and phase. */

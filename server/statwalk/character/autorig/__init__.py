@@ -1,0 +1,1 @@
+"""Gives a mesh a skeleton and a skin (DS4)."""

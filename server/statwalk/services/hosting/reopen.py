@@ -1,0 +1,159 @@
+"""Brings the stages and the versions of machines back that the store has kept, when the server starts."""
+
+from __future__ import annotations
+
+import logging
+import time
+from dataclasses import replace
+from functools import partial
+
+from statwalk.character.role import Role
+from statwalk.errors import StageError, StatwalkError
+from statwalk.files.machine_yaml.machine_file import FILE_NAME, machine_of
+from statwalk.services.hosting.machine_versions import MachineVersions, saved
+from statwalk.services.hosting.registry import MAIN, Registry
+from statwalk.services.hosting.stage_host import StageHost
+from statwalk.services.hosting.stage_messages import Edit
+from statwalk.services.hosting.store.kept_stage import model_digest
+from statwalk.services.hosting.store.records import MachineVersion, StageRecord
+from statwalk.services.hosting.store.store import Store
+from statwalk.services.library.catalogue import Catalogue
+from statwalk.stage.history.engine import ENGINE, release
+from statwalk.stage.history.log_codec import Beginning, Loaded, load, log_header
+from statwalk.stage.replay import at_beginning
+from statwalk.stage.stage import Stage
+from statwalk.stage.state import commands
+
+log = logging.getLogger("statwalk.store")
+AT_ONCE = (commands.Add, commands.Remove, commands.Edit)
+"""commands that count at the end of the tick in which they come; the others count in the next tick"""
+
+
+def reopen(registry: Registry, main: str) -> None:
+    """Brings everything back; `main`: what the stage `main` is to open with. A `main` that was opened with
+    something else goes on under another id. What cannot come back is logged, and stays in the store.
+
+    :raises StorageError: when the database is damaged.
+    """
+    store = registry.store
+    if store is None:
+        return
+    _reopen_versions(registry.versions, store)
+    for stage_id in store.records.ids():
+        try:
+            _reopen_stage(registry, store, _renamed(registry, store, store.records.record(stage_id), main))
+        except StatwalkError as error:
+            log.error("the stage %s is not brought back, and its record is kept: %s", stage_id, error)
+            # the server opens a new stage that is called main
+            kept = _rename_main(registry, store) if stage_id == MAIN else stage_id
+            registry.left[kept] = f"{kept} is kept, and did not come back: {error}"
+
+
+# --- stages
+
+
+def _renamed(registry: Registry, store: Store, record: StageRecord, main: str) -> StageRecord:
+    identity = record.identity
+    if identity.id != MAIN or identity.opened == main:
+        return record
+    return replace(record, identity=replace(identity, id=_rename_main(registry, store)))
+
+
+def _rename_main(registry: Registry, store: Store) -> str:
+    """Gives the kept `main` another id, and returns the id."""
+    name = registry.new_id()
+    store.rename(MAIN, name)
+    log.warning("the stage that was %s is now %s", MAIN, name)
+    return name
+
+
+def _reopen_stage(registry: Registry, store: Store, record: StageRecord) -> None:
+    stage = reopened(record, registry.catalogue)
+    host = StageHost(record.identity, stage, registry)
+    kept = store.stage(record.identity)
+    kept.resume(stage, record)
+    host.resume(kept, paused=record.note.paused, speed=record.note.speed)
+    registry.stages[host.id] = host
+    for name in {role.name for role in stage.roles.values()}:
+        text = registry.catalogue.entry(name).file.text
+        if registry.catalogue.texts[stage.role(name)] != text:
+            host.handle(Edit(name, text))  # its file was saved while no server ran
+
+
+def reopened(record: StageRecord, catalogue: Catalogue) -> Stage:
+    """Returns a stage as it was kept: at its playhead, or after the newest command that was acknowledged.
+
+    :raises StageError: when the log does not lead to the state that was kept.
+    :raises StatwalkError: when a machine or a character is not there any more, or another one.
+    """
+    identity, note = record.identity, record.note
+    header = log_header({"seed": identity.seed, "rate": identity.rate}, _beginning(record))
+    loaded = load([header, *record.lines])
+    role_of = partial(_role, record, catalogue)
+    try:
+        stage = at_beginning(loaded, role_of)
+        stage.resume(note.head, record.snapshots)
+    except StageError:  # snapshots of another engine: its states may be others, the hash below decides
+        stage = at_beginning(loaded, role_of)
+        stage.resume(note.head, {})
+    stage.seek(note.tick)
+    if stage.hash != note.hash:
+        raise StageError(
+            f"its log leads to another state at tick {note.tick} than the one it had: another engine played "
+            f"it. This is engine {ENGINE} (statwalk {release()}): open it with the version that made it"
+        )
+    if (acknowledged := _newest_tick(loaded)) > note.head:
+        stage.seek(note.head)
+        stage.step(acknowledged - note.head)
+    return stage
+
+
+def _beginning(record: StageRecord) -> Beginning | None:
+    if record.beginning is None:
+        return None
+    tick, number = record.beginning
+    return Beginning(record.snapshots[tick], dict.fromkeys(record.roles, ""), number)
+
+
+def _newest_tick(loaded: Loaded) -> int:
+    """The tick at which the newest command was posted."""
+    return max((entry.tick - (not isinstance(entry.command, AT_ONCE)) for entry in loaded.entries), default=0)
+
+
+def _role(record: StageRecord, catalogue: Catalogue, key: str, text: str = "") -> Role:
+    """The role of a key of the log; `text`: of an edit."""
+    name = key.partition("@")[0]
+    kept = record.roles.get(key)
+    if kept is None and not text:
+        raise StageError(f"the text of {key} is missing")
+    role = catalogue.version(name, text or (kept.text if kept else ""))
+    if kept is not None and model_digest(role) != kept.model:
+        raise StageError(f"the model of {name} is another one now")
+    return role
+
+
+# --- versions of machines
+
+
+def _reopen_versions(versions: MachineVersions, store: Store) -> None:
+    for machine, kept in store.records.versions().items():
+        if machine not in versions.catalogue.entries:
+            continue
+        try:
+            _reopen_machine(versions, machine, kept)
+        except StatwalkError as error:
+            log.error("%s keeps the text of its file: %s", machine, error)
+
+
+def _reopen_machine(versions: MachineVersions, machine: str, kept: list[MachineVersion]) -> None:
+    """A shipped machine plays its newest edit again; another machine has its file, which may be newer."""
+    catalogue = versions.catalogue
+    entry, newest = catalogue.entry(machine), kept[-1]
+    if saved(entry) == "memory" and entry.file.text != newest.text:
+        role = catalogue.version(machine, newest.text)
+        catalogue.renew(replace(entry, file=machine_of(newest.text, entry.folder, FILE_NAME)), role)
+    elif entry.file.text != newest.text:
+        what = "the file was saved while no server ran"
+        kept = [*kept, MachineVersion(newest.number + 1, time.time(), what, entry.file.text, newest.number)]
+        versions.keep(machine, kept)
+    versions.versions_of[machine] = kept

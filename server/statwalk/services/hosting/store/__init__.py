@@ -1,0 +1,1 @@
+"""The durable store: stages, their logs and snapshots, and versions of machines, in one SQLite database."""

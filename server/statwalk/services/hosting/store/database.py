@@ -1,0 +1,140 @@
+"""The database of the data folder: its tables, and how it is opened.
+
+`synchronous=FULL` in WAL mode: a commit returns when it is on the disk, so that a commit survives a power
+cut. Each row of a log holds the hash of all rows before it, and each snapshot its own hash: a flipped bit is
+found when a stage is read.
+"""
+
+from __future__ import annotations
+
+import os
+import sqlite3
+from pathlib import Path
+
+from statwalk.errors import ContentError, StorageError
+
+FILE_NAME = "statwalk.db"
+FORMAT = 2
+APPLICATION = 0x5374576B
+"""the number by which `file` and SQLite tell whose database it is: "StWk" """
+LARGEST_WAL_BYTES = 16 << 20
+PARTS = ("beginnings", "roles", "commands", "snapshots", "keys")
+"""the tables with rows of stages"""
+PRAGMAS = (
+    "journal_mode=WAL",
+    "synchronous=FULL",
+    f"journal_size_limit={LARGEST_WAL_BYTES}",
+)
+BEGINNINGS = """
+CREATE TABLE beginnings (
+    stage TEXT PRIMARY KEY, tick INTEGER NOT NULL, number INTEGER NOT NULL, digest BLOB NOT NULL
+) STRICT, WITHOUT ROWID;
+"""
+UPGRADES = {1: BEGINNINGS}
+"""by format, the statements that bring a database to the next format"""
+TABLES = """
+CREATE TABLE stages (
+    id TEXT PRIMARY KEY, opened TEXT NOT NULL, seed INTEGER NOT NULL, rate INTEGER NOT NULL,
+    clock TEXT NOT NULL, tick INTEGER NOT NULL, head INTEGER NOT NULL, hash TEXT NOT NULL,
+    paused INTEGER NOT NULL, speed REAL NOT NULL
+) STRICT;
+CREATE TABLE roles (
+    stage TEXT NOT NULL, role TEXT NOT NULL, text TEXT NOT NULL, model BLOB NOT NULL, digest BLOB NOT NULL,
+    PRIMARY KEY (stage, role)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE commands (
+    stage TEXT NOT NULL, place INTEGER NOT NULL, line TEXT NOT NULL, chain BLOB NOT NULL,
+    PRIMARY KEY (stage, place)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE snapshots (
+    stage TEXT NOT NULL, tick INTEGER NOT NULL, data BLOB NOT NULL, digest BLOB NOT NULL,
+    PRIMARY KEY (stage, tick)
+) STRICT;
+CREATE TABLE keys (
+    stage TEXT NOT NULL, key TEXT NOT NULL, request BLOB NOT NULL, tick INTEGER NOT NULL,
+    seq INTEGER NOT NULL, answered_by TEXT NOT NULL,
+    PRIMARY KEY (stage, key)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE versions (
+    machine TEXT NOT NULL, number INTEGER NOT NULL, at REAL NOT NULL, what TEXT NOT NULL,
+    text TEXT NOT NULL, before INTEGER NOT NULL, digest BLOB NOT NULL,
+    PRIMARY KEY (machine, number)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE commits (only INTEGER PRIMARY KEY CHECK (only = 1), ticket INTEGER NOT NULL) STRICT;
+INSERT INTO commits VALUES (1, 0);
+"""
+
+
+def opened(path: Path) -> sqlite3.Connection:
+    """Opens the database; makes it if there is none. The caller begins and commits transactions itself.
+
+    :raises ContentError: when the file is no database of statwalk, or of another version.
+    :raises StorageError: when the disk refuses.
+    :raises sqlite3.Error: when the disk refuses.
+    """
+    _write_again(path.with_name(f"{path.name}-wal"))
+    connection = sqlite3.connect(path, isolation_level=None, check_same_thread=False, timeout=5.0)
+    try:
+        _check_format(connection, path)
+        for pragma in PRAGMAS:
+            connection.execute(f"PRAGMA {pragma}")
+        mode, synchronous = (
+            connection.execute(f"PRAGMA {name}").fetchone()[0] for name in ("journal_mode", "synchronous")
+        )
+        for table in PARTS:  # a command may have followed the end of its stage
+            connection.execute(f"DELETE FROM {table} WHERE stage NOT IN (SELECT id FROM stages)")  # noqa: S608 - our own names
+        # gives free space back to the disk; `execute` would give one page back
+        connection.executescript("PRAGMA incremental_vacuum")
+        if (mode, synchronous) != ("wal", 2):
+            raise ContentError(
+                f"the folder cannot keep a database in WAL mode (it has {mode}); use one on a local disk",
+                file=str(path),
+            )
+    except BaseException:
+        connection.close()
+        raise
+    return connection
+
+
+def _write_again(log: Path) -> None:
+    """Writes SQLite's log once more, if one was left, and flushes it.
+
+    After a flush that failed Linux takes what it did not write for written: SQLite would read commits, and
+    the next flush would promise them, that a power cut takes.
+    """
+    try:
+        with log.open("r+b", buffering=0) as file:
+            os.pwrite(file.fileno(), file.readall(), 0)
+            os.fsync(file.fileno())
+    except FileNotFoundError:
+        return
+    except OSError as error:
+        raise StorageError.of(error, str(log)) from None
+
+
+def _check_format(connection: sqlite3.Connection, path: Path) -> None:
+    try:
+        application, version = (
+            connection.execute(f"PRAGMA {name}").fetchone()[0] for name in ("application_id", "user_version")
+        )
+    except sqlite3.DatabaseError as error:
+        if type(error) is not sqlite3.DatabaseError:
+            raise  # the disk, and not the file
+        raise ContentError(
+            f"the file is no database ({error}); move it away, or bring a backup back", file=str(path)
+        ) from None
+    if (application, version) == (0, 0):
+        connection.execute("PRAGMA auto_vacuum=INCREMENTAL")  # before anything is written
+        connection.execute("PRAGMA journal_mode=WAL")
+        connection.executescript(
+            f"BEGIN; {TABLES} {BEGINNINGS} "
+            f"PRAGMA application_id={APPLICATION}; PRAGMA user_version={FORMAT}; COMMIT;"
+        )
+    elif application == APPLICATION and version in UPGRADES:
+        connection.executescript(f"BEGIN; {UPGRADES[version]} PRAGMA user_version={version + 1}; COMMIT;")
+        _check_format(connection, path)
+    elif (application, version) != (APPLICATION, FORMAT):
+        raise ContentError(
+            f"the database is of format {version}, and this version of statwalk reads {FORMAT}",
+            file=str(path),
+        )

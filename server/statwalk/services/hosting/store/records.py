@@ -1,0 +1,99 @@
+"""What the store keeps: of a stage, and of a machine that was edited. Plain data."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from statwalk.services.hosting.commands import ClockKind
+
+
+@dataclass(frozen=True)
+class StageIdentity:
+    """What never changes of a stage; `opened`: the scene or machine that the server opened it with."""
+
+    id: str
+    opened: str
+    seed: int
+    rate: int
+    clock: ClockKind
+
+
+class Note(NamedTuple):
+    """What changes of a stage without commands; `hash` is that of its state at `tick`."""
+
+    tick: int
+    head: int
+    hash: str
+    paused: bool
+    speed: float
+
+
+class KeptBeginning(NamedTuple):
+    """Where a stage begins whose past was forgotten; `number`: of the newest command that was forgotten."""
+
+    tick: int
+    number: int
+
+
+class KeptRole(NamedTuple):
+    """The text of a machine as a stage plays it, and the hash of its model."""
+
+    text: str
+    model: bytes
+
+
+class KeptKey(NamedTuple):
+    """The answer to a request with an idempotency key; `request`: a hash of the request, and `stage`: the
+    stage that took it, which may be a fork.
+    """
+
+    request: bytes
+    tick: int
+    seq: int
+    stage: str
+
+
+@dataclass(frozen=True)
+class StageRecord:
+    """A stage as it was kept; `lines` is its log, `chain` the hash of the log."""
+
+    identity: StageIdentity
+    note: Note
+    beginning: KeptBeginning | None
+    roles: Mapping[str, KeptRole]
+    lines: tuple[str, ...]
+    chain: bytes
+    snapshots: Mapping[int, bytes]
+    keys: Mapping[str, KeptKey]
+
+
+@dataclass(frozen=True)
+class MachineVersion:
+    """A version of a machine; `at` in seconds since 1970, `what` says in a few words what the
+    edit changed.
+    """
+
+    number: int
+    at: float
+    what: str
+    text: str
+    before: int = 0
+    """the version that an undo brings back; 0: there is none"""
+
+
+def chained(before: bytes, line: str) -> bytes:
+    """Returns the hash of a line and of all lines before it, whose hash is `before`."""
+    return hashlib.blake2b(before + line.encode(), digest_size=16).digest()
+
+
+def row_digest(*parts: bytes) -> bytes:
+    """Returns a hash by which a flipped bit is found."""
+    return hashlib.blake2b(b"\0".join(parts), digest_size=16).digest()
+
+
+def version_digest(machine: str, version: MachineVersion) -> bytes:
+    """Returns the hash of a version of a machine."""
+    return row_digest(machine.encode(), repr(version).encode())

@@ -1,0 +1,102 @@
+"""The store of the data folder that a server owns: it keeps stages and versions of machines."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import astuple
+from pathlib import Path
+
+from statwalk.character.role import Role
+from statwalk.errors import StorageError
+from statwalk.services.hosting.store import database
+from statwalk.services.hosting.store.folder_lock import FolderLock
+from statwalk.services.hosting.store.kept_stage import KeptStage
+from statwalk.services.hosting.store.read_records import KeptRecords
+from statwalk.services.hosting.store.records import MachineVersion, StageIdentity, version_digest
+from statwalk.services.hosting.store.writer import Statement, Writer
+
+PATIENCE_SECONDS = 20.0
+"""how long a request waits for a disk that is only slow"""
+
+
+class Store:
+    """The database of a data folder that this process owns. Thread-safe."""
+
+    def __init__(
+        self,
+        folder: Path,
+        text_of: Callable[[Role], str],
+        open_writer: Callable[[Path], Writer] = Writer,
+    ) -> None:
+        """Takes the folder, and opens its database; `text_of` gives the machine file's text of a role.
+
+        :raises ConflictError: when another process uses the folder.
+        :raises ContentError: when the database cannot be read.
+        :raises StorageError: when the folder cannot be written.
+        """
+        try:
+            self._lock = FolderLock(folder)
+        except OSError as error:
+            raise StorageError(f"the data folder {folder} cannot be used: {error.strerror}") from None
+        path, self.text_of = folder / database.FILE_NAME, text_of
+        self.records = KeptRecords(path)
+        try:
+            self.writer = open_writer(path)
+        except BaseException:
+            self._lock.release()
+            raise
+
+    def close(self) -> None:
+        """Writes what waits, and gives the folder back."""
+        self.writer.close()
+        self._lock.release()
+
+    def flush(self) -> None:
+        """Waits until everything so far is durable.
+
+        :raises StorageError: when the disk refuses.
+        """
+        self.writer.flush(PATIENCE_SECONDS)
+
+    # --- stages
+
+    def stage(self, identity: StageIdentity) -> KeptStage:
+        """Returns the keeper of a stage, which has not begun."""
+        return KeptStage(identity, self.writer, self.text_of)
+
+    def drop(self, stage: str) -> None:
+        """Forgets a stage."""
+        deleted = [Statement(f"DELETE FROM {table} WHERE stage = ?", [(stage,)]) for table in database.PARTS]  # noqa: S608 - our own names
+        self.writer.put([Statement("DELETE FROM stages WHERE id = ?", [(stage,)]), *deleted])
+
+    def rename(self, stage: str, name: str) -> None:
+        """Gives a stage another id."""
+        renamed = [
+            Statement(f"UPDATE {table} SET stage = ? WHERE stage = ?", [(name, stage)])  # noqa: S608 - our own names
+            for table in database.PARTS
+        ]
+        self.writer.put([Statement("UPDATE stages SET id = ? WHERE id = ?", [(name, stage)]), *renamed])
+
+    # --- versions of machines
+
+    def keep_versions(self, machine: str, versions: Iterable[MachineVersion], old: int) -> None:
+        """Keeps versions of a machine, forgets those up to the number `old`, and waits until it is durable.
+
+        :raises StorageError: when the disk refuses; the versions are kept as soon as it does not.
+        """
+        rows = [(machine, *astuple(version), version_digest(machine, version)) for version in versions]
+        self.writer.put(
+            [
+                Statement("INSERT OR REPLACE INTO versions VALUES (?, ?, ?, ?, ?, ?, ?)", rows),
+                Statement("DELETE FROM versions WHERE machine = ? AND number <= ?", [(machine, old)]),
+            ]
+        )
+        self.flush()
+
+    def forget_versions(self, machine: str) -> None:
+        """Forgets the versions of a machine, and waits until that is durable.
+
+        :raises StorageError: when the disk refuses.
+        """
+        self.writer.put([Statement("DELETE FROM versions WHERE machine = ?", [(machine,)])])
+        self.flush()

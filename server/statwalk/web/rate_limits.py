@@ -1,0 +1,134 @@
+"""Limits requests and inputs a second, by address and by stage; keeps flooding sockets away for a while."""
+
+from __future__ import annotations
+
+import re
+import time
+from typing import NamedTuple
+
+from starlette.types import ASGIApp, Receive, Scope, Send
+
+from statwalk.services.hosting.registry import Registry
+from statwalk.services.limits import BURST_SECONDS, Limits
+from statwalk.services.threads import Now
+from statwalk.web.client_address import address_of
+from statwalk.web.dependencies import ENDING
+from statwalk.web.errors import Problem, answer
+from statwalk.web.request_log import note_limit, note_scope
+from statwalk.web.token_bucket import MOST_BUCKETS, TokenBuckets
+
+UNLIMITED = frozenset({"/healthz", "/readyz"})
+STAGE = re.compile(r"/api/stages/([^/]+)(?:/(events|parameters|actors/[^/]+/travel))?(?:/.*)?")
+
+
+class Rate(NamedTuple):
+    """A limit of a rate: its name in docs/limits.md, its buckets, and whom it counts, in words."""
+
+    limit: str
+    buckets: TokenBuckets
+    whose: str
+
+    def spend(self, key: str) -> None:
+        """Counts one request or input.
+
+        :raises Problem: 429, when too many came; its Retry-After says when the next may.
+        """
+        bucket = self.buckets.of(key)
+        if not bucket.spend():
+            detail = f"{self.whose}: more than {bucket.rate:g} a second; send fewer, or wait"
+            raise too_many(detail, bucket.seconds_left(), self.limit)
+
+
+def too_many(detail: str, seconds: int, limit: str) -> Problem:
+    """Returns the 429 that asks a client to wait."""
+    return Problem(429, detail, headers={"Retry-After": str(seconds)}, limit=limit)
+
+
+class RateLimits:
+    """The rates of one server. Use it in the thread of the event loop only."""
+
+    def __init__(self, limits: Limits, now: Now = time.perf_counter) -> None:
+        def rate(limit: str, whose: str) -> Rate:
+            most = getattr(limits, limit)
+            return Rate(limit, TokenBuckets(most, most * BURST_SECONDS, now), whose)
+
+        self._requests = rate("requests", "requests from your address")
+        self._stage_requests = rate("stage_requests", "requests about this stage")
+        self._inputs = rate("inputs", "inputs from your address")
+        self._stage_inputs = rate("stage_inputs", "inputs to this stage")
+        self._now, self._cooling_seconds = now, limits.cooling_seconds
+        self._cooling: dict[str, float] = {}
+
+    def request(self, address: str, stage: str) -> None:
+        """Counts a request; `address` and `stage` are empty if it has none.
+
+        :raises Problem: 429, when too many came.
+        """
+        if address:
+            self._requests.spend(address)
+        if stage:
+            self._stage_requests.spend(stage)
+
+    def input(self, address: str, stage: str) -> None:
+        """Counts an input to a stage.
+
+        :raises Problem: 429, when too many came.
+        """
+        if address:
+            self._inputs.spend(address)
+        self._stage_inputs.spend(stage)
+
+    def cool(self, address: str) -> None:
+        """Keeps new sockets of an address away for a while."""
+        now = self._now()
+        self._cooling = {one: until for one, until in self._cooling.items() if until > now}
+        if address and len(self._cooling) < MOST_BUCKETS:
+            self._cooling[address] = now + self._cooling_seconds
+
+    def check_cooled(self, address: str) -> None:
+        """Checks whether an address may open a socket.
+
+        :raises Problem: 429, when a socket of it was just closed because of too many messages.
+        """
+        seconds = self._cooling.get(address, 0.0) - self._now()
+        if seconds > 0:
+            detail = "a socket from your address was closed because of too many messages; wait a little"
+            raise too_many(detail, int(seconds) + 1, "cooling_seconds")
+
+
+class RateGuard:
+    """The middleware that refuses what comes too often, before any route runs."""
+
+    def __init__(self, app: ASGIApp, rates: RateLimits, registry: Registry) -> None:
+        self.app, self.rates, self.registry = app, rates, registry
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Counts a request, and passes it on; answers a refused request itself."""
+        if scope["type"] != "lifespan":
+            note_scope(scope)
+            try:
+                self.check(scope)
+            except Problem as problem:
+                note_limit(scope, problem.limit)
+                await answer(problem.body(), dict(problem.headers or {}))(scope, receive, send)
+                return
+        await self.app(scope, receive, send)
+
+    def check(self, scope: Scope) -> None:
+        """Counts a request, and its input if it has one.
+
+        :raises Problem: 429, when too many came; 503, when the server stops.
+        """
+        if scope["path"] in UNLIMITED:
+            return
+        if ENDING in scope and scope[ENDING].is_set():
+            raise Problem(503, "the server stops; try again", headers={"Retry-After": "1"})
+        address, match = address_of(scope), STAGE.fullmatch(scope["path"])
+        stage = (
+            match[1] if match and match[1] in self.registry.stages else ""
+        )  # names of no stage fill no bucket
+        if scope["type"] == "websocket":
+            self.rates.check_cooled(address)
+        self.rates.request(address, stage)
+        if match and match[2] and stage and scope.get("method") in ("POST", "DELETE"):
+            self.rates.input(address, stage)

@@ -1,0 +1,107 @@
+/** Puts a .gltf and the files that it names into one .zip, which the server reads. */
+
+import type { LocalFile } from "./localFiles";
+
+interface GltfJson {
+  buffers?: { uri?: unknown }[];
+  images?: { uri?: unknown }[];
+}
+
+/** The files that a .gltf names by relative paths. */
+export interface Named {
+  buffers: string[];
+  images: string[];
+}
+
+/** A file of the .zip. */
+export interface Packed {
+  path: string;
+  source: LocalFile;
+}
+
+/** What the server reads, and what a model may need beside itself. */
+export const MODELS = [".glb", ".gltf", ".zip", ".md2", ".x", ".chunk", ".bvh", ".trc"];
+export const PARTS = [".bin", ".png", ".jpg", ".jpeg", ".webp", ".ktx2"];
+
+export const isGltf = ({ path }: LocalFile): boolean => /\.gltf$/i.test(path);
+const isModel = ({ path }: LocalFile): boolean => MODELS.some((end) => path.toLowerCase().endsWith(end));
+const nameOf = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
+
+/** Returns the model among several files; throws if none or several of them are one. */
+export function modelAmong(files: readonly LocalFile[]): LocalFile {
+  const models = files.length > 1 ? files.filter(isModel) : files;
+  const [model, second] = models;
+  if (!model) throw new Error("None of these files is a model. Drop a .glb, or a .gltf with its files.");
+  if (second)
+    throw new Error(
+      `Import one model at a time: ${nameOf(model.path)} and ${nameOf(second.path)} are two. ` +
+        "The other files may be the .bin and the pictures of a .gltf.",
+    );
+  return model;
+}
+
+function relative(entries: unknown): string[] {
+  const uris = Array.isArray(entries) ? entries.map((entry: { uri?: unknown } | null) => entry?.uri) : [];
+  return uris.flatMap((uri) => {
+    if (typeof uri !== "string" || /^[a-z][a-z0-9+.-]*:/i.test(uri)) return [];
+    try {
+      return [decodeURIComponent(uri)];
+    } catch {
+      return [uri];
+    }
+  });
+}
+
+/** Returns the files that the text of a .gltf names; none for text that is not JSON: the server says what is wrong. */
+export function namedBy(text: string): Named {
+  try {
+    const gltf = JSON.parse(text) as GltfJson | null;
+    return { buffers: relative(gltf?.buffers), images: relative(gltf?.images) };
+  } catch {
+    return { buffers: [], images: [] };
+  }
+}
+
+/**
+ * Returns the file for each named path: the one with this path beside the model, else the one with this name.
+ * Files dropped one by one have lost their folders.
+ */
+export function placed(model: LocalFile, paths: readonly string[], files: readonly LocalFile[]): Packed[] {
+  const folder = model.path.slice(0, model.path.length - nameOf(model.path).length);
+  return [...new Set(paths)].flatMap((path) => {
+    const source =
+      files.find((file) => file.path === folder + path.replace(/^\.\//, "")) ??
+      files.find((file) => nameOf(file.path).toLowerCase() === nameOf(path).toLowerCase());
+    return source ? [{ path, source }] : [];
+  });
+}
+
+async function zipped(name: string, files: readonly Packed[]): Promise<File> {
+  const { zipSync } = await import("three/examples/jsm/libs/fflate.module.js");
+  const contents = files.map(async ({ path, source }) => [path, await bytesOf(source.file)] as const);
+  const entries = Object.fromEntries(await Promise.all(contents));
+  return new File([zipSync(entries, { level: 0 }) as Uint8Array<ArrayBuffer>], name);
+}
+
+const bytesOf = async (file: File): Promise<Uint8Array> => new Uint8Array(await file.arrayBuffer());
+
+/**
+ * Returns the one file to upload: the model alone, or a .zip of a .gltf with the files that it names. Throws if
+ * one of its buffers is missing; a missing picture is for the server to note.
+ */
+export async function oneFile(files: readonly LocalFile[]): Promise<File> {
+  const model = modelAmong(files);
+  const { buffers, images } = isGltf(model) ? namedBy(await model.file.text()) : { buffers: [], images: [] };
+  if (!buffers.length && !images.length) return model.file;
+  const others = placed(model, [...buffers, ...images], files);
+  const missing = buffers.filter((path) => !others.some((other) => other.path === path));
+  if (missing.length)
+    throw new Error(
+      `${nameOf(model.path)} needs ${missing.slice(0, 3).join(", ")}${missing.length > 3 ? " …" : ""}: ` +
+        "drop or choose these files together with it.",
+    );
+  return zipped(nameOf(model.path).replace(/\.gltf$/i, ".zip"), [
+    { path: nameOf(model.path), source: model },
+    ...others,
+  ]);
+}

@@ -1,0 +1,46 @@
+/** Chooses how skin and tetrahedra are painted: materials, weights of a bone, normals; wire, texture. */
+
+import { el } from "../../ui/dom";
+import type { Signal } from "../../state/signal";
+import { PAINTS, SOLIDS } from "../../view/looks";
+import type { StageView } from "../../view/stageView";
+
+function choice<Name extends string>(
+  label: string,
+  title: string,
+  names: readonly Name[],
+  chosen: Signal<Name>,
+): HTMLSelectElement {
+  const options = names.map((name) => el("option", { value: name }, name));
+  const select = el("select", { "aria-label": label, title }, ...options);
+  select.addEventListener("change", () => chosen.set(select.value as Name));
+  chosen.on((name) => (select.value = name));
+  return select;
+}
+
+/** Makes the choice of the bone whose weights are shown; a click on a joint chooses, too. */
+function boneChoice(stageView: StageView): HTMLSelectElement {
+  const { bone, paint } = stageView.looks;
+  const select = el("select", { "aria-label": "bone whose weights are shown", title: "or click a joint" });
+  const fill = (): void => {
+    const names = stageView.watched.model?.cast.names ?? [];
+    if (paint.value === "weights" && !names.includes(bone.value)) bone.set(stageView.watched.firstBone());
+    select.replaceChildren(...names.map((name) => el("option", { value: name }, name)));
+    select.value = bone.value;
+    select.hidden = paint.value !== "weights";
+  };
+  select.addEventListener("change", () => bone.set(select.value));
+  stageView.watched.ready.on(fill);
+  paint.on(fill);
+  bone.on(fill);
+  return select;
+}
+
+/** Makes the choices; the bone's and the tetrahedra's are shown where they matter. */
+export function lookControls(stageView: StageView): HTMLElement[] {
+  const { paint, solid } = stageView.looks;
+  const solids = choice("tetrahedra", "how the tetrahedra are drawn", SOLIDS, solid);
+  stageView.modes.on(({ tetra }) => (solids.hidden = !tetra));
+  const paints = choice("what the skin shows", "what the skin shows", PAINTS, paint);
+  return [paints, boneChoice(stageView), solids];
+}

@@ -1,0 +1,85 @@
+/** The casts of the stage that is shown: their models are loaded, and their actors stand on it. */
+
+import type { CastHello, Hello } from "../net/protocol";
+import type { Session } from "../state/session";
+import { Event, Signal } from "../state/signal";
+import { CastView } from "./castView";
+import type { DetailChoice } from "./detailChoice";
+import { missingModel } from "./missing";
+import { type Model, Models } from "./model";
+import { PosedModel } from "./posedModel";
+import type { Scene } from "./scene";
+
+const reason = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+export class Casting {
+  casts: readonly CastView[] = [];
+  readonly actors = new Map<number, PosedModel>();
+  readonly loading = new Signal<string>("");
+  /** The actors of the stage before have left. */
+  readonly cleared = new Event<void>();
+  /** All actors stand on the stage. */
+  readonly built = new Event<void>();
+  private readonly models = new Models();
+  private generation = 0;
+  /** The stage and epoch that are shown. */
+  private shown = "";
+
+  constructor(
+    private readonly scene: Scene,
+    private readonly session: Session,
+    private readonly detail: DetailChoice,
+  ) {}
+
+  /** Loads the models of a hello and puts its actors on the stage. */
+  async take(hello: Hello): Promise<void> {
+    // A change of stream brings a hello, too; the same epoch means the same actors.
+    const wanted = `${hello.stage}/${hello.epoch}`;
+    if (wanted === this.shown) return;
+    this.shown = wanted;
+    const generation = ++this.generation;
+    this.clear();
+    this.loading.set("loading the character");
+    try {
+      const models = await Promise.all(hello.casts.map((cast) => this.modelOf(cast)));
+      if (generation !== this.generation) return;
+      this.build(hello, models);
+      const wrong = models.find((model) => model.wrong)?.wrong;
+      this.loading.set("");
+      if (wrong) this.session.notices.emit(wrong);
+      if (wrong) this.shown = ""; // the next hello tries again
+    } catch (error) {
+      if (generation !== this.generation) return;
+      this.shown = "";
+      this.loading.set(`The stage cannot be shown: ${reason(error)}`);
+    }
+  }
+
+  /** Loads a cast's model; a model that fails says so where it would stand. */
+  private modelOf({ model, machine }: CastHello): Promise<Model> {
+    const url = new URL(model, document.baseURI).href;
+    return this.models
+      .get(url)
+      .catch((error: unknown) =>
+        missingModel(url, `The model of ${machine} cannot be loaded: ${reason(error)}`),
+      );
+  }
+
+  /** Takes the actors off the stage. */
+  private clear(): void {
+    for (const cast of this.casts) cast.dispose();
+    this.casts = [];
+    this.actors.clear();
+    this.cleared.emit(undefined);
+  }
+
+  private build(hello: Hello, models: Model[]): void {
+    this.casts = hello.casts.map((cast, c) => new CastView(cast, models[c]!, this.scene));
+    for (const { cast, crowd } of this.casts) {
+      crowd.levelAt = (distance_m, camera) =>
+        this.detail.levelAt(crowd.model.levels, distance_m, camera, this.scene.canvas.height);
+      cast.actors.forEach(({ id }, row) => this.actors.set(id, new PosedModel(id, crowd, row)));
+    }
+    this.built.emit(undefined);
+  }
+}

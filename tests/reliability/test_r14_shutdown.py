@@ -1,0 +1,81 @@
+"""R-14: a server that is told to stop says so at once, and is gone in five seconds whatever clients do."""
+
+import signal
+import socket
+import subprocess
+import time
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+
+import httpx
+import pytest
+from processes import served
+from serving import open_and_never_read, wait_for
+from watcher import Watcher
+from websockets.exceptions import ConnectionClosed
+
+MAIN = "/api/stages/main"
+UPLOAD = (
+    "PUT /api/characters/robot HTTP/1.1\r\nHost: localhost\r\nContent-Type: model/gltf-binary\r\n"
+    "Content-Length: 1000\r\n\r\nglT"
+)
+
+
+@contextmanager
+def in_use(folder: Path) -> Iterator[tuple[subprocess.Popen[str], str, list[Future[int]]]]:
+    """A server with viewers that read, viewers that never read, and an upload that does not go on.
+
+    Yields the codes with which the connections of the viewers that read will be closed.
+    """
+    with served("--data", str(folder)) as (process, address), ExitStack() as opened:
+        host, port = address.split(":")
+        for _ in range(2):
+            opened.enter_context(open_and_never_read(address, f"{MAIN}/stream?frames=glb"))
+        upload = opened.enter_context(socket.create_connection((host, int(port))))
+        upload.sendall(UPLOAD.encode())
+        readers = opened.enter_context(ThreadPoolExecutor())
+        codes = [readers.submit(close_code, Watcher(address, MAIN)) for _ in range(3)]
+        held = httpx.Client(base_url=f"http://{address}")
+        wait_for(lambda: 'statwalk_held{what="uploads"} 1.0' in held.get("/metrics").text)
+        held.close()
+        yield process, address, codes
+
+
+def close_code(viewer: Watcher) -> int:
+    with pytest.raises(ConnectionClosed) as closed:
+        viewer.text("nothing")
+    assert closed.value.rcvd is not None
+    return closed.value.rcvd.code
+
+
+def readiness(address: str) -> int:
+    """The status of /readyz; 0 when nobody listens any more."""
+    try:
+        return httpx.get(f"http://{address}/readyz").status_code
+    except httpx.TransportError:
+        return 0
+
+
+def test_it_says_that_it_is_not_ready_and_is_gone_within_five_seconds(tmp_path: Path) -> None:
+    with in_use(tmp_path) as (process, address, codes):
+        assert readiness(address) == 200
+        process.send_signal(signal.SIGTERM)
+        asked = time.monotonic()
+        wait_for(lambda: readiness(address) != 200, 1.0)
+        assert readiness(address) == 503
+        assert httpx.get(f"http://{address}{MAIN}").status_code == 503
+        assert {code.result() for code in codes} == {1012}
+        assert process.wait(timeout=10) == 0
+        assert time.monotonic() - asked < 5.5  # it ends the process after 4.5 s; the rest is the system's
+
+
+def test_a_second_signal_ends_it_within_a_second(tmp_path: Path) -> None:
+    with in_use(tmp_path) as (process, address, _):
+        process.send_signal(signal.SIGTERM)
+        wait_for(lambda: readiness(address) == 503)
+        asked = time.monotonic()
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(timeout=10) == 0
+        assert time.monotonic() - asked < 1.5  # 0.8 s, and the rest is the system's

@@ -1,0 +1,51 @@
+"""R-15 over REST: while the disk of a server refuses, inputs get 507 or 503, and frames go on; afterwards it
+takes inputs again, without a new start.
+"""
+
+import json
+from pathlib import Path
+
+import httpx
+import pytest
+from disk_faults import FAILING
+from processes import served
+from serving import wait_for
+from traced import needs_strace, strace
+from watcher import Watcher
+
+MAIN = "/api/stages/main"
+TICKS = 30
+CONTENT = {"event": "FORWARD"}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _strace() -> None:
+    needs_strace()
+
+
+@pytest.mark.parametrize(("error", "status"), [("ENOSPC", 507), ("EIO", 503)])
+def test_r15_a_server_refuses_shows_and_recovers(tmp_path: Path, error: str, status: int) -> None:
+    seqs: list[int] = []
+    inject = f"inject={FAILING}:error={error}"
+    with (
+        served("--data", str(tmp_path)) as (process, address),
+        httpx.Client(base_url=f"http://{address}", timeout=30) as rest,
+        Watcher(address, MAIN) as viewer,
+    ):
+
+        def post(key: str) -> int:
+            answer = rest.post(f"{MAIN}/events", json=CONTENT, headers={"Idempotency-Key": key})
+            if answer.status_code == 202:
+                seqs.append(answer.json()["seq"])
+            return answer.status_code
+
+        assert post("before") == 202
+        with strace(process.pid, "-o", "/dev/null", "-e", f"trace={FAILING}", "-e", inject):
+            assert [post(key) for key in ("one", "two", "one")] == [status] * 3
+            assert rest.get(MAIN).status_code == 200
+            viewer.frame_at(viewer.frame().tick + TICKS)
+        wait_for(lambda: post("one") == 202)
+        assert post("after") == 202
+        log = rest.get(f"{MAIN}/log").text
+    numbers = [entry["number"] for entry in map(json.loads, log.splitlines()[1:]) if entry["kind"] == "press"]
+    assert [numbers.count(seq) for seq in seqs] == [1] * 3

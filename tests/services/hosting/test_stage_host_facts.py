@@ -1,0 +1,79 @@
+"""Frames do not wait for the disk; actions and verdicts do: a crash takes back none that a viewer got."""
+
+import asyncio
+import pickle
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from commanded_disk import CommandedDisk, kept_on_disk
+from statwalk.services.hosting import stage_messages as ask
+from statwalk.services.hosting.commands import AddActor, SendEvent, StageSetup
+from statwalk.services.hosting.stage_host import StageHost
+from statwalk.services.publish.outbox import MOST_FACTS, Outbox
+
+BEND = ask.Post((SendEvent("BEND", 1),))
+
+
+@pytest.fixture
+def kept(tmp_path: Path) -> Iterator[tuple[StageHost, CommandedDisk]]:
+    """A stage, and the disk that keeps it."""
+    with kept_on_disk(tmp_path) as (held, disk):
+        yield held.open(StageSetup(clock="manual", actors=(AddActor("elbow"),))), disk
+
+
+async def texts(host: StageHost, outbox: Outbox) -> list[bytes]:
+    """What the viewer gets after the next look of the ticker."""
+    host.advance_to(0.0)
+    await asyncio.sleep(0)
+    return outbox.take_texts()
+
+
+@pytest.mark.anyio
+async def test_frames_do_not_wait_for_the_disk_and_verdicts_do(kept: tuple[StageHost, CommandedDisk]) -> None:
+    """Not for the input alone: a stage that came back before the tick might get there by another way."""
+    (host, disk), outbox = kept, Outbox("pose")
+    host.join(outbox)
+    host.handle(BEND)
+    disk.goes_on.clear()
+    host._live.tick()
+    assert await texts(host, outbox) == []
+    assert outbox.frame is not None
+    assert outbox.frame.tick == 1
+    disk.goes_on.set()
+    disk.store.flush()
+    assert [pickle.loads(text).event for text in await texts(host, outbox)] == ["BEND"]
+    host.leave(outbox)
+
+
+@pytest.mark.anyio
+async def test_one_write_at_a_time_follows_the_ticks(kept: tuple[StageHost, CommandedDisk]) -> None:
+    (host, disk), outbox = kept, Outbox("pose")
+    host.join(outbox)
+    disk.goes_on.clear()
+    for _ in range(5):
+        host._live.apply(BEND, {})
+        host._live.tick()
+    assert disk.store.writer.length <= 6  # five inputs, and how far the stage is
+    disk.goes_on.set()
+    disk.store.flush()
+    assert len(await texts(host, outbox)) < 5
+    disk.store.flush()
+    assert await texts(host, outbox)
+    host.leave(outbox)
+
+
+@pytest.mark.anyio
+async def test_viewers_are_sent_away_rather_than_that_too_many_verdicts_wait(
+    kept: tuple[StageHost, CommandedDisk],
+) -> None:
+    (host, disk), outbox = kept, Outbox("pose")
+    host.join(outbox)
+    host.handle(BEND)
+    disk.goes_on.clear()
+    host._live.facts_waiting.put(1, [b"fact"] * MOST_FACTS)
+    host._live.tick()
+    await asyncio.sleep(0)
+    assert outbox.closing is not None
+    assert (outbox.closing[0], outbox.take_texts()) == ("slow", [])
+    host.leave(outbox)

@@ -1,0 +1,104 @@
+"""`statwalk serve` as others reach it: over TLS, with tokens, and with a log that keeps secrets."""
+
+import os
+import signal
+import ssl
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import httpx
+import pytest
+from certificates import certificate_in
+from statwalk.services.access.access_file import AccessFile
+from websockets.exceptions import ConnectionClosedError
+from websockets.sync.client import connect
+
+GUESS = "a-secret-that-is-in-an-address"
+
+
+class Running(NamedTuple):
+    """A server over TLS: its process, its address, the token of its start, who trusts its certificate."""
+
+    process: "subprocess.Popen[str]"
+    address: str
+    token: str
+    trust: ssl.SSLContext
+    data: Path
+    log: Path
+
+    def rest(self, **options: object) -> httpx.Client:
+        return httpx.Client(base_url=f"https://{self.address}", verify=self.trust, timeout=30, **options)
+
+
+@pytest.fixture(scope="module")
+def running(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
+    folder = tmp_path_factory.mktemp("shared")
+    certificate, key = certificate_in(folder)
+    options = ["--port", "0", "--data", str(folder / "data"), "--token"]
+    command = [sys.executable, "-m", "statwalk.cli", "serve", *options]
+    command += ["--tls-cert", str(certificate), "--tls-key", str(key)]
+    environment = os.environ | {"COLUMNS": "200", "PYTHONUNBUFFERED": "1"}
+    with (
+        (folder / "log").open("w") as log,
+        subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, text=True, env=environment) as process,
+    ):
+        assert process.stdout is not None
+        link = process.stdout.readline().split("https://")[1].split()[0]
+        address, _, token = link.partition("/?token=")
+        trust = ssl.create_default_context(cafile=str(certificate))
+        yield Running(process, address, token, trust, folder / "data", folder / "log")
+        process.kill()
+
+
+def test_the_printed_link_opens_the_page(running: Running) -> None:
+    with running.rest() as browser:
+        assert browser.get("/").status_code == 401
+        signed = browser.get(f"/?token={running.token}")
+        assert (signed.status_code, signed.headers["location"]) == (303, "/")
+        assert signed.headers["set-cookie"].startswith("__Host-statwalk_")
+        assert "Secure" in signed.headers["set-cookie"]
+        assert browser.get("/").status_code in (200, 503)  # 503: the page is not built here
+        assert browser.get("/api/access").json()["role"] == "admin"
+
+
+def test_the_stream_flows_over_tls(running: Running) -> None:
+    url = f"wss://{running.address}/api/stages/main/stream"
+    headers = {"authorization": f"Bearer {running.token}"}
+    with connect(url, ssl=running.trust, additional_headers=headers, compression=None) as viewer:
+        assert '"hello"' in str(viewer.recv(timeout=20))
+        viewer.send("x" * (65 << 10))
+        with pytest.raises(ConnectionClosedError):
+            list(viewer)  # ends with the connection
+    assert viewer.close_code == 1009
+
+
+def test_a_person_added_while_it_runs_gets_in(running: Running) -> None:
+    token = AccessFile(running.data).add("ada", "view")
+    with running.rest(headers={"authorization": f"Bearer {token}"}) as rest:
+        assert rest.get("/api/access").json()["name"] == "ada"
+        assert rest.post("/api/stages", json={}).status_code == 403
+
+
+def test_what_is_in_an_address_is_not_in_the_log(running: Running) -> None:
+    """The last test: it stops the server."""
+    query = f"?token={GUESS}&token={running.token}"
+    with running.rest() as rest:
+        for path in ("/", "/api/stages", "/api/nothing", "/missing", "//x"):
+            for method in ("GET", "POST", "BREW"):
+                rest.request(method, path + query)
+        rest.get("/api/stages" + query, headers={"host": "evil.example"})
+        rest.get("/api/stages" + query, headers={"authorization": f"Bearer {running.token}"})
+    for headers in ({}, {"authorization": f"Bearer {running.token}"}):
+        url = f"wss://{running.address}/api/stages/nowhere/stream{query}"
+        with pytest.raises(Exception, match="HTTP 40"):
+            connect(url, ssl=running.trust, additional_headers=headers)
+    running.process.send_signal(signal.SIGTERM)
+    printed, _ = running.process.communicate(timeout=20)
+    assert running.process.returncode == 0
+    said = printed + running.log.read_text()
+    assert GUESS not in said
+    assert running.token not in said
+    assert "Traceback" not in said
