@@ -71,7 +71,7 @@ def running(catalogue: Catalogue) -> tuple[Ticker, StageHost, Now, Measured]:
     now, measured = Now(), Measured()
     held = Registry(catalogue, repr, Limits(), now=now)  # type: ignore[arg-type]
     held.measure_ticks = measured  # type: ignore[assignment]
-    host = held.open(StageSetup(clock="real", rate=HZ, actors=(AddActor("elbow"),)))
+    host = held.open(StageSetup(keep_running=True, clock="real", rate=HZ, actors=(AddActor("elbow"),)))
     ticker = Ticker(held.all, now)
     run(ticker, now, 1.0)
     return ticker, host, now, measured

@@ -31,6 +31,8 @@ class Limits:
     """that come to one stage between two ticks"""
     tick_share: float = 0.8
     """of the time of the thread that steps the stages; 1 is all of it"""
+    rest_seconds: float = 30.0
+    """until a real-time stage without viewers and requests falls asleep"""
     idle_seconds: float = 600.0
     """until a stage without viewers and requests is closed"""
     requests: float = 600.0

@@ -47,6 +47,10 @@ class Clock:
         self._owed = max(self._owed - steps, 0.0)
         return steps
 
+    def stand(self) -> None:
+        """Lets no time pass until the next call of `due`."""
+        self._last = None
+
     def lateness(self, steps: int) -> list[float]:
         """Returns by how many seconds each of the `steps` that `due` has just handed out is late, the oldest
         first.

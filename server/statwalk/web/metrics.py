@@ -99,7 +99,7 @@ class Metrics:
     def text(self, stages: Iterable[StageHost], held: dict[str, int], queues: dict[str, int]) -> bytes:
         """Returns all metrics in the text format of Prometheus; `held` and `queues` are true now."""
         hosts = list(stages)
-        viewers = sum(host.handle(ask.Status()).viewers for host in hosts)
+        viewers = sum(host.look(ask.Status()).viewers for host in hosts)
         actors = sum(host.actors for host in hosts)
         for what, number in ({"stages": len(hosts), "actors": actors, "viewers": viewers} | held).items():
             self._gauges.labels(what).set(number)

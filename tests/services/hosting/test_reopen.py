@@ -12,10 +12,11 @@ from stages import registry
 from statwalk.errors import BusyError, ConflictError, UnknownNameError
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.commands import AddActor, SendEvent, StageSetup
-from statwalk.services.hosting.registry import MAIN, Registry
+from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.store import kept_keys
 from statwalk.services.hosting.store.database import FILE_NAME
+from statwalk.services.hosting.store.records import MAIN
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.stage.history import state_codec
 

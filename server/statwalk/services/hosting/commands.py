@@ -67,3 +67,5 @@ class StageSetup:
     clock: ClockKind = "real"
     actors: tuple[AddActor, ...] = ()
     scene: str | None = None
+    keep_running: bool = False
+    """also while nobody uses it"""

@@ -41,6 +41,7 @@ class LiveStage:
         self.fanout, self.facts_waiting = self.encoder.fanout, WaitingFacts()
         self.kept: KeptStage | None = None
         self.restored: int | None = None
+        self.asleep = False
         self.room = LogRoom(services.limits)
 
     # --- time

@@ -166,7 +166,7 @@ class MachineVersions:
                 self.catalogue.renew(replace(entry, file=edited.file), edited.role)
                 self.versions_of[name] = versions[-MOST_VERSIONS:]
             for host in self.stages():
-                host.handle(Edit(name, text))
+                host.look(Edit(name, text))
         return edited
 
     def keep(self, name: str, versions: list[MachineVersion]) -> None:

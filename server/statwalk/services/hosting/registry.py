@@ -18,14 +18,13 @@ from statwalk.services.hosting.pacing import Pacing
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_services import EncodeFact, MeasureTicks
 from statwalk.services.hosting.store.committer import Statement
-from statwalk.services.hosting.store.records import StageIdentity
+from statwalk.services.hosting.store.records import KEEP_RUNNING, MAIN, StageIdentity
 from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.limits import Limits
 from statwalk.services.threads import Now
 from statwalk.stage.stage import Stage
 
-MAIN = "main"
 MANUAL_PATIENCE = 6
 """how many times longer an idle stage is kept if its clock is manual"""
 UNCLAIMED_PATIENCE = 0.1
@@ -169,7 +168,7 @@ class Registry:
         :raises LimitError: when the setup has too many actors, or the server too many stages.
         :raises CancelledError: when the token is cancelled before the stage is open.
         """
-        host = self._with_scene(self.new_id(), setup)
+        host = self._with_scene(self.new_id(), setup, KEEP_RUNNING if setup.keep_running else "")
         host.handle(ask.Post(setup.actors, forks=False), token)
         token.check()
         return self.hold(host)
@@ -185,7 +184,8 @@ class Registry:
         self.flush()
 
     def drop_idle(self, now: float) -> None:
-        """Closes the stages without viewers that had no request for `idle_seconds`; `main` stays.
+        """Closes the stages without viewers that had no request for `idle_seconds` and are not kept; `main`
+        stays, and so does what was made to keep running.
 
         `now`: seconds of `self.now`.
 
@@ -193,19 +193,21 @@ class Registry:
         `UNCLAIMED_PATIENCE` of the time.
         """
         for host in self.all():
-            if host.idle_for(now) > self._patience(host) and host.id != MAIN:
+            if host.idle_for(now) > self._patience(host):
                 self._remove(host.id)
 
     def _patience(self, host: StageHost) -> float:
         if host.is_unclaimed:
             return self.limits.idle_seconds * UNCLAIMED_PATIENCE
+        if self.store or host.identity.stays_awake:
+            return float("inf")
         return self.limits.idle_seconds * (MANUAL_PATIENCE if host.clock_kind == "manual" else 1)
 
     def _remove(self, stage_id: str) -> None:
         with self.lock:
             host = self.stages.pop(stage_id, None)
         if host:
-            host.handle(ask.Close())
+            host.look(ask.Close())
             if self.store:
                 self.store.drop(stage_id)
 

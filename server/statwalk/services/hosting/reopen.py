@@ -11,11 +11,11 @@ from statwalk.character.role import Role
 from statwalk.errors import StageError, StatwalkError
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, machine_of
 from statwalk.services.hosting.machine_versions import MachineVersions, saved
-from statwalk.services.hosting.registry import MAIN, Registry
+from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_messages import Edit
 from statwalk.services.hosting.store.kept_stage import model_digest
-from statwalk.services.hosting.store.records import MachineVersion, StageRecord
+from statwalk.services.hosting.store.records import MAIN, MachineVersion, StageRecord
 from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.stage.history.engine import ENGINE, release

@@ -15,6 +15,7 @@ from statwalk.errors import CancelledError, LimitError
 from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.apply_commands import packed, roles_to_add
+from statwalk.services.hosting.attention import Attention
 from statwalk.services.hosting.live_stage import LiveStage
 from statwalk.services.hosting.past_stages import PastStages, branch_at
 from statwalk.services.hosting.stage_lock import StageLock
@@ -50,11 +51,13 @@ class StageHost:
         self.id, self.clock_kind, self.rate = identity.id, identity.clock, stage.rate
         self._live = LiveStage(self.id, stage, self.clock_kind, home)
         self._lock = StageLock(home.now)
+        self._attention = Attention(identity, self._live)
+        self.idle_for = self._attention.idle_for
         self._closed = threading.Event()
         self._past = PastStages(self._copy)
 
     def handle(self, message: ask.Message[ask.Reply], token: CancelToken = NEVER) -> ask.Reply:
-        """Does what a message asks, and returns the reply.
+        """Does what a message asks, and returns the reply; wakes the stage.
 
         Long work holds the lock for 5 ms at a time, so that other threads get their turn in between.
 
@@ -65,6 +68,11 @@ class StageHost:
         :raises CancelledError: when the token is cancelled, or the stage is closed, before the work is done.
         :raises StorageError: when the disk refuses to keep the change that the message makes.
         """
+        self._attention.touch()
+        return self.look(message, token)
+
+    def look(self, message: ask.Message[ask.Reply], token: CancelToken = NEVER) -> ask.Reply:
+        """Does what `handle` does, and lets a stage sleep: for what the server asks of all stages."""
         kind = type(message)
         answer: Any
         if query := AT_PLAYHEAD.get(kind):
@@ -87,9 +95,9 @@ class StageHost:
         """Takes the steps that are due at `now` (seconds of `home.now`), and publishes the facts that waited
         for durability; returns the seconds until the next call.
 
-        Nothing happens while another thread holds the stage, or nobody uses it.
+        Nothing happens while another thread holds the stage, or the stage sleeps.
         """
-        if self.is_unclaimed or not self._lock.lock.acquire(blocking=False):
+        if self._attention.sleeps(now) or self.is_unclaimed or not self._lock.lock.acquire(blocking=False):
             return 1 / self.rate
         try:
             return self._live.advance_to(now)
@@ -115,13 +123,14 @@ class StageHost:
     def join(self, outbox: Outbox, loop: Loop | None = None) -> None:
         """Adds a viewer in the event loop; :raises BusyError: when the stage has the most viewers it may."""
         self._live.fanout.join(outbox, loop)
+        self._attention.touch()
 
     def leave(self, outbox: Outbox) -> None:
         """Removes a viewer; the stage counts as idle from now on if it was the last one."""
         self._live.fanout.leave(outbox)
         if not self._live.fanout.outboxes:
             self._past.forget()
-        self._lock.touched = self.home.now()
+        self._attention.touch()
 
     def look_after_viewers(self, now: float) -> None:
         """Sends the status to viewers, in the event loop; disconnects viewers that acknowledge no frames."""
@@ -132,10 +141,6 @@ class StageHost:
     def actors(self) -> int:
         """The number of actors."""
         return len(self._live.stage.state.ids)
-
-    def idle_for(self, now: float) -> float:
-        """Returns the seconds without a request or a viewer until `now`, in seconds of `home.now`."""
-        return 0.0 if self._live.fanout.outboxes else now - self._lock.touched
 
     @contextmanager
     def _locked(self) -> Iterator[LiveStage]:
@@ -153,6 +158,7 @@ class StageHost:
         """
 
         def check() -> None:
+            self._attention.touch()
             token.check()
             if self._closed.is_set():
                 raise CancelledError("the work is cancelled: the stage is closed")

@@ -15,11 +15,10 @@ BUSY_SECONDS = 20.0
 
 
 class StageLock:
-    """A lock that says when it was last asked for: `touched`, in seconds of `now`."""
+    """A lock that a thread holds only for a moment."""
 
     def __init__(self, now: Now = time.perf_counter) -> None:
         self.lock, self.now = threading.Lock(), now
-        self.touched = now()
 
     @contextmanager
     def held(self) -> Iterator[None]:
@@ -30,7 +29,6 @@ class StageLock:
         if not self.lock.acquire(timeout=BUSY_SECONDS):
             raise BusyError("the stage is busy with a long step; try again")
         try:
-            self.touched = self.now()
             yield
         finally:
             self.lock.release()

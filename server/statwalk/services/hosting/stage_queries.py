@@ -72,8 +72,9 @@ def _describe(live: LiveStage, _: ask.Describe) -> Pieces[StageFacts]:
         stage.hash,
         live.status(),
     )
+    asleep = live.asleep
     yield
-    return facts((yield from _by_id(columns)))
+    return facts((yield from _by_id(columns)), asleep)
 
 
 def _actors(live: LiveStage, message: ask.DescribeActors) -> Pieces[tuple[ActorFacts, ...]]:

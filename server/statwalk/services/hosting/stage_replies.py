@@ -70,6 +70,8 @@ class StageFacts:
     hash: str
     status: StageStatus
     actors: tuple[ActorFacts, ...]
+    asleep: bool
+    """its time stands until somebody looks or asks"""
 
 
 @dataclass(frozen=True)

@@ -130,7 +130,7 @@ def delete_machine(name: str, registry: RegistryDep) -> None:
             f"the machine {name!r} belongs to the server; you can delete only machines that you made",
             field="name",
         )
-    stages = [host.id for host in registry.all() if name in host.handle(Machines())]
+    stages = [host.id for host in registry.all() if name in host.look(Machines())]
     if stages:
         raise Problem(
             409, f"first delete the stages that play {name!r}: {', '.join(stages[:20])}", field="name"

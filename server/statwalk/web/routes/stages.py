@@ -10,9 +10,10 @@ from fastapi import APIRouter, Depends, Query, Response
 
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting import stage_messages as ask
-from statwalk.services.hosting.registry import MAIN, Registry
+from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
-from statwalk.services.hosting.stage_replies import ActorFacts
+from statwalk.services.hosting.stage_replies import ActorFacts, StageFacts
+from statwalk.services.hosting.store.records import MAIN
 from statwalk.skin.skinning import Skinning
 from statwalk.web.bounded_json import RoomyRoute
 from statwalk.web.dependencies import LongWorkToken, registry_of, stage_of, token_of
@@ -66,7 +67,10 @@ def view_actor(actor: ActorFacts) -> ActorView:
 
 
 def _view_stage(host: StageHost) -> StageView:
-    facts = host.handle(ask.Describe())
+    return _view(host.handle(ask.Describe()))
+
+
+def _view(facts: StageFacts) -> StageView:
     return StageView(
         id=facts.id,
         clock=facts.clock,
@@ -74,6 +78,7 @@ def _view_stage(host: StageHost) -> StageView:
         seed=facts.seed,
         seconds=facts.seconds,
         hash=facts.hash,
+        asleep=facts.asleep,
         actors=[view_actor(actor) for actor in facts.actors],
         **asdict(facts.status),
     )
@@ -81,8 +86,8 @@ def _view_stage(host: StageHost) -> StageView:
 
 @router.get("")
 def list_stages(registry: RegistryDep) -> list[StageView]:
-    """Lists the stages."""
-    return [_view_stage(host) for host in registry.all()]
+    """Lists the stages; wakes none."""
+    return [_view(host.look(ask.Describe())) for host in registry.all()]
 
 
 @router.post("", status_code=201)

@@ -24,12 +24,13 @@ class NewStage(RequestModel):
     actors: list[NewActor] = Field([], max_length=MOST_ACTORS, fail_fast=True)
     scene: Name | None = None
     """a scene whose actors are on the stage from the beginning; `seed` defaults to the scene's seed"""
+    keep_running: bool = False
+    """a real-time stage runs also while nobody looks and asks"""
 
     def setup(self) -> StageSetup:
         """Returns the setup for the registry."""
-        return StageSetup(
-            self.seed, self.rate, self.clock, tuple(actor.command() for actor in self.actors), self.scene
-        )
+        actors = tuple(actor.command() for actor in self.actors)
+        return StageSetup(self.seed, self.rate, self.clock, actors, self.scene, self.keep_running)
 
 
 class StepBody(RequestModel):
@@ -79,4 +80,6 @@ class StageView(ResponseModel):
     """the part of the speed at which the stage runs; less than 1 while it takes more time than it may"""
     trouble: str
     """why nothing can be kept now, such as a full disk; empty while everything is kept"""
+    asleep: bool
+    """nobody looks and nobody asks: its time stands until somebody does"""
     actors: list[ActorView]

@@ -461,7 +461,7 @@ export interface paths {
         };
         /**
          * List Stages
-         * @description Lists the stages.
+         * @description Lists the stages; wakes none.
          */
         get: operations["list_stages_api_stages_get"];
         put?: never;
@@ -2299,6 +2299,11 @@ export interface components {
             actors?: components["schemas"]["NewActor"][];
             /** @description a scene whose actors are on the stage from the beginning; `seed` defaults to the scene's seed */
             scene?: string | null;
+            /**
+             * @description a real-time stage runs also while nobody looks and asks
+             * @default false
+             */
+            keep_running?: boolean;
         };
         /** @description The whole text of a machine file. */
         NewText: {
@@ -2556,6 +2561,8 @@ export interface components {
             pace: number;
             /** @description why nothing can be kept now, such as a full disk; empty while everything is kept */
             trouble: string;
+            /** @description nobody looks and nobody asks: its time stands until somebody does */
+            asleep: boolean;
             actors: components["schemas"]["ActorView"][];
         };
         /** @description A layer of an actor enters `state` at `tick`. */

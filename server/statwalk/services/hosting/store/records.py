@@ -9,16 +9,32 @@ from typing import NamedTuple
 
 from statwalk.services.hosting.commands import ClockKind
 
+MAIN = "main"
+KEEP_RUNNING = "to keep running"
+"""what a stage is opened with that runs without viewers and requests"""
+
 
 @dataclass(frozen=True)
 class StageIdentity:
-    """What never changes of a stage; `opened`: the scene or machine that the server opened it with."""
+    """What never changes of a stage; `opened`: the scene or machine that the server opened it with, or
+    `KEEP_RUNNING`.
+    """
 
     id: str
     opened: str
     seed: int
     rate: int
     clock: ClockKind
+
+    @property
+    def stays_awake(self) -> bool:
+        """Whether it goes on while nobody uses it."""
+        return self.id == MAIN or self.opened == KEEP_RUNNING
+
+    @property
+    def may_sleep(self) -> bool:
+        """Whether its time may stand while nobody uses it."""
+        return self.clock == "real" and not self.stays_awake
 
 
 class Note(NamedTuple):
