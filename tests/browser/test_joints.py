@@ -124,7 +124,7 @@ def test_a_click_chooses_a_joint_and_another_beside_all_chooses_none(server: Ser
     at = page.evaluate("__viewer.circle('A')")
     page.mouse.click(*at)
     until(page, "__viewer.joint() === 'A'")
-    until(page, "document.querySelector('#joint').textContent.includes('no limits')")  # in the next drawn frame
+    until(page, "document.querySelector('#joint').textContent.includes('no limits')")
     until(page, "!('B swing' in __viewer.handles())")
     page.mouse.click(box["x"] + 5, box["y"] + 0.5 * box["height"])
     until(page, "__viewer.joint() === ''")

@@ -29,6 +29,9 @@ from statwalk.services.publish.fanout import Loop
 from statwalk.services.publish.outbox import EncodedFrame, Outbox
 from statwalk.stage.stage import Stage
 
+RETRY_SECONDS = 0.001
+"""until a step that is due is tried again, when another thread holds the stage; a whole tick would be seen"""
+
 
 class Home(StageServices, Protocol):
     """The server that a host belongs to."""
@@ -89,8 +92,10 @@ class StageHost:
 
         Nothing happens while another thread holds the stage, or nobody uses it.
         """
-        if self.is_unclaimed or not self._lock.lock.acquire(blocking=False):
+        if self.is_unclaimed:
             return 1 / self.rate
+        if not self._lock.lock.acquire(blocking=False):
+            return RETRY_SECONDS
         try:
             return self._live.advance_to(now)
         finally:
