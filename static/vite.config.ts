@@ -1,6 +1,8 @@
 /// <reference types="vitest/config" />
 import { defineConfig } from "vite";
 
+const SERVER = "http://127.0.0.1:8000";
+
 /** `base: "./"` lets the page be mounted anywhere; in development `npm run dev` passes /api on to a running `statwalk serve`. */
 export default defineConfig({
   base: "./",
@@ -10,6 +12,17 @@ export default defineConfig({
     sourcemap: false,
     rolldownOptions: { input: ["index.html", "curves.html"] },
   },
-  server: { proxy: { "/api": { target: "http://127.0.0.1:8000", ws: true, changeOrigin: true } } },
+  server: {
+    proxy: {
+      // the server refuses pages of another origin, so that requests get its own
+      "/api": {
+        target: SERVER,
+        ws: true,
+        changeOrigin: true,
+        rewriteWsOrigin: true,
+        headers: { origin: SERVER },
+      },
+    },
+  },
   test: { include: ["src/**/*.test.ts"], environment: "node" },
 });

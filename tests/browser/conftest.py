@@ -124,6 +124,16 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         yield running
 
 
+@pytest.fixture(autouse=True)
+def tidy(server: Server) -> Iterator[None]:
+    """Closes the stages that a test leaves behind, after its page: they would step beside all others."""
+    yield
+    if server.process is not None:
+        for stage in httpx.get(f"{server.url}/api/stages").json():
+            if stage["id"] != "main":
+                httpx.delete(f"{server.url}/api/stages/{stage['id']}")
+
+
 @pytest.fixture(scope="session")
 def robot_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     """A server whose first machine was made from a real model by `statwalk new`."""

@@ -58,7 +58,7 @@ def site(text: str) -> Iterator[str]:
 def test_the_printed_link_opens_the_page(closed: Server, opened: Callable[[str], Page]) -> None:
     page = opened(closed.link)
     assert page.url == f"{closed.url}/"
-    assert page.evaluate(f"{ACCESS}.hidden")
+    until(page, f"{ACCESS}.hidden")
     assert page.evaluate("document.cookie") == ""  # no script can read it
     page.reload()
     until(page, "window.__viewer?.ready")
@@ -84,7 +84,7 @@ def test_who_may_only_look_reads_it_and_why_not_more(
     until(page, "document.getElementById('notices').textContent.includes('needs the role drive')")
     file.revoke("guest")
     until(page, f"{ACCESS}.textContent.includes('needs a token')")
-    assert page.evaluate("document.getElementById('status').dataset.link") == "refused"
+    until(page, "document.getElementById('status').dataset.link === 'refused'")
     signed = httpx.get(closed.link)
     page.context.add_cookies(
         [{"name": name, "value": value, "url": closed.url} for name, value in signed.cookies.items()]
@@ -107,7 +107,7 @@ def test_a_link_to_a_stage_shows_this_stage(
     until(page, f"{ACCESS}.textContent === 'you may drive this stage'")
     page.goto(f"{closed.url}/")
     until(page, "window.__viewer?.ready")
-    assert page.url.endswith(stage.rpartition("/")[2])
+    until(page, "location.href.endsWith(arg)", stage.rpartition("/")[2])
     until(page, "document.querySelector('#picker select').hidden")
 
 

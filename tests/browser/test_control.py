@@ -34,7 +34,7 @@ def test_the_live_row_and_the_live_state_follow(standing: Page) -> None:
     standing.keyboard.down("ArrowUp")
     until(standing, "document.querySelector('#table tr[aria-current] th')?.textContent === 'WALK'")
     until(standing, "document.querySelector('#graph .live text')?.textContent === 'WALK'")
-    assert standing.locator("#graph .edge.last").count() == 1
+    until(standing, "document.querySelectorAll('#graph .edge.last').length === 1")
     standing.keyboard.up("ArrowUp")
     until(standing, "__viewer.state() === 'STAT'")
 
@@ -67,6 +67,6 @@ def test_leaving_for_another_machine_lets_the_key_go(server: Server, standing: P
 def test_question_mark_lists_the_keys(viewer: Page) -> None:
     viewer.keyboard.press("?")
     dialog = viewer.get_by_role("dialog")
-    assert "FORWARD" in dialog.inner_text()
+    dialog.filter(has_text="FORWARD").wait_for()
     viewer.keyboard.press("Escape")
-    assert dialog.count() == 0
+    dialog.wait_for(state="detached")

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 from browser.conftest import Server, until
 from playwright.sync_api import Page
+from serving import wait_for
 
 METHODS = (
     "linear, Euler XYZ",
@@ -75,7 +76,7 @@ def test_a_hidden_curve_leaves_all_plots(curves: Page) -> None:
     after = [curves.evaluate(INK, name) for name in QUANTITIES]
     assert all(now < then for now, then in zip(after, before, strict=True))
     curves.get_by_role("button", name="slerp", exact=True).click()
-    assert curves.locator("#names button[aria-pressed=true]").count() == 2
+    until(curves, "document.querySelectorAll('#names button[aria-pressed=true]').length === 2")
 
 
 def test_an_edited_key_changes_the_curves(curves: Page) -> None:
@@ -107,7 +108,7 @@ def test_a_dragged_key_moves_in_time_and_stays_between_its_neighbours(curves: Pa
 
 def test_keys_are_added_and_removed_and_a_fault_is_said(curves: Page) -> None:
     answered(curves, curves.get_by_role("button", name="add a key").click)
-    assert curves.locator("#strip .diamond").count() == 6
+    until(curves, "document.querySelectorAll('#strip .diamond').length === 6")
     answered(curves, curves.get_by_label("remove key 6").click)
     curves.get_by_label("time, s of key 3").fill("0.1")
     curves.get_by_role("status").filter(has_text="key 3: times should rise").wait_for()
@@ -117,11 +118,11 @@ def test_the_clock_moves_the_figures(curves: Page) -> None:
     before = curves.screenshot(clip=curves.locator(".figures").bounding_box())
     curves.get_by_label("time", exact=True).locator("input").fill("0.2")
     curves.locator("output").filter(has_text="0.60 s").wait_for()
-    assert curves.screenshot(clip=curves.locator(".figures").bounding_box()) != before
+    wait_for(lambda: curves.screenshot(clip=curves.locator(".figures").bounding_box()) != before)
 
 
 @pytest.mark.parametrize("width", [390, 1440])
 def test_nothing_is_wider_than_the_window(curves: Page, width: int) -> None:
     curves.set_viewport_size({"width": width, "height": 900})
     until(curves, "document.querySelector('.uplot').clientWidth <= innerWidth")
-    assert curves.evaluate("document.documentElement.scrollWidth") <= width
+    until(curves, "document.documentElement.scrollWidth <= arg", width)

@@ -42,7 +42,7 @@ def test_the_slider_chooses_a_level(walker: Page, server: Server) -> None:
     passes = round((full - triangles(walker)) / gone, 3)
     assert passes in (1, 2), "the picture, and the shadow's picture"
     assert walker.evaluate("__viewer.pixels()")["covered"] == pytest.approx(covered, rel=0.05)
-    assert f"{levels[5]['triangles']:,} triangles" in walker.locator(".detail-words").inner_text()
+    walker.locator(".detail-words").filter(has_text=f"{levels[5]['triangles']:,} triangles").wait_for()
 
 
 def test_by_size_the_error_stays_below_a_pixel(walker: Page) -> None:

@@ -31,7 +31,7 @@ def drop(page: Page, name: str, content: bytes) -> None:
 
 
 @pytest.fixture
-def own(server: Server) -> Iterator[Callable[[], set[str]]]:
+def own(server: Server, page: Page) -> Iterator[Callable[[], set[str]]]:
     """Returns the names of the server's machines and characters; removes new ones afterwards."""
 
     def names() -> set[str]:
@@ -43,6 +43,7 @@ def own(server: Server) -> Iterator[Callable[[], set[str]]]:
 
     before = names()
     yield names
+    page.goto("about:blank")  # before it can ask for what is deleted
     for stage in httpx.get(f"{server.url}/api/stages").json():
         if stage["id"] != "main":
             httpx.delete(f"{server.url}/api/stages/{stage['id']}")
@@ -84,7 +85,7 @@ def test_states_can_be_renamed_and_are_checked_in_place(
     viewer.get_by_label("Dance", exact=True).fill("WALK")
     viewer.get_by_role("button", name="Make a machine").click()
     viewer.locator("[aria-invalid]").wait_for()
-    assert "already" in viewer.locator(".map-row:has([aria-invalid]) .map-says").inner_text()
+    viewer.locator(".map-row:has([aria-invalid]) .map-says").filter(has_text="already").wait_for()
     viewer.locator("[aria-invalid]").fill("DISCO")
     viewer.get_by_label("Dance", exact=True).fill("WALTZ")
     viewer.keyboard.press("Enter")
@@ -101,7 +102,7 @@ def test_a_broken_file_says_why_and_changes_nothing(
     assert viewer.locator("img").count() == 0
     assert own() == before
     viewer.keyboard.press("Escape")
-    assert viewer.get_by_role("dialog").count() == 0
+    viewer.get_by_role("dialog").wait_for(state="detached")
     assert viewer.evaluate("[__viewer.stage(), __viewer.state()]") == [stage, "STAT"]
 
 

@@ -14,6 +14,7 @@ def still(viewer: Page, request: pytest.FixtureRequest) -> Iterator[Page]:
     """The paused page in one of the streams."""
     viewer.keyboard.press("p")
     viewer.wait_for_selector("[data-link=paused]")
+    until(viewer, "__viewer.posed() === __viewer.head()")
     if request.param == "glb":
         viewer.keyboard.press("g")
         until(viewer, "__viewer.shown() === 'glb'")
@@ -40,7 +41,7 @@ def test_weights_are_red_where_the_bone_moves_all(still: Page) -> None:
     assert weights["covered"] == pytest.approx(materials["covered"], abs=0.001)
     assert reds["Upperback"] > reds["Left.hand"] + 15
     assert back["colour"] == pytest.approx(materials["colour"], abs=3)
-    assert not bones.is_visible()
+    bones.wait_for(state="hidden")
 
 
 def test_normals_are_colours_and_lines(still: Page) -> None:
@@ -62,7 +63,7 @@ def test_tetrahedra_are_shaded_wire_or_textured(still: Page) -> None:
         pictures.add(still.locator("#stage-view").screenshot())
     assert len(pictures) == 3
     still.get_by_role("button", name="tetra").click()
-    assert not still.get_by_label("tetrahedra", exact=True).is_visible()
+    still.get_by_label("tetrahedra", exact=True).wait_for(state="hidden")
 
 
 def test_tetrahedra_stay_on_the_character_in_both_streams(viewer: Page) -> None:

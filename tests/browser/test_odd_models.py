@@ -84,7 +84,7 @@ def test_lines_keep_the_colour_of_their_material(shown: Shown) -> None:
 
 def test_bones_without_a_mesh_are_drawn_as_bones(shown: Shown) -> None:
     page = shown("bones")
-    assert page.evaluate("[__viewer.state(), __viewer.overlays()]") == ["STAT", 1]
+    until(page, "__viewer.state() === 'STAT' && __viewer.overlays() === 1")
     left, top = page.evaluate("__viewer.circle('foot')")
     box = page.locator("#stage-view").bounding_box()
     assert box is not None
@@ -116,8 +116,8 @@ def no_models(page: Page, allowed: list[str]) -> None:
 
 def test_a_model_that_fails_says_so_in_its_place(no_models: None, viewer: Page) -> None:
     viewer.get_by_text("The model of faq-walker cannot be loaded").wait_for()
-    assert viewer.evaluate(COVERED) > 0.005
-    assert viewer.evaluate("document.querySelector('#loading').textContent") == ""
+    until(viewer, f"{COVERED} > 0.005")
+    until(viewer, "document.querySelector('#loading').textContent === ''")
 
 
 def test_nothing_of_an_old_scene_survives_a_new_one(viewer: Page, server: Server, allowed: list[str]) -> None:
@@ -127,8 +127,7 @@ def test_nothing_of_an_old_scene_survives_a_new_one(viewer: Page, server: Server
     viewer.get_by_role("combobox", name="machine").select_option("tree")
     viewer.get_by_text("cannot be loaded").wait_for()
     until(viewer, "__viewer.ready && __viewer.stage() !== 'main'")
-    assert viewer.evaluate("'Head' in __viewer.joints()") is False
-    assert viewer.evaluate("__viewer.bodies()") == 0
+    until(viewer, "!('Head' in __viewer.joints()) && __viewer.bodies() === 0")
     leave(viewer, f"{server.url}/api/stages/{viewer.evaluate('__viewer.stage()')}")
 
 

@@ -56,7 +56,7 @@ def test_a_model_without_materials_is_drawn(made: Callable[[Path], str], viewer:
     choose(viewer, made(GLTF / file))
     until(viewer, SHOWN)
     colour = viewer.evaluate("__viewer.pixels().colour")
-    assert viewer.locator("#loading").inner_text() == ""
+    until(viewer, "document.querySelector('#loading').textContent === ''")
     assert max(colour) - min(colour) < 40
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 import httpx
-from browser.conftest import Server, until
+from browser.conftest import Server, leave, until
 from playwright.sync_api import Page
 from serving import wait_for
 
@@ -58,8 +58,9 @@ def test_a_reloaded_page_keeps_its_stage_and_still_closes_it(server: Server, vie
 
 def test_a_reloaded_page_whose_stage_was_closed_has_its_machine_again(server: Server, viewer: Page) -> None:
     choose(viewer, "faq-printed")
-    httpx.delete(f"{server.url}/api/stages/{viewer.evaluate('__viewer.stage()')}")
-    viewer.reload()
+    stage = f"{server.url}/api/stages/{viewer.evaluate('__viewer.stage()')}"
+    leave(viewer, stage)
+    viewer.go_back()
     until(viewer, IS_READY)
 
 

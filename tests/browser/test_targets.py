@@ -51,8 +51,6 @@ def test_a_dragged_handle_moves_its_point(server: Server, viewer: Page) -> None:
         viewer.mouse.move(x - 8 * step, y + 4 * step)
     viewer.mouse.up()
     wait_for(lambda: len(gazes(server, viewer)) > before)
-    moved = viewer.evaluate("__viewer.handles().gaze")
-    assert abs(moved[0] - (x - 40)) < 2
-    assert abs(moved[1] - (y + 20)) < 2
+    until(viewer, "__viewer.handles().gaze.every((at, i) => Math.abs(at - arg[i]) < 2)", [x - 40, y + 20])
     viewer.get_by_role("button", name="drag gaze").click()
     until(viewer, "!('gaze' in __viewer.handles())")

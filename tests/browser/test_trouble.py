@@ -71,7 +71,7 @@ def test_a_full_disk_is_shown_and_forgotten_when_there_is_room(
         assert "the disk is full" in post_until(server.url, 507).json()["detail"]
         until(page, f"{WORD} === 'not kept'")
         page.get_by_text("Nothing is kept now: the disk is full").wait_for()
-        assert "make room" in page.locator("#status .link").get_attribute("title")
+        until(page, "document.querySelector('#status .link').title.includes('make room')")
         shown = page.evaluate("__viewer.posed()")
         until(page, "__viewer.posed() > arg + 10", shown)  # the stage goes on
         server.make_room()
@@ -87,7 +87,7 @@ def test_a_stage_over_its_share_is_called_slow_until_it_fits(
     with Server(tmp_path, "--limit", "tick_share=0.003") as server:
         page = opened(server.url)
         until(page, f"{WORD} === 'slow'")
-        assert "Fewer actors help" in page.locator("#status .link").get_attribute("title")
+        until(page, "document.querySelector('#status .link').title.includes('Fewer actors help')")
         httpx.post(f"{server.url}/api/stages/main/speed", json={"speed": 0.02}).raise_for_status()
         until(page, f"{WORD} === 'live'")
         leave(page)

@@ -44,9 +44,9 @@ def why(page: Page, tick: int) -> None:
 
 def test_a_click_on_the_timeline_tells_why(still: Page) -> None:
     why(still, 11)
-    told = still.locator(".event-why[data-about=FORWARD]").inner_text()
+    told = still.locator(".event-why[data-about=FORWARD]").filter(has_text="taken").inner_text()
     assert [part in told for part in ("taken", "STAT/FORWARD", "STAT → STWK")] == [True, True, True]
-    assert still.evaluate("__viewer.looking()") == 11
+    until(still, "__viewer.looking() === 11")
 
 
 def test_the_cell_is_shown_in_the_table(still: Page) -> None:
@@ -76,7 +76,7 @@ def test_why_not_proposes_what_helps_and_the_cell_takes_it(still: Page) -> None:
     still.locator(".remedies [data-kind=cell] button").first.click()
     until(still, "document.querySelector('.cell-field').value.startsWith('JUMP')")
     until(still, "document.querySelector('.cell-field').ariaInvalid === 'true'")
-    assert "only after WALK" in still.locator("#cell-inspector").inner_text()
+    still.locator("#cell-inspector").filter(has_text="only after WALK").wait_for()
     still.keyboard.press("Escape")
 
 
@@ -84,7 +84,7 @@ def test_a_travel_shows_its_route(viewer: Page) -> None:
     until(viewer, "__viewer.state() === 'STAT'")
     viewer.locator("#table th[data-state=JUMP]").click(button="right")
     until(viewer, "!document.querySelector('#route').hidden")
-    assert "JUMP" in viewer.locator("#route").inner_text()
+    viewer.locator("#route").filter(has_text="JUMP").wait_for()
     until(viewer, "__viewer.state() === 'JUMP'")
     until(viewer, "document.querySelector('#route').hidden")
 

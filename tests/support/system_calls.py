@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-WRITING = "-y", "-xx", "-s", "1000000", "-e", "signal=none"
+WRITING = "-y", "-xx", "-s", "33554432", "-e", "signal=none"
 """the options with which strace writes what is read here"""
 # a number of less than five digits is filled up with spaces
 WHOLE = re.compile(rb"(\d+) +(\w+)\((.*)\) += (-?\d+|\?)")

@@ -25,7 +25,7 @@ def test_enter_keeps_what_is_typed(own: Server, folder: Path, table: Page) -> No
     edited(table)
     until(table, "__viewer.played() > window.played")
     after = (folder / "machine.yaml").read_text().splitlines()
-    assert table.locator(CELL).inner_text() == "TRGT⇥≈"
+    until(table, f"document.querySelector('{CELL}').textContent === 'TRGT⇥≈'")
     assert [line for line in after if line not in before] == [
         next(line for line in after if line.strip().startswith("WALK  |"))
     ]
@@ -61,7 +61,7 @@ def test_escape_drops_what_is_typed(own: Server, table: Page) -> None:
     type_in_cell(table, "STAT")
     table.keyboard.press("Escape")
     until(table, "document.querySelector('.cell-field').hidden")
-    assert table.locator(CELL).inner_text() == "TLFT≈"
+    until(table, f"document.querySelector('{CELL}').textContent === 'TLFT≈'")
     assert machine(own)["version"] == table.evaluate("window.start")
 
 
@@ -70,7 +70,7 @@ def test_a_new_finding_leads_to_its_place(table: Page) -> None:
     table.locator("td[data-state=WALK][data-column=JUMP]").click()
     table.keyboard.press("Delete")
     until(table, "document.querySelector('#cell-inspector .new .where')")
-    assert "JUMP" in table.locator("#cell-inspector .new").first.inner_text()
+    table.locator("#cell-inspector .new").filter(has_text="JUMP").first.wait_for()
 
 
 def test_undo_goes_back(own: Server, table: Page) -> None:
@@ -93,7 +93,7 @@ def test_the_keyboard_alone_edits(own: Server, table: Page) -> None:
     table.keyboard.press("Tab")
     table.keyboard.press("Enter")
     edited(table)
-    assert table.locator(CELL).inner_text() == "TRGT≈"
+    until(table, f"document.querySelector('{CELL}').textContent === 'TRGT≈'")
 
 
 def test_another_editors_change_is_not_overwritten(own: Server, table: Page, allowed: list[str]) -> None:
@@ -129,12 +129,13 @@ def test_another_editors_change_is_not_overwritten(own: Server, table: Page, all
 def test_an_edit_does_not_stop_the_motion(own: Server, table: Page) -> None:
     """The actor is in the same state before and after, and has not begun it again."""
     table.keyboard.down("ArrowUp")
-    until(table, "__viewer.state() === 'WALK'")
+    until(table, "__viewer.state() === 'WALK' && __viewer.lanes().at(-1)?.[2] === 'WALK'")
     walking = table.evaluate("__viewer.lanes().length")
     type_in_cell(table, "TRGT")
     table.keyboard.press("Enter")
     edited(table)
     until(table, "__viewer.played() > window.played && __viewer.ready")
+    until(table, "__viewer.lanes().at(-1)?.[2] === 'WALK'")
     assert table.evaluate("__viewer.lanes().length") == walking
     table.keyboard.up("ArrowUp")
 

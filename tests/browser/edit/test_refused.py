@@ -14,7 +14,7 @@ def test_what_is_refused_stays_in_the_cell(own: Server, table: Page, allowed: li
     table.keyboard.press("Enter")
     until(table, "document.querySelector('.cell-field').getAttribute('aria-invalid') === 'true'")
     assert table.locator(".cell-field").input_value() == "TLXT"
-    assert "did you mean TLFT" in table.locator("#cell-inspector .new").first.inner_text()
+    table.locator("#cell-inspector .new").filter(has_text="did you mean TLFT").first.wait_for()
     assert machine(own)["version"] == table.evaluate("window.start")
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from keeping import keeping, what_it_is
+from old_formats import to_format_1, to_format_2
 from planted import planted
 from stages import registry
 from statwalk.errors import BusyError, ConflictError, UnknownNameError
@@ -16,6 +17,7 @@ from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.store import kept_keys
 from statwalk.services.hosting.store.database import FILE_NAME
+from statwalk.services.hosting.store.read_records import KeptRecords
 from statwalk.services.hosting.store.records import MAIN
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.stage.history import state_codec
@@ -212,15 +214,34 @@ def test_a_damaged_snapshot_is_made_again_from_the_log(tmp_path: Path, catalogue
         assert what_it_is(held.find(host.id)) == before
 
 
-def test_a_database_of_the_format_before_is_brought_up_to_date(tmp_path: Path, catalogue: Catalogue) -> None:
+FORMATS = {1: to_format_1, 2: to_format_2}
+
+
+@pytest.mark.parametrize("old", FORMATS)
+def test_a_database_of_an_older_format_is_brought_up_to_date(
+    tmp_path: Path, catalogue: Catalogue, old: int
+) -> None:
     with keeping(tmp_path, catalogue) as held:
         host = walked(held)
-        before = what_it_is(host)
+        before, posted = what_it_is(host), host.handle(ask.Post((FORWARD,), key="once"))
+    FORMATS[old](tmp_path / FILE_NAME)
+    with keeping(tmp_path, catalogue) as held:
+        host = held.find(host.id)
+        again = host.handle(ask.Post((FORWARD,), key="once"))
+        assert (again.seq, what_it_is(host)["hash"]) == (posted.seq, before["hash"])
+        assert KeptRecords(tmp_path / FILE_NAME).damaged_snapshots(host.id) == []
+
+
+def test_what_was_damaged_before_an_upgrade_is_found_after_it(tmp_path: Path, catalogue: Catalogue) -> None:
+    with keeping(tmp_path, catalogue) as held:
+        host = walked(held)
+    to_format_2(tmp_path / FILE_NAME)
     connection = sqlite3.connect(tmp_path / FILE_NAME)
-    connection.executescript("DROP TABLE beginnings; PRAGMA user_version=1;")
+    connection.execute("UPDATE roles SET text = replace(text, 'JUMP', 'JUMQ') WHERE stage = ?", (host.id,))
+    connection.commit()
     connection.close()
     with keeping(tmp_path, catalogue) as held:
-        assert what_it_is(held.find(host.id)) == before
+        assert "the text of faq-walker is damaged" in held.left[host.id]
 
 
 # --- another engine

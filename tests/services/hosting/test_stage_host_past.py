@@ -18,6 +18,13 @@ def test_step_to_stops_at_its_tick(host: StageHost) -> None:
     assert [host.handle(ask.StepTo(tick)).tick for tick in (15, 15, 3)] == [15, 15, 15]
 
 
+def test_a_step_that_another_thread_keeps_waiting_is_soon_tried_again(held: Registry) -> None:
+    """A stage that gets many inputs must not lose a whole tick each time that one of them holds it."""
+    host, now = held.open(StageSetup()), time.perf_counter()
+    with host._lock.held():
+        assert host.advance_to(now) < 0.2 / host.rate
+
+
 def test_a_pause_is_not_caught_up(held: Registry) -> None:
     """However long the clock stood still, it goes on from where it was."""
     host, now = held.open(StageSetup()), time.perf_counter()

@@ -18,7 +18,7 @@ from statwalk.services.hosting.apply_commands import packed, roles_to_add
 from statwalk.services.hosting.attention import Attention
 from statwalk.services.hosting.live_stage import LiveStage
 from statwalk.services.hosting.past_stages import PastStages, branch_at
-from statwalk.services.hosting.stage_lock import StageLock
+from statwalk.services.hosting.stage_lock import RETRY_SECONDS, StageLock
 from statwalk.services.hosting.stage_moves import IN_SLICES, OF_THE_CLOCK
 from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, LOOK_SECONDS, ON_A_COPY, finished
 from statwalk.services.hosting.stage_replies import Posted, StageStatus
@@ -50,8 +50,7 @@ class StageHost:
         self.identity, self.home = identity, home
         self.id, self.clock_kind, self.rate = identity.id, identity.clock, stage.rate
         self._live = LiveStage(self.id, stage, self.clock_kind, home)
-        self._lock = StageLock(home.now)
-        self._attention = Attention(identity, self._live)
+        self._lock, self._attention = StageLock(home.now), Attention(identity, self._live)
         self.idle_for = self._attention.idle_for
         self._closed = threading.Event()
         self._past = PastStages(self._copy)
@@ -97,8 +96,10 @@ class StageHost:
 
         Nothing happens while another thread holds the stage, or the stage sleeps.
         """
-        if self._attention.sleeps(now) or self.is_unclaimed or not self._lock.lock.acquire(blocking=False):
-            return 1 / self.rate
+        if self._attention.sleeps(now) or self.is_unclaimed:
+            return 1.0  # the first request has the ticker look again
+        if not self._lock.lock.acquire(blocking=False):
+            return RETRY_SECONDS
         try:
             return self._live.advance_to(now)
         finally:
@@ -158,7 +159,6 @@ class StageHost:
         """
 
         def check() -> None:
-            self._attention.touch()
             token.check()
             if self._closed.is_set():
                 raise CancelledError("the work is cancelled: the stage is closed")

@@ -12,6 +12,8 @@ from statwalk.services.cancel import SLICE_SECONDS
 from statwalk.services.threads import Now
 
 BUSY_SECONDS = 20.0
+RETRY_SECONDS = 0.001
+"""until a step that is due is tried again, when another thread holds the stage; a whole tick would be seen"""
 
 
 class StageLock:

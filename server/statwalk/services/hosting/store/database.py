@@ -1,8 +1,8 @@
 """The database of the data folder: its tables, and how it is opened.
 
 `synchronous=FULL` in WAL mode: a commit returns when it is on the disk, so that a commit survives a power
-cut. Each row of a log holds the hash of all rows before it, and each snapshot its own hash: a flipped bit is
-found when a stage is read.
+cut. Each row of a log holds the hash of all rows before it, `ends` says where each log ends, and each other
+row holds a hash of itself: a flipped bit is found when a stage is read.
 """
 
 from __future__ import annotations
@@ -12,32 +12,40 @@ import sqlite3
 from pathlib import Path
 
 from statwalk.errors import ContentError, StorageError
+from statwalk.services.hosting.store.records import row_digest
+from statwalk.services.hosting.store.upgrades import UPGRADES
 
 FILE_NAME = "statwalk.db"
-FORMAT = 2
+FORMAT = 3
 APPLICATION = 0x5374576B
 """the number by which `file` and SQLite tell whose database it is: "StWk" """
 LARGEST_WAL_BYTES = 16 << 20
-PARTS = ("beginnings", "roles", "commands", "snapshots", "keys")
+STAGES = "stages"
+PARTS = ("beginnings", "roles", "commands", "ends", "snapshots", "keys")
 """the tables with rows of stages"""
+SEALED = {
+    STAGES: "id, opened, seed, rate, clock, tick, head, hash, paused, speed, keep_running",
+    "beginnings": "stage, tick, number",
+    "roles": "stage, role, text, model",
+    "ends": "stage, entries, chain",
+    "snapshots": "stage, tick, data",
+    "keys": "stage, key, request, tick, seq, answered_by",
+}
+"""by table, the columns under the hash of a row"""
 PRAGMAS = (
     "journal_mode=WAL",
     "synchronous=FULL",
     f"journal_size_limit={LARGEST_WAL_BYTES}",
 )
-BEGINNINGS = """
-CREATE TABLE beginnings (
-    stage TEXT PRIMARY KEY, tick INTEGER NOT NULL, number INTEGER NOT NULL, digest BLOB NOT NULL
-) STRICT, WITHOUT ROWID;
-"""
-UPGRADES = {1: BEGINNINGS}
-"""by format, the statements that bring a database to the next format"""
 TABLES = """
 CREATE TABLE stages (
     id TEXT PRIMARY KEY, opened TEXT NOT NULL, seed INTEGER NOT NULL, rate INTEGER NOT NULL,
     clock TEXT NOT NULL, tick INTEGER NOT NULL, head INTEGER NOT NULL, hash TEXT NOT NULL,
-    paused INTEGER NOT NULL, speed REAL NOT NULL
+    paused INTEGER NOT NULL, speed REAL NOT NULL, keep_running INTEGER NOT NULL, digest BLOB NOT NULL
 ) STRICT;
+CREATE TABLE beginnings (
+    stage TEXT PRIMARY KEY, tick INTEGER NOT NULL, number INTEGER NOT NULL, digest BLOB NOT NULL
+) STRICT, WITHOUT ROWID;
 CREATE TABLE roles (
     stage TEXT NOT NULL, role TEXT NOT NULL, text TEXT NOT NULL, model BLOB NOT NULL, digest BLOB NOT NULL,
     PRIMARY KEY (stage, role)
@@ -46,13 +54,16 @@ CREATE TABLE commands (
     stage TEXT NOT NULL, place INTEGER NOT NULL, line TEXT NOT NULL, chain BLOB NOT NULL,
     PRIMARY KEY (stage, place)
 ) STRICT, WITHOUT ROWID;
+CREATE TABLE ends (
+    stage TEXT PRIMARY KEY, entries INTEGER NOT NULL, chain BLOB NOT NULL, digest BLOB NOT NULL
+) STRICT, WITHOUT ROWID;
 CREATE TABLE snapshots (
     stage TEXT NOT NULL, tick INTEGER NOT NULL, data BLOB NOT NULL, digest BLOB NOT NULL,
     PRIMARY KEY (stage, tick)
 ) STRICT;
 CREATE TABLE keys (
     stage TEXT NOT NULL, key TEXT NOT NULL, request BLOB NOT NULL, tick INTEGER NOT NULL,
-    seq INTEGER NOT NULL, answered_by TEXT NOT NULL,
+    seq INTEGER NOT NULL, answered_by TEXT NOT NULL, digest BLOB NOT NULL,
     PRIMARY KEY (stage, key)
 ) STRICT, WITHOUT ROWID;
 CREATE TABLE versions (
@@ -65,6 +76,22 @@ INSERT INTO commits VALUES (1, 0);
 """
 
 
+_ORPHANS = "DELETE FROM {0} WHERE stage NOT IN (SELECT id FROM stages UNION SELECT stage FROM ends)"
+"""a command may have followed the end of its stage; where a log has an end, the stage's row is missing"""
+
+
+def renaming(table: str) -> str:
+    """Returns the statement that gives the rows of a stage its new id (the first value, the old one is the
+    second); rows that are damaged stay so.
+    """
+    if table not in SEALED:
+        return f"UPDATE {table} SET stage = ?1 WHERE stage = ?2"  # noqa: S608 - our own names
+    columns = SEALED[table]
+    key, _, rest = columns.partition(", ")
+    digest = f"CASE digest WHEN row_digest({columns}) THEN row_digest(?1, {rest}) ELSE digest END"
+    return f"UPDATE {table} SET {key} = ?1, digest = {digest} WHERE {key} = ?2"  # noqa: S608 - our own names
+
+
 def opened(path: Path) -> sqlite3.Connection:
     """Opens the database; makes it if there is none. The caller begins and commits transactions itself.
 
@@ -75,14 +102,15 @@ def opened(path: Path) -> sqlite3.Connection:
     _write_again(path.with_name(f"{path.name}-wal"))
     connection = sqlite3.connect(path, isolation_level=None, check_same_thread=False, timeout=5.0)
     try:
+        connection.create_function("row_digest", -1, row_digest, deterministic=True)
         _check_format(connection, path)
         for pragma in PRAGMAS:
             connection.execute(f"PRAGMA {pragma}")
         mode, synchronous = (
             connection.execute(f"PRAGMA {name}").fetchone()[0] for name in ("journal_mode", "synchronous")
         )
-        for table in PARTS:  # a command may have followed the end of its stage
-            connection.execute(f"DELETE FROM {table} WHERE stage NOT IN (SELECT id FROM stages)")  # noqa: S608 - our own names
+        for table in PARTS:
+            connection.execute(_ORPHANS.format(table))
         # gives free space back to the disk; `execute` would give one page back
         connection.executescript("PRAGMA incremental_vacuum")
         if (mode, synchronous) != ("wal", 2):
@@ -127,11 +155,13 @@ def _check_format(connection: sqlite3.Connection, path: Path) -> None:
         connection.execute("PRAGMA auto_vacuum=INCREMENTAL")  # before anything is written
         connection.execute("PRAGMA journal_mode=WAL")
         connection.executescript(
-            f"BEGIN; {TABLES} {BEGINNINGS} "
-            f"PRAGMA application_id={APPLICATION}; PRAGMA user_version={FORMAT}; COMMIT;"
+            f"BEGIN; {TABLES} PRAGMA application_id={APPLICATION}; PRAGMA user_version={FORMAT}; COMMIT;"
         )
     elif application == APPLICATION and version in UPGRADES:
-        connection.executescript(f"BEGIN; {UPGRADES[version]} PRAGMA user_version={version + 1}; COMMIT;")
+        connection.execute("BEGIN IMMEDIATE")
+        UPGRADES[version](connection)
+        connection.execute(f"PRAGMA user_version={version + 1}")
+        connection.execute("COMMIT")
         _check_format(connection, path)
     elif (application, version) != (APPLICATION, FORMAT):
         raise ContentError(

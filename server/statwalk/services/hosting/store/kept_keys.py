@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import threading
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager
@@ -9,12 +10,12 @@ from contextlib import AbstractContextManager, ExitStack, contextmanager
 from statwalk.errors import BusyError, ConflictError, StatwalkError
 from statwalk.services.hosting.stage_messages import Post
 from statwalk.services.hosting.stage_replies import Posted
-from statwalk.services.hosting.store.records import KeptKey, row_digest
+from statwalk.services.hosting.store.records import KeptKey, sealed
 from statwalk.services.hosting.store.writer import Statement, Writer
 
 MOST_KEYS = 10_000
 """of one stage; the oldest are forgotten first"""
-INSERT = "INSERT OR REPLACE INTO keys VALUES (?, ?, ?, ?, ?, ?)"
+INSERT = "INSERT OR REPLACE INTO keys VALUES (?, ?, ?, ?, ?, ?, ?)"
 DELETE = "DELETE FROM keys WHERE stage = ? AND key = ?"
 
 
@@ -76,7 +77,7 @@ class KeptKeys:
         if not post.key:
             return []
         answer = KeptKey(_request_digest(post), tick, seq, stage)
-        rows = [Statement(INSERT, [(self._stage, post.key, *answer)])]
+        rows = [Statement(INSERT, [sealed(self._stage, post.key, *answer)])]
         with self._lock:
             self.answers[post.key] = answer
             if len(self.answers) > MOST_KEYS:
@@ -87,4 +88,4 @@ class KeptKeys:
 
 
 def _request_digest(post: Post) -> bytes:
-    return row_digest(repr((post.commands, post.at)).encode())
+    return hashlib.blake2b(repr((post.commands, post.at)).encode(), digest_size=16).digest()

@@ -6,13 +6,15 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from functools import partial
 
-from statwalk.services.hosting.store.records import chained
+from statwalk.services.hosting.store.records import chained, sealed
 from statwalk.services.hosting.store.writer import Statement, Writer
 from statwalk.stage.history.log import Log
 from statwalk.stage.history.log_codec import line_of
 from statwalk.stage.state.commands import Command, LogEntry
 
 INSERT = "INSERT INTO commands VALUES (?, ?, ?, ?)"
+MOVE_END = "UPDATE ends SET entries = ?2, chain = ?3, digest = ?4 WHERE stage = ?1"
+BEGIN_END = "INSERT INTO ends VALUES (?, ?, ?, ?)"
 
 
 class KeptLog:
@@ -24,14 +26,21 @@ class KeptLog:
         self._durable = log.newest if place else 0
         self._gathered: list[Statement] | None = None
 
-    def rows(self, entries: Iterable[LogEntry]) -> list[tuple[str, int, str, bytes]]:
-        """Returns the rows of the next entries; the chain goes on behind them."""
+    def begun(self, entries: Iterable[LogEntry]) -> list[Statement]:
+        """Returns the statements that write the first entries."""
+        return self._written(entries, BEGIN_END)
+
+    def _written(self, entries: Iterable[LogEntry], end: str = MOVE_END) -> list[Statement]:
+        """The statements that write the next entries, and where the log ends: an entry that is gone is
+        missed.
+        """
         rows = []
         for entry in entries:
             line = line_of(entry)
             self._place, self._chain = self._place + 1, chained(self._chain, line)
             rows.append((self._stage, self._place, line, self._chain))
-        return rows
+        ended = Statement(end, [sealed(self._stage, self._place, self._chain)])
+        return [Statement(INSERT, rows), ended]
 
     def rewritten(self) -> list[Statement]:
         """Returns the statements that write all entries again, as a log of its own: the older ones were
@@ -39,7 +48,7 @@ class KeptLog:
         """
         self._place, self._chain = 0, b""
         old = Statement("DELETE FROM commands WHERE stage = ?", [(self._stage,)])
-        return [old, Statement(INSERT, self.rows(self._log))]
+        return [old, *self._written(self._log)]
 
     @contextmanager
     def gathered(self) -> Iterator[list[Statement]]:
@@ -69,11 +78,11 @@ class KeptLog:
         new = list(commands)
         numbers = self._log.append(tick, new)
         entries = [LogEntry(number, tick, command) for number, command in zip(numbers, new, strict=True)]
-        statement = Statement(INSERT, self.rows(entries))
+        statements = self._written(entries)
         if self._gathered is None:
-            self._put([statement])
+            self._put(statements)
         else:
-            self._gathered.append(statement)
+            self._gathered += statements
         return numbers
 
     @property

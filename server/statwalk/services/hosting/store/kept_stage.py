@@ -5,26 +5,28 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import astuple
 from functools import partial
 
 from statwalk.character.role import Role
 from statwalk.services.hosting.commands import AddActor, RemoveActor
 from statwalk.services.hosting.stage_messages import Post
 from statwalk.services.hosting.store.kept_keys import KeptKeys
-from statwalk.services.hosting.store.kept_log import INSERT, KeptLog
+from statwalk.services.hosting.store.kept_log import KeptLog
 from statwalk.services.hosting.store.records import (
     KeptBeginning,
     Note,
     StageIdentity,
     StageRecord,
-    row_digest,
+    sealed,
+    stage_row,
 )
 from statwalk.services.hosting.store.writer import Statement, Writer
 from statwalk.stage.clock import Clock
 from statwalk.stage.history.log import Log
 from statwalk.stage.stage import Stage
 
+INSERT = "INSERT INTO stages VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"
+NOTE = "UPDATE stages SET tick = ?, head = ?, hash = ?, paused = ?, speed = ?, digest = ? WHERE id = ?"
 AT_ONCE = AddActor, RemoveActor
 """commands that change the state of the tick that is shown"""
 SNAPSHOT_TICKS = 960
@@ -56,21 +58,16 @@ class KeptStage:
 
     def begin(self, stage: Stage, clock: Clock, also: Sequence[Statement] = ()) -> None:
         """Writes the whole stage, and other statements, in one commit; its log is kept from now on."""
-        identity, note = self.identity, _note_of(stage, clock)
-        entries = stage.log
-        first = Statement(
-            "INSERT INTO stages VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-            [(*astuple(identity), *note)],
-        )
+        note, entries = _note_of(stage, clock), stage.log
+        first = Statement(INSERT, [stage_row(self.identity, note)])
         log = self._follow(stage)
-        rows = Statement(INSERT, log.rows(entries))
         newest, self._noted = stage.newest, note
         self._writer.put(
             [
                 first,
                 *self._beginning(stage),
                 *self._new_roles(stage),
-                rows,
+                *log.begun(entries),
                 *self._new_snapshots(stage),
                 *also,
             ],
@@ -143,8 +140,7 @@ class KeptStage:
     def _beginning(self, stage: Stage) -> list[Statement]:
         if not stage.first:
             return []
-        beginning = KeptBeginning(stage.first, stage.forgotten_number)
-        row = (self.identity.id, *beginning, row_digest(repr(beginning).encode()))
+        row = sealed(self.identity.id, *KeptBeginning(stage.first, stage.forgotten_number))
         return [Statement("INSERT OR REPLACE INTO beginnings VALUES (?, ?, ?, ?)", [row])]
 
     def _new_note(self, stage: Stage, clock: Clock) -> list[Statement]:
@@ -152,8 +148,8 @@ class KeptStage:
         if note == self._noted:
             return []
         self._noted = note
-        sql = "UPDATE stages SET tick = ?, head = ?, hash = ?, paused = ?, speed = ? WHERE id = ?"
-        return [Statement(sql, [(*note, self.identity.id)])]
+        digest = stage_row(self.identity, note)[-1]
+        return [Statement(NOTE, [(*note, digest, self.identity.id)])]
 
     def _new_roles(self, stage: Stage) -> list[Statement]:
         """The texts of roles that commands name for the first time; those of edits are in their commands,
@@ -164,7 +160,7 @@ class KeptStage:
             if ("@" not in key or key in forgotten) and key not in self._roles:
                 self._roles.add(key)
                 text, model = forgotten.get(key) or self._text_of(role), model_digest(role)
-                rows.append((self.identity.id, key, text, model, row_digest(text.encode(), model)))
+                rows.append(sealed(self.identity.id, key, text, model))
         return [Statement("INSERT OR REPLACE INTO roles VALUES (?, ?, ?, ?, ?)", rows)] if rows else []
 
     def _new_snapshots(self, stage: Stage) -> list[Statement]:
@@ -176,7 +172,7 @@ class KeptStage:
         }
         new, old = kept.keys() - self._snapshots, self._snapshots - kept.keys()
         self._snapshots = set(kept)
-        rows = [(self.identity.id, tick, kept[tick], row_digest(kept[tick])) for tick in sorted(new)]
+        rows = [sealed(self.identity.id, tick, kept[tick]) for tick in sorted(new)]
         gone = [(self.identity.id, tick) for tick in old]
         statements = [Statement("INSERT OR REPLACE INTO snapshots VALUES (?, ?, ?, ?)", rows)] if rows else []
         if gone:

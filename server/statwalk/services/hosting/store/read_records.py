@@ -18,7 +18,8 @@ from statwalk.services.hosting.store.records import (
     StageRecord,
     chained,
     row_digest,
-    version_digest,
+    stage_row,
+    version_row,
 )
 
 
@@ -33,20 +34,19 @@ class KeptRecords:
 
         :raises StorageError: when the database is damaged.
         """
-        return [row[0] for row in self._rows("SELECT id FROM stages ORDER BY rowid")]
+        every = "SELECT id FROM stages ORDER BY rowid", "SELECT stage FROM ends"
+        return list(dict.fromkeys(row[0] for sql in every for row in self._rows(sql)))
 
     def record(self, stage: str) -> StageRecord:
         """Returns a stage as it was kept.
 
         :raises StorageError: when the disk does not hold what was written.
         """
-        (_, opened, seed, rate, clock, tick, head, digest, paused, speed) = next(
-            self._rows("SELECT * FROM stages WHERE id = ?", stage)
-        )
+        identity, note = self._stage(stage)
         lines, chain = self._lines(stage)
         return StageRecord(
-            StageIdentity(stage, opened, seed, rate, clock),
-            Note(tick, head, digest, bool(paused), speed),
+            identity,
+            note,
             self._beginning(stage),
             dict(self._roles(stage)),
             lines,
@@ -55,28 +55,42 @@ class KeptRecords:
             dict(self._keys(stage)),
         )
 
+    def _stage(self, stage: str) -> tuple[StageIdentity, Note]:
+        row = next(self._rows("SELECT * FROM stages WHERE id = ?", stage), None)
+        if row is None:
+            raise StorageError("the row that says what it is is missing")
+        _, opened, seed, rate, clock, tick, head, state, paused, speed, keep_running, digest = row
+        identity = StageIdentity(stage, opened, seed, rate, clock, bool(keep_running))
+        found = identity, Note(tick, head, state, bool(paused), speed)
+        if stage_row(*found)[-1] != digest:
+            raise StorageError("the row that says what it is is damaged")
+        return found
+
     def _beginning(self, stage: str) -> KeptBeginning | None:
         for tick, number, digest in self._rows(
             "SELECT tick, number, digest FROM beginnings WHERE stage = ?", stage
         ):
-            beginning = KeptBeginning(tick, number)
-            if row_digest(repr(beginning).encode()) != digest or tick not in dict(self._snapshots(stage)):
+            if row_digest(stage, tick, number) != digest or tick not in dict(self._snapshots(stage)):
                 raise StorageError("the state at which its log begins is damaged")
-            return beginning
+            return KeptBeginning(tick, number)
         return None
 
     def _keys(self, stage: str) -> Iterator[tuple[str, KeptKey]]:
         """The idempotency keys, the oldest first."""
-        for key, *answer in self._rows(
-            "SELECT key, request, tick, seq, answered_by FROM keys WHERE stage = ? ORDER BY tick, seq", stage
+        columns = "key, request, tick, seq, answered_by, digest"
+        for key, *answer, digest in self._rows(
+            f"SELECT {columns} FROM keys WHERE stage = ? ORDER BY tick, seq",  # noqa: S608 - our own names
+            stage,
         ):
+            if row_digest(stage, key, *answer) != digest:
+                raise StorageError(f"the answer to the request with the key {key} is damaged")
             yield key, KeptKey(*answer)
 
     def _roles(self, stage: str) -> Iterator[tuple[str, KeptRole]]:
         for key, text, model, digest in self._rows(
             "SELECT role, text, model, digest FROM roles WHERE stage = ?", stage
         ):
-            if row_digest(text.encode(), model) != digest:
+            if row_digest(stage, key, text, model) != digest:
                 raise StorageError(f"the text of {key} is damaged")
             yield key, KeptRole(text, model)
 
@@ -89,6 +103,9 @@ class KeptRecords:
             lines.append(line)
             if place != len(lines) or link != chain:
                 raise StorageError(f"entry {place} of the log is damaged")
+        end = next(self._rows("SELECT entries, chain, digest FROM ends WHERE stage = ?", stage), None)
+        if end != (len(lines), chain, row_digest(stage, len(lines), chain)):
+            raise StorageError(f"the log does not end with entry {len(lines)}, the last one that is there")
         return tuple(lines), chain
 
     def _snapshots(self, stage: str) -> Iterator[tuple[int, bytes]]:
@@ -96,7 +113,7 @@ class KeptRecords:
         for tick, data, digest in self._rows(
             "SELECT tick, data, digest FROM snapshots WHERE stage = ? ORDER BY tick", stage
         ):
-            if row_digest(data) == digest:
+            if row_digest(stage, tick, data) == digest:
                 yield tick, data
 
     def damaged_snapshots(self, stage: str) -> list[int]:
@@ -105,7 +122,7 @@ class KeptRecords:
         :raises StorageError: when the database is damaged.
         """
         rows = self._rows("SELECT tick, data, digest FROM snapshots WHERE stage = ? ORDER BY tick", stage)
-        return [tick for tick, data, digest in rows if row_digest(data) != digest]
+        return [tick for tick, data, digest in rows if row_digest(stage, tick, data) != digest]
 
     def versions(self) -> dict[str, list[MachineVersion]]:
         """Returns the versions of all machines that were edited, oldest first, without damaged ones.
@@ -117,7 +134,7 @@ class KeptRecords:
             "SELECT * FROM versions ORDER BY machine, number"
         ):
             version = MachineVersion(number, at, what, text, before)
-            if version_digest(machine, version) == digest:
+            if version_row(machine, version)[-1] == digest:
                 found.setdefault(machine, []).append(version)
         return found
 

@@ -25,6 +25,8 @@ class StageIdentity:
     seed: int
     rate: int
     clock: ClockKind
+    keep_running: bool = False
+    """it goes on though nobody watches it"""
 
     @property
     def stays_awake(self) -> bool:
@@ -105,11 +107,41 @@ def chained(before: bytes, line: str) -> bytes:
     return hashlib.blake2b(before + line.encode(), digest_size=16).digest()
 
 
-def row_digest(*parts: bytes) -> bytes:
-    """Returns a hash by which a flipped bit is found."""
-    return hashlib.blake2b(b"\0".join(parts), digest_size=16).digest()
+Value = str | int | float | bytes
 
 
-def version_digest(machine: str, version: MachineVersion) -> bytes:
-    """Returns the hash of a version of a machine."""
-    return row_digest(machine.encode(), repr(version).encode())
+def row_digest(*values: Value) -> bytes:
+    """Returns a hash of all values of a row, its key too, by which a flipped bit is found."""
+    digest = hashlib.blake2b(digest_size=16)
+    for value in values:
+        data = value if isinstance(value, bytes) else repr(value).encode()
+        digest.update(b"%d:" % len(data))
+        digest.update(data)
+    return digest.digest()
+
+
+def sealed(*values: Value) -> tuple[Value, ...]:
+    """Returns a row with its hash."""
+    return (*values, row_digest(*values))
+
+
+def stage_row(identity: StageIdentity, note: Note) -> tuple[Value, ...]:
+    """Returns the row of a stage, with its hash; the values are those that SQLite gives back."""
+    return sealed(
+        identity.id,
+        identity.opened,
+        identity.seed,
+        identity.rate,
+        identity.clock,
+        note.tick,
+        note.head,
+        note.hash,
+        int(note.paused),
+        float(note.speed),
+        int(identity.keep_running),
+    )
+
+
+def version_row(machine: str, version: MachineVersion) -> tuple[Value, ...]:
+    """Returns the row of a version of a machine, with its hash."""
+    return sealed(machine, version.number, float(version.at), version.what, version.text, version.before)

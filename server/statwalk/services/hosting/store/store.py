@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import astuple
 from pathlib import Path
 
 from statwalk.character.role import Role
@@ -12,7 +11,7 @@ from statwalk.services.hosting.store import database
 from statwalk.services.hosting.store.folder_lock import FolderLock
 from statwalk.services.hosting.store.kept_stage import KeptStage
 from statwalk.services.hosting.store.read_records import KeptRecords
-from statwalk.services.hosting.store.records import MachineVersion, StageIdentity, version_digest
+from statwalk.services.hosting.store.records import MachineVersion, StageIdentity, version_row
 from statwalk.services.hosting.store.writer import Statement, Writer
 
 PATIENCE_SECONDS = 20.0
@@ -71,11 +70,8 @@ class Store:
 
     def rename(self, stage: str, name: str) -> None:
         """Gives a stage another id."""
-        renamed = [
-            Statement(f"UPDATE {table} SET stage = ? WHERE stage = ?", [(name, stage)])  # noqa: S608 - our own names
-            for table in database.PARTS
-        ]
-        self.writer.put([Statement("UPDATE stages SET id = ? WHERE id = ?", [(name, stage)]), *renamed])
+        tables = database.STAGES, *database.PARTS
+        self.writer.put([Statement(database.renaming(table), [(name, stage)]) for table in tables])
 
     # --- versions of machines
 
@@ -84,7 +80,7 @@ class Store:
 
         :raises StorageError: when the disk refuses; the versions are kept as soon as it does not.
         """
-        rows = [(machine, *astuple(version), version_digest(machine, version)) for version in versions]
+        rows = [version_row(machine, version) for version in versions]
         self.writer.put(
             [
                 Statement("INSERT OR REPLACE INTO versions VALUES (?, ?, ?, ?, ?, ?, ?)", rows),

@@ -1,0 +1,36 @@
+"""What fits on pages of several sizes, and what a click must not move."""
+
+import pytest
+from browser.conftest import until
+from playwright.sync_api import Page
+
+LAST_ROW_IS_SEEN = """(() => {
+    const table = document.querySelector('#table');
+    const row = table.querySelector('tbody tr:last-child');
+    return row && row.getBoundingClientRect().bottom <= table.getBoundingClientRect().bottom + 0.5;
+})()"""
+CELL = "#table tbody tr:nth-child(3) td:nth-child(3)"
+
+
+def test_the_whole_table_is_seen_on_a_large_page(viewer: Page) -> None:
+    viewer.set_viewport_size({"width": 1440, "height": 900})
+    until(viewer, LAST_ROW_IS_SEEN)
+
+
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1024, 700), (960, 600)])
+def test_a_cell_that_is_clicked_stays_under_the_pointer(viewer: Page, width: int, height: int) -> None:
+    viewer.set_viewport_size({"width": width, "height": height})
+    cell = viewer.locator(CELL)
+    cell.click()
+    until(viewer, "document.querySelector('#cell-inspector .findings')")
+    before = cell.bounding_box()
+    viewer.keyboard.press("Escape")
+    until(viewer, "document.querySelector('#cell-inspector').hidden")
+    assert cell.bounding_box() == before
+
+
+@pytest.mark.parametrize(("width", "height"), [(390, 844), (320, 640)])
+def test_a_phone_scrolls_no_page_sideways(viewer: Page, width: int, height: int) -> None:
+    viewer.set_viewport_size({"width": width, "height": height})
+    until(viewer, "innerWidth === arg", width)
+    assert viewer.evaluate("document.documentElement.scrollWidth") == width

@@ -1,0 +1,45 @@
+"""Databases as older versions wrote them: hashes without keys, logs without ends."""
+
+import hashlib
+import sqlite3
+from pathlib import Path
+
+from statwalk.services.hosting.store.records import KeptBeginning, MachineVersion
+
+
+def joined(*parts: bytes) -> bytes:
+    return hashlib.blake2b(b"\0".join(parts), digest_size=16).digest()
+
+
+def to_format_2(path: Path) -> None:
+    """Rewrites a database of the present format."""
+    with sqlite3.connect(path) as connection:
+        for name, function in {
+            "of_role": lambda text, model: joined(text.encode(), model),
+            "of_snapshot": joined,
+            "of_beginning": lambda *row: joined(repr(KeptBeginning(*row)).encode()),
+            "of_version": lambda name, *row: joined(name.encode(), repr(MachineVersion(*row)).encode()),
+        }.items():
+            connection.create_function(name, -1, function)
+        connection.executescript(
+            """
+            UPDATE roles SET digest = of_role(text, model);
+            UPDATE snapshots SET digest = of_snapshot(data);
+            UPDATE beginnings SET digest = of_beginning(tick, number);
+            UPDATE versions SET digest = of_version(machine, number, at, what, text, before);
+            ALTER TABLE stages DROP COLUMN digest;
+            ALTER TABLE stages DROP COLUMN keep_running;
+            ALTER TABLE keys DROP COLUMN digest;
+            DROP TABLE ends;
+            PRAGMA user_version=2;
+            """
+        )
+    connection.close()
+
+
+def to_format_1(path: Path) -> None:
+    """Rewrites a database in which nothing was forgotten."""
+    to_format_2(path)
+    connection = sqlite3.connect(path)
+    connection.executescript("DROP TABLE beginnings; PRAGMA user_version=1;")
+    connection.close()
