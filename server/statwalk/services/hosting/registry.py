@@ -18,7 +18,7 @@ from statwalk.services.hosting.pacing import Pacing
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_services import EncodeFact, MeasureTicks
 from statwalk.services.hosting.store.committer import Statement
-from statwalk.services.hosting.store.records import KEEP_RUNNING, MAIN, StageIdentity
+from statwalk.services.hosting.store.records import MAIN, StageIdentity
 from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.limits import Limits
@@ -168,7 +168,7 @@ class Registry:
         :raises LimitError: when the setup has too many actors, or the server too many stages.
         :raises CancelledError: when the token is cancelled before the stage is open.
         """
-        host = self._with_scene(self.new_id(), setup, KEEP_RUNNING if setup.keep_running else "")
+        host = self._with_scene(self.new_id(), setup)
         host.handle(ask.Post(setup.actors, forks=False), token)
         token.check()
         return self.hold(host)
@@ -220,4 +220,5 @@ class Registry:
         if scene:
             check_room(sum(line.count for _, line in scene.lines), self.limits.actors)
             scene.enter(stage)
-        return StageHost(StageIdentity(stage_id, opened, stage.seed, stage.rate, setup.clock), stage, self)
+        identity = StageIdentity(stage_id, opened, stage.seed, stage.rate, setup.clock, setup.keep_running)
+        return StageHost(identity, stage, self)

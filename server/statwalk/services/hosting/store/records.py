@@ -10,15 +10,11 @@ from typing import NamedTuple
 from statwalk.services.hosting.commands import ClockKind
 
 MAIN = "main"
-KEEP_RUNNING = "to keep running"
-"""what a stage is opened with that runs without viewers and requests"""
 
 
 @dataclass(frozen=True)
 class StageIdentity:
-    """What never changes of a stage; `opened`: the scene or machine that the server opened it with, or
-    `KEEP_RUNNING`.
-    """
+    """What never changes of a stage; `opened`: the scene or machine that the server opened it with."""
 
     id: str
     opened: str
@@ -31,7 +27,7 @@ class StageIdentity:
     @property
     def stays_awake(self) -> bool:
         """Whether it goes on while nobody uses it."""
-        return self.id == MAIN or self.opened == KEEP_RUNNING
+        return self.id == MAIN or self.keep_running
 
     @property
     def may_sleep(self) -> bool:
