@@ -34,7 +34,7 @@ def catalogue() -> Catalogue:
 def walked(held: Registry) -> StageHost:
     """A stage with a past of twenty seconds, and an input that waits."""
     host = held.open(StageSetup(seed=7, rate=50, clock="manual", actors=(WALKER,)))
-    host.handle(ask.Post((FORWARD,)))
+    host.handle(ask.Post((FORWARD,), key="walk"))
     host.handle(ask.Step(1010))
     host.handle(ask.Post((AddActor("faq-walker", (1.0, 0.0, 0.0)), JUMP)))
     return host
@@ -174,7 +174,13 @@ DAMAGES = {
     "a line of its log": "UPDATE commands SET line = replace(line, 'FORWARD', 'STOP')",
     "a line that is gone": "DELETE FROM commands WHERE place = 2",
     "the text of its machine": "UPDATE roles SET text = replace(text, 'WALK', 'WELK')",
-    "its seed and so its states": "UPDATE stages SET hash = 'f' || hash",
+    "the end of its log": "DELETE FROM commands WHERE place = 4",
+    "where its log ends": "UPDATE ends SET entries = 3",
+    "its seed": "UPDATE stages SET seed = seed + 1",
+    "its speed": "UPDATE stages SET speed = 8.0",
+    "the hash of its state": "UPDATE stages SET hash = 'f' || hash",
+    "its own row": "DELETE FROM stages",
+    "the answer to a request": "UPDATE keys SET seq = seq + 1",
 }
 
 
