@@ -94,9 +94,10 @@ class WaitsForAll(stream.Viewer):
 def test_r01_a_server_that_waits_for_a_stalled_viewer_is_found_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """The control."""
     monkeypatch.setattr(stream, "Viewer", WaitsForAll)
-    with serving(create_app()) as address, watched(address) as (rest, load), stalled(1, address, MAIN):
-        wait_for(lambda: rest.get(MAIN).json()["viewers"] == VIEWERS + 1)
-        step_on(rest, 150)
+    with serving(create_app()) as address, watched(address) as (rest, load):
+        before = cut_codes(rest)
+        with stalled(1, address, MAIN):
+            wait_for(lambda: cut_codes(rest) > before, seconds=30)
         assert longest_gap(load.seen(), time.monotonic()) > LONGEST_GAP
 
 
