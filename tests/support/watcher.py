@@ -8,6 +8,8 @@ from statwalk.services.publish.pose_message import PoseMessage, decode
 from websockets.sync.client import connect
 
 PATIENCE = 60.0
+CLOSE_SECONDS = 1.0
+"""for which websockets may wait for the end of a connection after its close frame, though it has come"""
 MOST_MESSAGES = 2_000
 FRAMES, TICKS, TRIES = 30, 33, 60
 """so many frames within so many ticks are the pace of the stage, if one of so many tries brings them"""
@@ -24,6 +26,7 @@ class Watcher:
             subprotocols=["statwalk.v1"],
             compression=None,
             max_size=None,
+            close_timeout=CLOSE_SECONDS,
             **options,
         )
         self.socket = self.opened.__enter__()
