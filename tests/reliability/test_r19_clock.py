@@ -32,7 +32,9 @@ STOPPED_SECONDS = 3.0
 WALL_CLOCK = {
     "maths/code_folder.py",  # the age of compiled code, a file's too
     "services/hosting/machine_versions.py",  # when an edit was made, for people to read
-    "services/hosting/reopen.py",  # the same
+    "services/hosting/registry.py",  # when a stage was made, for people to read
+    "services/hosting/reopen.py",  # when a machine's file was read, for people to read
+    "services/hosting/stage_host.py",  # when a fork was made, for people to read
     "services/library/model_store.py",  # the age of a leftover file, whose time is the time of day too
 }
 """the only modules that may read the time of day"""
