@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from statwalk.errors import StorageError
-from statwalk.services.hosting.store.database import SEALED, STAGES
+from statwalk.services.hosting.store.database import DAMAGED, SEALED, STAGES
 from statwalk.services.hosting.store.records import (
     KeptBeginning,
     KeptKey,
@@ -178,5 +178,7 @@ class KeptRecords:
                 yield from reader.execute(sql, values).fetchall()
             finally:
                 reader.close()
+        except UnicodeDecodeError as error:  # SQLite's message repeats what is damaged
+            raise StorageError(f"{self.path}: {DAMAGED}") from error
         except sqlite3.Error as error:
             raise StorageError(f"the database {self.path} is damaged: {error}") from error
