@@ -23,7 +23,7 @@ from statwalk.services.hosting.live_stage import LiveStage
 from statwalk.services.hosting.past_stages import PastStages, branch_at
 from statwalk.services.hosting.stage_lock import RETRY_SECONDS, StageLock
 from statwalk.services.hosting.stage_moves import AT_ONCE, IN_SLICES
-from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, LOOK_SECONDS, ON_A_COPY, finished
+from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, ON_A_COPY, finished
 from statwalk.services.hosting.stage_replies import Posted, StageStatus
 from statwalk.services.hosting.stage_services import StageServices
 from statwalk.services.hosting.store.committer import Statement
@@ -32,6 +32,9 @@ from statwalk.services.hosting.store.records import StageIdentity
 from statwalk.services.publish.fanout import Loop
 from statwalk.services.publish.outbox import EncodedFrame, Outbox
 from statwalk.stage.stage import Stage
+
+LOOK_SECONDS = 0.1
+"""between two looks at the token while a log makes commands durable"""
 
 
 class Home(StageServices, Protocol):
