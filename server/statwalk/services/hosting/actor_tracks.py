@@ -19,7 +19,7 @@ MOST_JOINT_POSES = 500_000
 """joints of all actors in all ticks: one minute at 60 Hz of two actors with 67 joints"""
 
 
-class Roots(NamedTuple):
+class RootPlaces(NamedTuple):
     """Where an actor is at each tick."""
 
     positions: Floats
@@ -40,10 +40,10 @@ class ActorTrack:
         poses = (cast.pose.take(row) for cast, row in self.rows)
         return Pose(*(np.stack(arrays) for arrays in zip(*poses, strict=True)))
 
-    def roots(self) -> Roots:
+    def roots(self) -> RootPlaces:
         """Returns the places."""
         positions = np.stack([cast.root_position[row] for cast, row in self.rows])
-        return Roots(positions, np.array([cast.heading[row] for cast, row in self.rows]))
+        return RootPlaces(positions, np.array([cast.heading[row] for cast, row in self.rows]))
 
 
 def tracks_of(stage: Stage, first: int, last: int) -> dict[int, ActorTrack]:

@@ -224,7 +224,7 @@ class Recording(Message[bytes]):
 
 
 @dataclass(frozen=True)
-class Joints(Message[tuple[replies.JointTrack, ...]]):
+class Joints(Message[replies.JointTracks]):
     """Asks for the joints of all actors at the ticks `first` … `last`."""
 
     first: int

@@ -17,7 +17,7 @@ from statwalk.services.hosting.stage_replies import (
     ActorFacts,
     ActorPose,
     EffectsSince,
-    JointTrack,
+    JointTracks,
     StageFacts,
     StageSnapshot,
     StateHistory,
@@ -150,8 +150,8 @@ def _recording(stage: Stage, message: ask.Recording) -> bytes:
     return recorded(stage, message.first, stage.tick if message.last is None else message.last)
 
 
-def _joints(stage: Stage, message: ask.Joints) -> tuple[JointTrack, ...]:
-    return tuple(joint_tracks(stage, message.first, message.last))
+def _joints(stage: Stage, message: ask.Joints) -> JointTracks:
+    return JointTracks(tuple(joint_tracks(stage, message.first, message.last)))
 
 
 def _why(stage: Stage, message: ask.Why) -> Why:

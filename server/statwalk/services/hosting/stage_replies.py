@@ -193,6 +193,13 @@ class JointTrack:
 
 
 @dataclass(frozen=True)
+class JointTracks:
+    """The joints of all actors of a stage over a span."""
+
+    actors: tuple[JointTrack, ...]
+
+
+@dataclass(frozen=True)
 class Posted:
     """The commands are in the log of `stage` (the stage, or a fork) and count in the tick after `tick`.
 

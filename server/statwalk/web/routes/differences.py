@@ -44,7 +44,7 @@ def get_differences(
     """
     other = registry.find(other_id)
     span = common_span(host.handle(ask.Status()), other.handle(ask.Status()), start, end)
-    here, there = (each.handle(ask.Joints(*span), token) for each in (host, other))
+    here, there = (each.handle(ask.Joints(*span), token).actors for each in (host, other))
     found = differences(here, there)
     if detail == "joints":
         check_detailed(found)
