@@ -686,6 +686,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/stages/{stage_id}/facts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Facts
+         * @description Lists the actions and verdicts after tick `since`; 409 if the stage has forgotten some of them.
+         */
+        get: operations["get_facts_api_stages__stage_id__facts_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/stages/{stage_id}/history": {
         parameters: {
             query?: never;
@@ -698,6 +718,28 @@ export interface paths {
          * @description Lists the newest changes of state, at most 10,000; the first of each actor is its state on arrival.
          */
         get: operations["get_history_api_stages__stage_id__history_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/stages/{stage_id}/differences": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Differences
+         * @description Compares the ticks `from` … `to` of two stages, by default the newest 600 that both have.
+         *
+         *     Actors are matched by id, their joints by name.
+         */
+        get: operations["get_differences_api_stages__stage_id__differences_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1263,6 +1305,49 @@ export interface components {
             role: "view" | "drive" | "admin";
             stage: string | null;
         };
+        /** @description An action of a machine; `seq` numbers all actions of a stage from 1. */
+        ActionMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "action";
+            seq: number;
+            tick: number;
+            actor: number;
+            name: string;
+            arguments: (string | number)[];
+            /** @description the actor that was touched, or that raised the event; -1: none */
+            other: number;
+        };
+        /**
+         * @description How far an actor is from the actor with its id on the other stage. A list has a number for each tick of
+         *     `ticks`, or for each joint of `joints`.
+         */
+        ActorDifferenceView: {
+            id: number;
+            name: string;
+            /** @description that both have */
+            joints: string[];
+            /** @description at which both stages have the actor */
+            ticks: number[];
+            /** @description by tick: of the places of the actor */
+            root_distance: number[];
+            /** @description by tick: of its headings */
+            root_angle_deg: number[];
+            /** @description by tick: of the joint that is farthest apart */
+            distance: number[];
+            /** @description by tick: which one that is, an index into `joints` */
+            distance_joint: number[];
+            /** @description by tick: of the joint whose rotation to its parent differs most */
+            angle_deg: number[];
+            angle_joint: number[];
+            /** @description by joint: the largest of all ticks */
+            joint_distance: number[];
+            joint_angle_deg: number[];
+            /** @description null in a summary */
+            by_tick: components["schemas"]["JointDifferences"] | null;
+        };
         /** @description An actor at the stage's playhead; `time` in seconds, `position` in metres, `heading_deg` about +Y. */
         ActorView: {
             id: number;
@@ -1388,6 +1473,11 @@ export interface components {
             clips: components["schemas"]["ClipView"][];
             skins: number;
             parts: components["schemas"]["PartView"][];
+            vertices: number;
+            triangles: number;
+            materials: components["schemas"]["MaterialView"][];
+            textures: components["schemas"]["TextureView"][];
+            /** @description what the server repaired or left out when it read the file */
             notes: string[];
             /** @description the names of its morph targets, which expressions set: `NAME.weight` */
             targets: string[];
@@ -1511,6 +1601,21 @@ export interface components {
                 [key: string]: number;
             };
         };
+        /** @description The differences of two stages in the ticks `from` to `to`. */
+        DifferencesView: {
+            stage: string;
+            other: string;
+            from: number;
+            to: number;
+            /** @description the first of these ticks at which an actor differs; null: none does */
+            first_difference: number | null;
+            /** @description why nothing is compared; empty if something is */
+            note: string;
+            /** @description actors that only the stage has in these ticks */
+            only_here: number[];
+            only_there: number[];
+            actors: components["schemas"]["ActorDifferenceView"][];
+        };
         /** @description An edge of the state graph, and the events that take it. */
         EdgeView: {
             from: string;
@@ -1604,6 +1709,12 @@ export interface components {
             formula: string;
             /** @enum {string} */
             source: "machine" | "character";
+        };
+        /** @description All actions and verdicts after the tick that was asked for, up to `tick`; oldest first. */
+        FactsView: {
+            tick: number;
+            actions: components["schemas"]["ActionMessage"][];
+            verdicts: components["schemas"]["VerdictMessage"][];
         };
         /** @description The feet of a character and their contacts in its clips. */
         FeetView: {
@@ -1742,6 +1853,11 @@ export interface components {
             number: number;
             tick: number;
             text: string;
+        };
+        /** @description Of each tick, of each joint. */
+        JointDifferences: {
+            distance: number[][];
+            angle_deg: number[][];
         };
         /** @description The joints that are one bone; `source` is empty where the spine turns as a whole. */
         JointPair: {
@@ -1988,6 +2104,17 @@ export interface components {
         MarkerView: {
             name: string;
             phase: number;
+        };
+        /** @description A material of the model. */
+        MaterialView: {
+            name: string;
+            /** @description by their places in glTF (`baseColorTexture`, …), indices into the character's textures */
+            textures: {
+                [key: string]: number;
+            };
+            /** @description `OPAQUE`, `MASK` or `BLEND` */
+            alpha: string;
+            double_sided: boolean;
         };
         /** @description The figures of a cell, or of a state's motion by itself (`event` empty). */
         MeasuredView: {
@@ -2392,12 +2519,21 @@ export interface components {
             event: string;
             driven: boolean;
         };
-        /** @description A mesh primitive of the model; `vertices` is their number. */
+        /** @description A mesh primitive of the model, with its numbers of vertices and triangles. */
         PartView: {
             node: number;
             mesh: number;
             primitive: number;
+            /** @description of its mesh, or of its node */
+            name: string;
             vertices: number;
+            triangles: number;
+            /** @description an index into the character's materials */
+            material: number | null;
+            /** @description joints bend it */
+            skinned: boolean;
+            /** @description the names of its morph targets */
+            targets: string[];
         };
         /** @description Whether the clock is paused. */
         PauseBody: {
@@ -2685,6 +2821,15 @@ export interface components {
             event: string;
             seconds: number;
         };
+        /** @description An image of the model. */
+        TextureView: {
+            name: string;
+            type: string;
+            bytes: number;
+            /** @description pixels; null: neither PNG nor JPEG */
+            width: number | null;
+            height: number | null;
+        };
         /** @description An event that a condition raises; it raises the event again only after `release` was true. */
         ThresholdView: {
             when: string;
@@ -2754,6 +2899,37 @@ export interface components {
             sha256: string;
             bytes: number;
             machines: string[];
+        };
+        /**
+         * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
+         *     the event has no cell.
+         */
+        VerdictMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "verdict";
+            tick: number;
+            actor: number;
+            layer: number;
+            event: string;
+            /** @enum {string} */
+            verdict: "taken" | "waits" | "dropped";
+            reason: string;
+            from: string;
+            to: string;
+            cell: [
+                string,
+                string
+            ] | null;
+            source: string;
+            line: number;
+            /** @description the values that the cell's condition read */
+            values: {
+                [key: string]: number;
+            };
+            other: number;
         };
         /**
          * @description A version of a machine; `at` in seconds since 1970; `what` says in a few words what the edit changed;
@@ -2830,21 +3006,6 @@ export interface components {
              */
             type: "accepted";
             ref: string | number | null;
-        };
-        /** @description An action of a machine; `seq` numbers all actions of a stage from 1. */
-        ActionMessage: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "action";
-            seq: number;
-            tick: number;
-            actor: number;
-            name: string;
-            arguments: (string | number)[];
-            /** @description the actor that was touched, or that raised the event; -1: none */
-            other: number;
         };
         /** @description An actor of a cast. */
         ActorName: {
@@ -3012,37 +3173,6 @@ export interface components {
             trouble: string;
             /** @description null: nobody has touched the clock since the stage was opened or came back */
             changed: components["schemas"]["ClockChangeView"] | null;
-        };
-        /**
-         * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
-         *     the event has no cell.
-         */
-        VerdictMessage: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "verdict";
-            tick: number;
-            actor: number;
-            layer: number;
-            event: string;
-            /** @enum {string} */
-            verdict: "taken" | "waits" | "dropped";
-            reason: string;
-            from: string;
-            to: string;
-            cell: [
-                string,
-                string
-            ] | null;
-            source: string;
-            line: number;
-            /** @description the values that the cell's condition read */
-            values: {
-                [key: string]: number;
-            };
-            other: number;
         };
         /** @description Who watches the stage, in the order in which they came: sent when it changes, at most once a second. */
         ViewersMessage: {
@@ -3449,6 +3579,8 @@ export interface components {
 }
 export type Accepted = components['schemas']['Accepted'];
 export type AccessView = components['schemas']['AccessView'];
+export type ActionMessage = components['schemas']['ActionMessage'];
+export type ActorDifferenceView = components['schemas']['ActorDifferenceView'];
 export type ActorView = components['schemas']['ActorView'];
 export type AlternativeView = components['schemas']['AlternativeView'];
 export type BoneBody = components['schemas']['BoneBody'];
@@ -3467,10 +3599,12 @@ export type CurveView = components['schemas']['CurveView'];
 export type CurvesView = components['schemas']['CurvesView'];
 export type DeducedBoneView = components['schemas']['DeducedBoneView'];
 export type DeductionView = components['schemas']['DeductionView'];
+export type DifferencesView = components['schemas']['DifferencesView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
 export type ExpressionView = components['schemas']['ExpressionView'];
+export type FactsView = components['schemas']['FactsView'];
 export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FigureView = components['schemas']['FigureView'];
@@ -3487,6 +3621,7 @@ export type HealthView = components['schemas']['HealthView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
 export type InputView = components['schemas']['InputView'];
+export type JointDifferences = components['schemas']['JointDifferences'];
 export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
@@ -3501,6 +3636,7 @@ export type MachineView = components['schemas']['MachineView'];
 export type MadeLink = components['schemas']['MadeLink'];
 export type MappingView = components['schemas']['MappingView'];
 export type MarkerView = components['schemas']['MarkerView'];
+export type MaterialView = components['schemas']['MaterialView'];
 export type MeasuredView = components['schemas']['MeasuredView'];
 export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
@@ -3552,19 +3688,20 @@ export type StateChangeView = components['schemas']['StateChangeView'];
 export type StateView = components['schemas']['StateView'];
 export type StepBody = components['schemas']['StepBody'];
 export type StepView = components['schemas']['StepView'];
+export type TextureView = components['schemas']['TextureView'];
 export type ThresholdView = components['schemas']['ThresholdView'];
 export type TouchView = components['schemas']['TouchView'];
 export type TwinView = components['schemas']['TwinView'];
 export type TwinningView = components['schemas']['TwinningView'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
+export type VerdictMessage = components['schemas']['VerdictMessage'];
 export type VersionView = components['schemas']['VersionView'];
 export type ViewerView = components['schemas']['ViewerView'];
 export type WhyNotView = components['schemas']['WhyNotView'];
 export type WhyView = components['schemas']['WhyView'];
 export type ProblemView = components['schemas']['ProblemView'];
 export type AcceptedMessage = components['schemas']['AcceptedMessage'];
-export type ActionMessage = components['schemas']['ActionMessage'];
 export type ActorName = components['schemas']['ActorName'];
 export type CameraMessage = components['schemas']['CameraMessage'];
 export type CastCollider = components['schemas']['CastCollider'];
@@ -3574,7 +3711,6 @@ export type Forked = components['schemas']['Forked'];
 export type Hello = components['schemas']['Hello'];
 export type Pong = components['schemas']['Pong'];
 export type StatusMessage = components['schemas']['StatusMessage'];
-export type VerdictMessage = components['schemas']['VerdictMessage'];
 export type ViewersMessage = components['schemas']['ViewersMessage'];
 export type ServerMessage = components['schemas']['ServerMessage'];
 export type Ack = components['schemas']['Ack'];
@@ -4927,6 +5063,39 @@ export interface operations {
             503: components["responses"]["503"];
         };
     };
+    get_facts_api_stages__stage_id__facts_get: {
+        parameters: {
+            query?: {
+                since?: number;
+            };
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FactsView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     get_history_api_stages__stage_id__history_get: {
         parameters: {
             query?: never;
@@ -4951,6 +5120,41 @@ export interface operations {
             403: components["responses"]["403"];
             404: components["responses"]["404"];
             421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_differences_api_stages__stage_id__differences_get: {
+        parameters: {
+            query: {
+                with: string;
+                from?: number | null;
+                to?: number | null;
+                detail?: "summary" | "joints";
+            };
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DifferencesView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
         };
