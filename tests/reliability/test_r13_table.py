@@ -16,7 +16,7 @@ from paths import ROOT
 from serving import PATIENCE, open_and_never_read, serving, wait_for
 from statwalk.errors import BusyError
 from statwalk.services.access.roles import EVERYTHING
-from statwalk.services.hosting import machine_versions, recorder, stage_lock
+from statwalk.services.hosting import actor_tracks, machine_versions, stage_lock
 from statwalk.services.hosting.audience import Audience
 from statwalk.services.hosting.stage_lock import StageLock
 from statwalk.services.publish import fanout
@@ -91,8 +91,9 @@ REACHED_BY = {
     "WAIT_SECONDS": "web/test_long_work.py::test_who_has_waited_long_is_told_to_try_again",
     "work_seconds": "reliability/test_r13_limits.py::test_a_long_step_has_a_deadline_and_says_what_to_do",
     "services/limits.MOST_TICKS": f"{HERE}::test_one_tick_more_is_refused",
-    "services/hosting/recorder.MOST_TICKS": f"{HERE}::test_a_longer_recording_is_refused",
+    "services/hosting/actor_tracks.MOST_TICKS": f"{HERE}::test_a_longer_recording_is_refused",
     "MOST_JOINT_POSES": f"{HERE}::test_a_fuller_recording_is_refused",
+    "MOST_DETAILED": "web/routes/test_differences.py::test_too_long_a_span_and_too_many_details_are_refused",
     "MOST_PICTURES": "web/routes/test_actors_skeleton.py::test_what_cannot_be_drawn_is_refused",
     "BUSY_SECONDS": f"{HERE}::test_a_stage_that_stays_busy_is_given_up",
     "MOST_VERSIONS": f"{HERE}::test_the_oldest_version_is_forgotten",
@@ -261,7 +262,7 @@ async def test_one_tick_more_is_refused(client: httpx.AsyncClient) -> None:
 async def test_a_longer_recording_is_refused(
     client: httpx.AsyncClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(recorder, "MOST_TICKS", 3)
+    monkeypatch.setattr(actor_tracks, "MOST_TICKS", 3)
     stage = await opened(client)
     await client.post(f"{stage}/step", json={"ticks": 9})
     statuses = [(await client.get(f"{stage}/recording.glb?from=1&to={last}")).status_code for last in (3, 4)]
@@ -274,7 +275,7 @@ async def test_a_fuller_recording_is_refused(
 ) -> None:
     stage = await opened(client)
     joints = len((await client.get(f"{stage}/actors/1/pose")).json()["rotation"])
-    monkeypatch.setattr(recorder, "MOST_JOINT_POSES", 2 * joints)
+    monkeypatch.setattr(actor_tracks, "MOST_JOINT_POSES", 2 * joints)
     await client.post(f"{stage}/step", json={"ticks": 9})
     statuses = [(await client.get(f"{stage}/recording.glb?from=1&to={last}")).status_code for last in (2, 3)]
     assert statuses == [200, 409]

@@ -14,7 +14,7 @@ from typing import Any, Protocol
 
 from statwalk.errors import CancelledError, LimitError
 from statwalk.services.access.roles import EVERYTHING, Grant
-from statwalk.services.cancel import NEVER, CancelToken
+from statwalk.services.cancel import LOOK_SECONDS, NEVER, CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.apply_commands import packed, roles_to_add
 from statwalk.services.hosting.attention import Attention
@@ -32,9 +32,6 @@ from statwalk.services.hosting.store.records import StageIdentity
 from statwalk.services.publish.fanout import Loop
 from statwalk.services.publish.outbox import EncodedFrame, Outbox
 from statwalk.stage.stage import Stage
-
-LOOK_SECONDS = 0.1
-"""between two looks at the token while a log makes commands durable"""
 
 
 class Home(StageServices, Protocol):

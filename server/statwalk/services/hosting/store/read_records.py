@@ -104,7 +104,7 @@ class KeptRecords:
         for place, line, link in self._rows(
             "SELECT place, line, chain FROM commands WHERE stage = ? ORDER BY place", stage
         ):
-            chain = chained(chain, line)
+            chain = chained(chain, line) if isinstance(line, str) else b""  # a flip may make it no text
             lines.append(line)
             if place != len(lines) or link != chain:
                 raise StorageError(f"entry {place} of the log is damaged")
