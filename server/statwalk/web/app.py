@@ -46,6 +46,7 @@ from statwalk.web.routes import (
     scenes,
     stages,
     uploads,
+    versions,
 )
 from statwalk.web.security import Guard
 from statwalk.web.settings import Settings
@@ -59,6 +60,7 @@ ROUTES = (
     downloads,
     deduce,
     uploads,
+    versions,
     machines,
     new_machines,
     edits,

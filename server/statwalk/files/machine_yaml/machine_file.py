@@ -27,6 +27,7 @@ from statwalk.files.machine_yaml import (
     senses,
     solvers_part,
     springs_part,
+    view_part,
     whole_table,
 )
 from statwalk.files.machine_yaml.all_events import all_events
@@ -132,14 +133,9 @@ def _define(root: Node, name: str, files: TableFiles) -> tuple[MachineDefinition
     """Returns the machine's definition, all of its names checked, and the text of its table."""
     entries = _checked_keys(root)
     parameters = read_parameters(entries.get("parameters"))
-    colliders, variables = (
-        senses.colliders(entries.get("colliders")),
-        variables_of(parameters),
-    )
-    base, layer_parts = (
-        levels.read(root, parameters, files),
-        layers.layers(entries.get("layers"), parameters, files),
-    )
+    colliders, variables = senses.colliders(entries.get("colliders")), variables_of(parameters)
+    base = levels.read(root, parameters, files)
+    layer_parts = layers.layers(entries.get("layers"), parameters, files)
     layers.check_base(base, root)
     sense_events = senses.senses(entries.get("senses"), variables, colliders)
     events = all_events(entries, [base, *(part.flat for part in layer_parts.values())], sense_events)
@@ -180,6 +176,7 @@ def _define(root: Node, name: str, files: TableFiles) -> tuple[MachineDefinition
         contacts=feet.contacts(entries.get("contacts")),
         budgets=budgets.budgets(entries.get("budgets")),
         rows=base.top.table.rows,
+        view=view_part.view(entries.get("view")),
         title=entries["title"].text() if "title" in entries else "",
         description=entries["description"].text() if "description" in entries else "",
         file=root.file,

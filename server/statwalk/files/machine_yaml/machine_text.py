@@ -5,8 +5,8 @@
     --- table.csv
     state,FORWARD,STOP
 
-So a version, a stage's log and a running server need no file of the machine's folder to read it again. A machine
-with all tables inline is its machine file.
+So a version, a stage's log and a running server need no file of the machine's folder to read it again. The
+text of a machine with all tables inline is its machine file.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ class Node:
     """the line of each key, if the value is a mapping"""
     start: int = 0
     end: int = 0
-    """where it is written: from letter `start` up to `end`; a list or mapping without brackets has no `end`"""
+    """where it is written: from letter `start` up to `end`; of a list or mapping without brackets 0"""
     key_spans: dict[str, tuple[int, int]] = field(default_factory=dict)
     """where each key is written, if the value is a mapping"""
 

@@ -120,8 +120,8 @@ class Tree:
         elif kind is yaml.SequenceStartEvent:
             self.open.append(OpenCollection(self.put(event, [], "{" if event.flow_style else None)))
         elif isinstance(event, yaml.CollectionEndEvent):
-            node = self.open.pop().node
-            node.end = event.end_mark.index if node.style else 0
+            node, mark = self.open.pop().node, event.end_mark
+            node.end = mark.index if node.style and mark else 0
         elif kind is yaml.AliasEvent:
             raise self.error_at("aliases (*) are not read", event.start_mark.line + 1)
         elif kind is yaml.DocumentStartEvent and self.root is not None:

@@ -40,10 +40,10 @@ def quoted(text: str) -> str:
 def flow(value: Value, in_brackets: bool = False) -> str:
     """Returns the value in one line: `{clips: {walk: 1.4, run: 3.2}, over: pace}`."""
     if isinstance(value, Mapping):
-        return "{%s}" % ", ".join(f"{text_of(key, True)}: {flow(part, True)}" for key, part in value.items())
+        return f"{{{', '.join(f'{text_of(key, True)}: {flow(part, True)}' for key, part in value.items())}}}"
     if isinstance(value, str | int | float):
         return text_of(value, in_brackets)
-    return "[%s]" % ", ".join(flow(part, True) for part in value)
+    return f"[{', '.join(flow(part, True) for part in value)}]"
 
 
 def after_key(value: Value, indent: int, used: int, newline: str) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.cells import CELL_KEYS
 from statwalk.files.machine_yaml.edit.levels import Level, existing_state, levels, raw_table, read, with_table
-from statwalk.files.machine_yaml.edit.operation import Part, Parts
+from statwalk.files.machine_yaml.edit.operation import Operation, Part
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import find, with_value, without
 from statwalk.files.yaml.yaml_node import Node
@@ -21,10 +21,10 @@ ALTERNATIVES = "alternatives"
 
 
 @dataclass(frozen=True)
-class SetCell:
-    """Changes a cell. `text` is the cell of the table (empty: blank; None: as it is); `fields` has what stands
-    under `cells`: `when`, `blend`, `enter`, `action`, `off`, and `alternatives` (a list, or weights by
-    state); None removes a field. `state` is a full name, or `*`; so is `event`.
+class SetCell(Operation):
+    """Changes a cell. `text` is the cell of the table (empty: blank; None: as it is); `fields` has what
+    stands under `cells`: `when`, `blend`, `enter`, `action`, `off`, and `alternatives` (a list, or weights
+    by state); None removes a field. `state` is a full name, or `*`; so is `event`.
     """
 
     state: str
@@ -46,7 +46,7 @@ class SetCell:
             text = self._with_target(text, self.fields[ALTERNATIVES])
         return text if self.text is None else self._with_text(text, self.text.strip())
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The cell, and the names of its state and its event."""
         yield "name", "state", self.layer, self.state
         yield "name", "event", self.event
@@ -102,8 +102,8 @@ class SetCell:
         check_cell(cell)
         target = target_of(node)
         if target is not None and not target.is_text:
-            raise node.refuse(  # type: ignore[union-attr]
-                f"{name} has alternatives under `cells`; send `alternatives: null` with the text to replace them"
+            raise target.refuse(
+                f"{name} has alternatives under `cells`; remove them with the same operation (`alternatives`)"
             )
         in_table = table is not None and self.event in table.columns()
         if not in_table:
@@ -121,11 +121,11 @@ class SetCell:
             if not cell:
                 return text
             table.add_row(name.rpartition("/")[0])
-        table.set(name.rpartition("/")[0], self.event, cell)
+        table.set_cell(name.rpartition("/")[0], self.event, cell)
         return with_table(text, level, table)
 
     def _check_event(self, text: MachineText, level: Level) -> None:
-        """Checks that some part of the machine has the event, if the level's own table has no column for it."""
+        """Checks that the machine has the event, if the level's own table has no column for it."""
         known = events_of(text)
         if self.event not in (ANY, END, *known):
             raise level.node.unknown("column", self.event, known)

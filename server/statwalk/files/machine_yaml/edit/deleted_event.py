@@ -9,7 +9,7 @@ from statwalk.errors import RefusedEditError
 from statwalk.files.machine_yaml.edit.cells import events_of
 from statwalk.files.machine_yaml.edit.levels import Level, levels, raw_table, read, table_changes
 from statwalk.files.machine_yaml.edit.names import same, sentence_renamed
-from statwalk.files.machine_yaml.edit.operation import Part, Parts
+from statwalk.files.machine_yaml.edit.operation import Operation, Part
 from statwalk.files.machine_yaml.edit.raw_table import RawTable
 from statwalk.files.machine_yaml.edit.states import entries_at
 from statwalk.files.machine_yaml.machine_text import MachineText
@@ -20,9 +20,9 @@ from statwalk.machine.lint.findings import Finding
 
 
 @dataclass(frozen=True)
-class DeleteEvent:
-    """Deletes an event, with its columns. `also_cells`: also the cells that answer it, its keys, its sense and
-    the other lines about it; without, it is refused if there are any.
+class DeleteEvent(Operation):
+    """Deletes an event, with its columns. `also_cells`: also the cells that answer it, its keys, its sense
+    and the other lines about it; without, it is refused if there are any.
     """
 
     event: str
@@ -65,14 +65,15 @@ class DeleteEvent:
                     state, line = level.full(row), level.node.entries()["table"].line
                     yield Finding("used here", "error", f"{state}/{event}", line, state, event, layer)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
-        """The name, the event, and all cells of its columns."""
+    def touched(self) -> Iterable[Part]:
+        """The name, the event and its sense."""
         yield "name", "event", self.event
         yield "event", self.event
         yield "sense", self.event
-        for part, value in parts.items():
-            if (part[0] == "cell" and part[3] == self.event) or (part[0] == "key" and self.event in value):
-                yield part
+
+    def deleted(self) -> str:
+        """The event."""
+        return self.event
 
 
 def _findings(uses: list[tuple[Path, Node]]) -> Iterator[Finding]:
@@ -90,18 +91,27 @@ def _uses(root: Node, event: str) -> Iterator[tuple[Path, Node]]:
                 yield (*level.path, "cells", name), node
     if (sense := find(root, ("senses", event))) is not None:
         yield ("senses", event), sense
+    yield from _keys(root, event)
+    for name, node in entries_at(root, "parameters").items():
+        if (handle := find(node, ("handle", "event"))) is not None and handle.value == event:
+            yield ("parameters", name, "handle", "event"), handle
+    if (idle := root.entries().get("idle")) is not None and idle.value == event:
+        yield ("idle",), idle
+    yield from _properties(root, event)
+
+
+def _keys(root: Node, event: str) -> Iterator[tuple[Path, Node]]:
+    """The keys that send an event: the whole key, or what it sends when it comes up."""
     for key, node in entries_at(root, "keys").items():
         named = _sent(node)
         if event in (named.get("press"), named.get("hold")):
             yield ("keys", key), node
         elif named.get("release") == event:
             yield ("keys", key, "release"), node.entries()["release"]
-    for name, node in entries_at(root, "parameters").items():
-        if (handle := find(node, ("handle", "event"))) is not None and handle.value == event:
-            yield ("parameters", name, "handle", "event"), handle
-    idle, properties = root.entries().get("idle"), root.entries().get("properties")
-    if idle is not None and idle.value == event:
-        yield ("idle",), idle
+
+
+def _properties(root: Node, event: str) -> Iterator[tuple[Path, Node]]:
+    properties = root.entries().get("properties")
     for place, sentence in enumerate(properties.items() if properties is not None else ()):
         if sentence_renamed(sentence.text(), same, lambda name: "\n" if name == event else name).count("\n"):
             yield ("properties", place), sentence

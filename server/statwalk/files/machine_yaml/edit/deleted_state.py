@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from statwalk.errors import MachineError, RefusedEditError
 from statwalk.files.machine_yaml.edit.cells import has_fields, target_of
@@ -16,7 +16,7 @@ from statwalk.files.machine_yaml.edit.levels import (
     table_changes,
 )
 from statwalk.files.machine_yaml.edit.names import StateNames, same, sentence_renamed
-from statwalk.files.machine_yaml.edit.operation import Part, Parts
+from statwalk.files.machine_yaml.edit.operation import Operation, Part
 from statwalk.files.machine_yaml.edit.raw_table import RawTable
 from statwalk.files.machine_yaml.edit.states import entries_at, state_names
 from statwalk.files.machine_yaml.machine_text import MachineText
@@ -29,7 +29,7 @@ from statwalk.machine.lint.findings import Finding
 
 
 @dataclass(frozen=True)
-class DeleteState:
+class DeleteState(Operation):
     """Deletes a state, with its row. `also_cells`: makes the cells blank that lead to it, and deletes the
     properties and other lines about it; without, it is refused if there are any.
     """
@@ -59,14 +59,15 @@ class DeleteState:
         text = text._replace(yaml=without(text.yaml, (*level.path, "states", name)))
         return table_changes(text, gone.leave_table, self.layer).applied(text)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
-        """The name, the state, its row, and each cell that speaks of it."""
+    def touched(self) -> Iterable[Part]:
+        """The name, the state and its row."""
         yield "name", "state", self.layer, self.state
         yield "state", self.layer, self.state
         yield "cell", self.layer, self.state
-        for part, value in parts.items():
-            if part[:2] == ("cell", self.layer) and self.state in value:
-                yield part
+
+    def deleted(self) -> str:
+        """The state."""
+        return self.state
 
 
 @dataclass(frozen=True)
@@ -108,7 +109,9 @@ def _goals(target: Node | None) -> list[str]:
         return [target.text()]
     if target.is_mapping:
         return list(target.entries())
-    return [item.entries()["to"].text() for item in target.items() if item.is_mapping and "to" in item.entries()]
+    return [
+        item.entries()["to"].text() for item in target.items() if item.is_mapping and "to" in item.entries()
+    ]
 
 
 def _check_initial(level: Level, name: str) -> None:
@@ -183,10 +186,12 @@ def _keys(node: Node | None, path: Path, gone: _Gone) -> Iterator[tuple[Path, No
 
 
 def _changes_elsewhere(text: MachineText, root: Node, gone: _Gone) -> Iterator[tuple[Path, Value | None]]:
-    """What to write, or (None) to remove, so that nothing speaks of the state but tables; last lines first."""
+    """What to write, or (None) to remove, so that only tables speak of the state; last lines first."""
     for path, _ in reversed(list(_other_uses(root, gone))):
         yield path, None
-    yield from ((path, None) for path, _ in _keys(find(root, ("view", gone.layer)), ("view", gone.layer), gone))
+    yield from (
+        (path, None) for path, _ in _keys(find(root, ("view", gone.layer)), ("view", gone.layer), gone)
+    )
     for level in levels_of(root, gone.layer):
         if not gone.has(level.composite):
             yield from _changes_of_cells(text, level, gone)
@@ -199,9 +204,7 @@ def _changes_of_cells(text: MachineText, level: Level, gone: _Gone) -> Iterator[
         row, _, event = name.partition("/")
         path, target = (*level.path, "cells", name), target_of(node)
         in_table = table.cell(row, event) if table else ""
-        if gone.has(level.full(row)):
-            yield path, None
-        elif target is None and gone.is_goal(level.composite, in_table):
+        if gone.has(level.full(row)) or (target is None and gone.is_goal(level.composite, in_table)):
             yield path, None
         elif any(gone.is_goal(level.composite, goal) for goal in _goals(target)):
             rest = _rest(target, level, gone)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 
 from statwalk.errors import ContentError, MachineError
@@ -33,16 +34,21 @@ def conflict(base: str, newest: str, operations: Sequence[Operation]) -> Part | 
     Operations that were made for the text `base` may be applied to `newest` if there is none.
     """
     before, after = parts_of(MachineText.of(base)), parts_of(MachineText.of(newest))
-    for operation in operations:
-        for parts in (before, after):
-            for touched in operation.touched(parts):
-                if (part := _difference(before, after, touched)) is not None:
-                    return part
-    return None
+    different = [part for part in {**before, **after} if before.get(part) != after.get(part)]
+    touched = [part for operation in operations for part in operation.touched()]
+    deleted = [name for operation in operations if (name := operation.deleted())]
+    return next(
+        (
+            part
+            for part in different
+            if any(part[: len(beginning)] == beginning for beginning in touched)
+            or any(_speaks_of(name, part, (before, after)) for name in deleted)
+        ),
+        None,
+    )
 
 
-def _difference(before: Parts, after: Parts, touched: Part) -> Part | None:
-    """A part whose name begins like `touched`, and that differs."""
-    size = len(touched)
-    names = {name: None for name in (*before, *after) if name[:size] == touched}
-    return next((name for name in names if before.get(name) != after.get(name)), None)
+def _speaks_of(name: str, part: Part, texts: Iterable[Parts]) -> bool:
+    """Whether a part has a name in it, in one of the texts."""
+    words = " ".join([*part, *(parts.get(part, "") for parts in texts)])
+    return part[0] != "name" and re.search(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", words) is not None

@@ -9,7 +9,7 @@ from typing import Literal
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.levels import read
 from statwalk.files.machine_yaml.edit.names import check_name
-from statwalk.files.machine_yaml.edit.operation import Part, Parts
+from statwalk.files.machine_yaml.edit.operation import Operation, Part
 from statwalk.files.machine_yaml.edit.states import entries_at, with_fields
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_value, without
@@ -25,7 +25,7 @@ KINDS: Mapping[Section, str] = {
 
 
 @dataclass(frozen=True)
-class AddEntry:
+class AddEntry(Operation):
     """Adds an entry with its fields as in the file, before another or last."""
 
     section: Section
@@ -48,13 +48,13 @@ class AddEntry:
             yaml=with_value(text.yaml, (self.section, self.name), dict(self.fields), self.before)
         )
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name."""
         yield "name", KINDS[self.section], self.name
 
 
 @dataclass(frozen=True)
-class SetEntry:
+class SetEntry(Operation):
     """Changes fields of an entry; None removes a field."""
 
     section: Section
@@ -69,7 +69,7 @@ class SetEntry:
         check_entry(text, self.section, self.name)
         return with_fields(text, (self.section, self.name), self.fields)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name and the fields."""
         yield "name", KINDS[self.section], self.name
         for name in self.fields:
@@ -77,7 +77,7 @@ class SetEntry:
 
 
 @dataclass(frozen=True)
-class DeleteEntry:
+class DeleteEntry(Operation):
     """Deletes an entry; the reader refuses the machine if something still names it."""
 
     section: Section
@@ -91,14 +91,14 @@ class DeleteEntry:
         check_entry(text, self.section, self.name)
         return text._replace(yaml=without(text.yaml, (self.section, self.name)))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name and the fields."""
         yield "name", KINDS[self.section], self.name
         yield KINDS[self.section], self.name
 
 
 @dataclass(frozen=True)
-class MoveEntry:
+class MoveEntry(Operation):
     """Moves an entry before another, or to the end."""
 
     section: Section
@@ -115,7 +115,7 @@ class MoveEntry:
             check_entry(text, self.section, self.before)
         return text._replace(yaml=moved(text.yaml, (self.section, self.name), self.before))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name."""
         yield "name", KINDS[self.section], self.name
 

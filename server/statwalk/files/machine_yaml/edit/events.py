@@ -8,17 +8,23 @@ from dataclasses import dataclass
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.cells import events_of
 from statwalk.files.machine_yaml.edit.event_names import event_renamed, markers_of
-from statwalk.files.machine_yaml.edit.levels import Level, level_of, raw_table, read, table_changes, with_table
+from statwalk.files.machine_yaml.edit.levels import (
+    Level,
+    level_of,
+    raw_table,
+    read,
+    with_table,
+)
 from statwalk.files.machine_yaml.edit.names import check_name
-from statwalk.files.machine_yaml.edit.operation import Part, Parts
+from statwalk.files.machine_yaml.edit.operation import Operation, Part
 from statwalk.files.machine_yaml.edit.raw_table import RawTable
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.files.yaml.yaml_edit import find, with_value, without
+from statwalk.files.yaml.yaml_edit import with_value, without
 from statwalk.machine.definition.machine_definition import BASE, END
 
 
 @dataclass(frozen=True)
-class AddEvent:
+class AddEvent(Operation):
     """Adds an event: a column of blank cells in the table of a layer, before the column `before` or last.
     `composite`: the state whose own table gets the column; `buffer` in seconds.
     """
@@ -50,13 +56,13 @@ class AddEvent:
         level, _ = level_of(read(text), self.layer, f"{self.composite}.*" if self.composite else "*")
         return level, raw_table(text, level)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name."""
         yield "column", self.layer, self.composite, self.event
 
 
 @dataclass(frozen=True)
-class SetEvent:
+class SetEvent(Operation):
     """Changes the buffer of an event, in seconds; None: as the defaults say."""
 
     event: str
@@ -73,14 +79,14 @@ class SetEvent:
             return text._replace(yaml=with_value(text.yaml, (*path, "buffer"), self.buffer))
         return text._replace(yaml=without(text.yaml, (*path, "buffer"), 2))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name, and the buffer."""
         yield "name", "event", self.event
         yield "event", self.event, "buffer"
 
 
 @dataclass(frozen=True)
-class RenameEvent:
+class RenameEvent(Operation):
     """Renames an event everywhere in the file, also in keys and properties; a marker of the same name too."""
 
     event: str
@@ -101,14 +107,14 @@ class RenameEvent:
             raise MachineError(f"there is an event {self.to} already")
         return event_renamed(text, self.event, self.to)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """Both names."""
         yield "name", "event", self.event
         yield "name", "event", self.to
 
 
 @dataclass(frozen=True)
-class MoveEvent:
+class MoveEvent(Operation):
     """Moves a column of a layer's table before another, or to the end."""
 
     event: str
@@ -132,7 +138,7 @@ class MoveEvent:
             text = with_table(text, level, table)
         return text
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The column."""
         yield "column", self.layer, self.composite, self.event
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.levels import read
 from statwalk.files.machine_yaml.edit.names import check_name
-from statwalk.files.machine_yaml.edit.operation import Part, Parts
+from statwalk.files.machine_yaml.edit.operation import Operation, Part
 from statwalk.files.machine_yaml.edit.states import NO_MOTION, entries_at, with_fields
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_key, with_value, without
@@ -17,7 +17,7 @@ from statwalk.machine.definition.machine_definition import BASE, END
 
 
 @dataclass(frozen=True)
-class AddLayer:
+class AddLayer(Operation):
     """Adds a layer with one state, which leaves the pose as it is; `fields`: `mask`, `mode`, `weight`."""
 
     layer: str
@@ -45,13 +45,13 @@ class AddLayer:
         }
         return text._replace(yaml=with_value(text.yaml, ("layers", self.layer), value, self.before))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name."""
         yield "name", "layer", self.layer
 
 
 @dataclass(frozen=True)
-class SetLayer:
+class SetLayer(Operation):
     """Changes `mask`, `mode` or `weight` of a layer; None removes a field."""
 
     layer: str
@@ -65,7 +65,7 @@ class SetLayer:
         check_layer(text, self.layer)
         return with_fields(text, ("layers", self.layer), self.fields)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name, and the fields."""
         yield "name", "layer", self.layer
         for name in self.fields:
@@ -73,7 +73,7 @@ class SetLayer:
 
 
 @dataclass(frozen=True)
-class RenameLayer:
+class RenameLayer(Operation):
     """Renames a layer."""
 
     layer: str
@@ -93,14 +93,14 @@ class RenameLayer:
             yaml = with_key(yaml, ("view", self.layer), self.to)
         return text._replace(yaml=yaml)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """Both names."""
         yield "name", "layer", self.layer
         yield "name", "layer", self.to
 
 
 @dataclass(frozen=True)
-class DeleteLayer:
+class DeleteLayer(Operation):
     """Deletes a layer with its table."""
 
     layer: str
@@ -114,7 +114,7 @@ class DeleteLayer:
         yaml = without(text.yaml, ("layers", self.layer))
         return text._replace(yaml=without(yaml, ("view", self.layer)))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """All of the layer."""
         yield "name", "layer", self.layer
         yield "layer", self.layer
@@ -124,7 +124,7 @@ class DeleteLayer:
 
 
 @dataclass(frozen=True)
-class MoveLayer:
+class MoveLayer(Operation):
     """Moves a layer below the layer `before`, or to the top: the last layer in the file is on top."""
 
     layer: str
@@ -139,7 +139,7 @@ class MoveLayer:
             check_layer(text, name)
         return text._replace(yaml=moved(text.yaml, ("layers", self.layer), self.before))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name."""
         yield "name", "layer", self.layer
 

@@ -6,14 +6,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from statwalk.files.machine_yaml.edit.levels import existing_state, read
-from statwalk.files.machine_yaml.edit.operation import Part, Parts
+from statwalk.files.machine_yaml.edit.operation import Operation, Part
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import Path, find, with_value, without
 from statwalk.machine.definition.machine_definition import BASE
 
 
 @dataclass(frozen=True)
-class SetBlendClip:
+class SetBlendClip(Operation):
     """Puts a clip at a point of a state's blend, or moves it there; `at` has a number for each parameter."""
 
     state: str
@@ -29,14 +29,14 @@ class SetBlendClip:
         at = self.at if isinstance(self.at, int | float) else list(self.at)
         return text._replace(yaml=with_value(text.yaml, (*_blend(text, self), "clips", self.clip), at))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The state, and the clip."""
         yield "name", "state", self.layer, self.state
         yield "state", self.layer, self.state, "motion", "clips", self.clip
 
 
 @dataclass(frozen=True)
-class DeleteBlendClip:
+class DeleteBlendClip(Operation):
     """Takes a clip out of a state's blend, with its markers."""
 
     state: str
@@ -55,7 +55,7 @@ class DeleteBlendClip:
         yaml = without(text.yaml, (*path, "clips", self.clip), len(path) + 1)
         return text._replace(yaml=without(yaml, (*path, "markers", self.clip), len(path)))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The state, and the clip with its markers."""
         yield "name", "state", self.layer, self.state
         yield "state", self.layer, self.state, "motion", "clips", self.clip
@@ -69,14 +69,16 @@ def _blend(text: MachineText, where: SetBlendClip | DeleteBlendClip) -> Path:
     motion = find(read(text), path)
     if motion is None or not motion.is_mapping or "clips" not in motion.entries():
         raise (motion or level.states()[name]).refuse(
-            f"{where.state} plays no blend; give it one first: {{over: PARAMETER, clips: {{CLIP: 0, CLIP: 1}}}}"
+            f"{where.state} plays no blend; set its motion to one, with `over` and two `clips`, first"
         )
     return path
 
 
 @dataclass(frozen=True)
-class SetMarker:
-    """Puts a marker at a phase 0…1 of a state's motion (`clip`: of one clip of its blend); None removes it."""
+class SetMarker(Operation):
+    """Puts a marker at a phase 0…1 of a state's motion (`clip`: of one clip of its blend), or (None) removes
+    it.
+    """
 
     state: str
     marker: str
@@ -102,7 +104,7 @@ class SetMarker:
     def _markers(self) -> Path:
         return ("motion", "markers", self.clip) if self.clip else ("markers",)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The state, and the marker."""
         yield "name", "state", self.layer, self.state
         clip = ("motion", "markers", self.clip) if self.clip else ("markers",)

@@ -133,5 +133,3 @@ def _target_renamed(text: str, node: Node, composite: str, rename: StateRename) 
             if item.is_mapping and "to" in item.entries() and item.entries()["to"].is_text:
                 to = item.entries()["to"]
                 yield from value_renamed(to, rename.of_cell(composite, to.text()))
-
-

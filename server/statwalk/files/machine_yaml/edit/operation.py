@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping
-from typing import Protocol
 
 from statwalk.files.machine_yaml.machine_text import MachineText
 
@@ -13,18 +13,20 @@ Parts = Mapping[Part, str]
 """what a machine says in each of its parts"""
 
 
-class Operation(Protocol):
+class Operation(ABC):
     """One change; it prints as a few words for people."""
 
+    @abstractmethod
     def apply(self, text: MachineText) -> MachineText:
         """Returns the text after the change.
 
         :raises MachineError: when the change is not possible.
         """
-        ...
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
-        """Returns what the change replaces or stands on, of a machine with these parts: the beginnings of the
-        names of parts.
-        """
-        ...
+    @abstractmethod
+    def touched(self) -> Iterable[Part]:
+        """Returns what the change replaces or stands on: beginnings of the names of parts."""
+
+    def deleted(self) -> str:
+        """Returns the name of what goes with all parts that speak of it; empty: nothing."""
+        return ""

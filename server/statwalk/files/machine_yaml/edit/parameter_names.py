@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.entries import check_entry
-from statwalk.files.machine_yaml.edit.levels import Level, levels, read
+from statwalk.files.machine_yaml.edit.levels import levels, read
 from statwalk.files.machine_yaml.edit.names import check_name, keys_renamed, value_renamed
-from statwalk.files.machine_yaml.edit.operation import Part, Parts
+from statwalk.files.machine_yaml.edit.operation import Operation, Part
 from statwalk.files.machine_yaml.edit.states import entries_at
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import BLOCKS, Splice, find, renamed_key, spliced
@@ -19,29 +19,29 @@ from statwalk.machine.definition.parameter_definition import COMPONENTS
 
 
 @dataclass(frozen=True)
-class RenameParameter:
+class RenameParameter(Operation):
     """Renames a parameter, also in conditions, expressions, blends, solvers and keys."""
 
-    parameter: str
+    name: str
     to: str
 
     def __str__(self) -> str:
-        return f"{self.parameter} is now {self.to}"
+        return f"{self.name} is now {self.to}"
 
     def apply(self, text: MachineText) -> MachineText:
         """Returns the text with the other name."""
-        check_entry(text, "parameters", self.parameter)
+        check_entry(text, "parameters", self.name)
         check_name(self.to, "parameter")
         root = read(text)
         parameters = root.entries()["parameters"]
-        if self.to in parameters.entries() and self.to != self.parameter:
+        if self.to in parameters.entries() and self.to != self.name:
             raise MachineError(f"there is a parameter {self.to} already")
-        own = renamed_key(text.yaml, parameters, self.parameter, self.to)
-        return text._replace(yaml=spliced(text.yaml, [own, *_splices(text.yaml, root, self.parameter, self.to)]))
+        own = renamed_key(text.yaml, parameters, self.name, self.to)
+        return text._replace(yaml=spliced(text.yaml, [own, *_splices(text.yaml, root, self.name, self.to)]))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """Both names."""
-        yield "name", "parameter", self.parameter
+        yield "name", "parameter", self.name
         yield "name", "parameter", self.to
 
 
@@ -121,31 +121,31 @@ def _nodes(node: Node | None) -> list[Node]:
 
 
 @dataclass(frozen=True)
-class RenameCollider:
+class RenameCollider(Operation):
     """Renames a collider, also in the touches of this machine."""
 
-    collider: str
+    name: str
     to: str
 
     def __str__(self) -> str:
-        return f"{self.collider} is now {self.to}"
+        return f"{self.name} is now {self.to}"
 
     def apply(self, text: MachineText) -> MachineText:
         """Returns the text with the other name."""
-        check_entry(text, "colliders", self.collider)
+        check_entry(text, "colliders", self.name)
         check_name(self.to, "collider")
         root = read(text)
         colliders = root.entries()["colliders"]
-        if self.to in colliders.entries() and self.to != self.collider:
+        if self.to in colliders.entries() and self.to != self.name:
             raise MachineError(f"there is a collider {self.to} already")
-        splices = [renamed_key(text.yaml, colliders, self.collider, self.to)]
+        splices = [renamed_key(text.yaml, colliders, self.name, self.to)]
         for sense in entries_at(root, "senses").values():
             touch = find(sense, ("touch", 0))
-            if touch is not None and touch.value == self.collider:
+            if touch is not None and touch.value == self.name:
                 splices += value_renamed(touch, self.to)
         return text._replace(yaml=spliced(text.yaml, splices))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """Both names."""
-        yield "name", "collider", self.collider
+        yield "name", "collider", self.name
         yield "name", "collider", self.to

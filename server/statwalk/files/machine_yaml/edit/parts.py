@@ -101,5 +101,3 @@ def _flat(node: Node, part: Part) -> dict[Part, str]:
 
 def _said(node: Node) -> str:
     return node.text() if node.is_text else flow(node.plain())
-
-

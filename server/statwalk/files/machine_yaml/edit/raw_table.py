@@ -70,7 +70,7 @@ class RawTable:
 
     # --- cells
 
-    def set(self, row: str, column: str, text: str) -> None:
+    def set_cell(self, row: str, column: str, text: str) -> None:
         """Changes a cell; the column keeps its width if the text fits."""
         self._put(self._line(row), self.columns().index(column) + 1, text)
 
@@ -82,7 +82,7 @@ class RawTable:
                 text = self.content(line, column)
                 if (changed := new(text)) != text:
                     before = len(line.cells[column])
-                    line = self._put(line, column, changed)  # noqa: PLW2901 - the line as it is now
+                    line = self._put(line, column, changed)
                     if len(line.cells[column]) > before and self._widths(column, line) <= {before}:
                         wider.add(column)
         for column in wider:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.levels import existing_state, level_of, read
-from statwalk.files.machine_yaml.edit.operation import Part, Parts
-from statwalk.files.machine_yaml.edit.states import entries_at, with_fields
+from statwalk.files.machine_yaml.edit.operation import Operation, Part
+from statwalk.files.machine_yaml.edit.states import entries_at
 from statwalk.files.machine_yaml.expression_text import with_expressions
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_value, without
@@ -20,7 +20,7 @@ SETTINGS = ("title", "description", "root", "idle", "fallback", "foot_lock")
 
 
 @dataclass(frozen=True)
-class SetMachine:
+class SetMachine(Operation):
     """Changes settings of the machine: `title`, `description`, `root`, `idle`, `fallback`, `foot_lock`; None
     removes one.
     """
@@ -40,14 +40,14 @@ class SetMachine:
             yaml = without(yaml, (name,)) if value is None else with_value(yaml, (name,), value, before)
         return text._replace(yaml=yaml)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The settings."""
         for name in self.fields:
             yield "machine", name
 
 
 @dataclass(frozen=True)
-class SetDefaults:
+class SetDefaults(Operation):
     """Changes what cells take that say nothing: `when`, `blend`, `buffer`; None removes one."""
 
     fields: Mapping[str, Value | None]
@@ -63,14 +63,14 @@ class SetDefaults:
             yaml = without(yaml, path) if value is None else with_value(yaml, path, value)
         return text._replace(yaml=yaml)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The defaults."""
         for name in self.fields:
             yield "defaults", name
 
 
 @dataclass(frozen=True)
-class SetInitial:
+class SetInitial(Operation):
     """Makes a state the one with which its layer, or the machine around it, begins."""
 
     state: str
@@ -84,7 +84,7 @@ class SetInitial:
         level, name = existing_state(read(text), self.layer, self.state)
         return text._replace(yaml=with_value(text.yaml, (*level.path, "initial"), name))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The initial state, and the name of the new one."""
         yield "initial", self.layer, self.state.rpartition(".")[0]
         yield "name", "state", self.layer, self.state
@@ -94,7 +94,7 @@ class SetInitial:
 
 
 @dataclass(frozen=True)
-class AddProperty:
+class AddProperty(Operation):
     """Adds a property, a sentence that must be true: `JUMP only after WALK`."""
 
     text: str
@@ -109,13 +109,13 @@ class AddProperty:
             raise MachineError(f"the machine has this property already: {self.text}")
         return text._replace(yaml=with_value(text.yaml, ("properties", len(sentences)), self.text))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The sentence."""
         yield "property", self.text
 
 
 @dataclass(frozen=True)
-class SetProperty:
+class SetProperty(Operation):
     """Replaces a property, or deletes it (`text` None)."""
 
     property: str
@@ -131,13 +131,13 @@ class SetProperty:
             return text._replace(yaml=without(text.yaml, path))
         return text._replace(yaml=with_value(text.yaml, path, self.text))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The sentence."""
         yield "property", self.property
 
 
 @dataclass(frozen=True)
-class MoveProperty:
+class MoveProperty(Operation):
     """Moves a property before another, or to the end."""
 
     property: str
@@ -151,7 +151,7 @@ class MoveProperty:
         before = None if self.before is None else _place(text, self.before)
         return text._replace(yaml=moved(text.yaml, ("properties", _place(text, self.property)), before))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The sentence."""
         yield "property", self.property
 
@@ -172,7 +172,7 @@ def _place(text: MachineText, sentence: str) -> int:
 
 
 @dataclass(frozen=True)
-class SetExpressions:
+class SetExpressions(Operation):
     """Replaces the machine's expressions, a line each; blank: none."""
 
     text: str
@@ -184,13 +184,13 @@ class SetExpressions:
         """Returns the text with the expressions."""
         return text._replace(yaml=with_expressions(text.yaml, self.text, ""))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The expressions."""
         yield ("expressions",)
 
 
 @dataclass(frozen=True)
-class SetView:
+class SetView(Operation):
     """Keeps where states stand in the graph of a layer, by full names; None: where the page puts them."""
 
     positions: Mapping[str, tuple[float, float] | None]
@@ -214,6 +214,6 @@ class SetView:
                 yaml = with_value(yaml, path[:2], Spread({state: list(place)}))
         return text._replace(yaml=yaml)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """Nothing: the newest places count."""
         return ()

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml.edit.cells import SetCell
 from statwalk.files.machine_yaml.edit.levels import (
     Level,
     existing_state,
@@ -28,7 +27,7 @@ from statwalk.files.machine_yaml.edit.names import (
     targets_renamed,
     value_renamed,
 )
-from statwalk.files.machine_yaml.edit.operation import Part, Parts
+from statwalk.files.machine_yaml.edit.operation import Operation, Part
 from statwalk.files.machine_yaml.edit.raw_table import RawTable
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import Path, Splice, find, moved, renamed_key, with_value, without
@@ -42,7 +41,7 @@ NO_MOTION = "none"
 
 
 @dataclass(frozen=True)
-class AddState:
+class AddState(Operation):
     """Adds a state with a row of blank cells; `fields` as in the file. Without a `motion` it is at rest (in a
     layer above the base: `none`). It comes before the state `before`, or last.
     """
@@ -70,14 +69,14 @@ class AddState:
             text = with_table(text, level, table)
         return text._replace(yaml=with_value(text.yaml, (*level.path, "states", name), fields, before))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name."""
         yield "name", "state", self.layer, self.state
 
 
 @dataclass(frozen=True)
-class SetState:
-    """Changes fields of a state: `motion`, `loop`, `speed`, `final`, `resume`, `markers`; None removes one."""
+class SetState(Operation):
+    """Changes `motion`, `loop`, `speed`, `final`, `resume` or `markers` of a state; None removes one."""
 
     state: str
     fields: Mapping[str, Value | None]
@@ -91,7 +90,7 @@ class SetState:
         level, name = existing_state(read(text), self.layer, self.state)
         return with_fields(text, (*level.path, "states", name), self.fields)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name, and the fields."""
         yield "name", "state", self.layer, self.state
         for name in self.fields:
@@ -99,7 +98,7 @@ class SetState:
 
 
 @dataclass(frozen=True)
-class RenameState:
+class RenameState(Operation):
     """Renames a state everywhere in the file; `to` is its new name, without the composite state around it."""
 
     state: str
@@ -124,7 +123,7 @@ class RenameState:
         changes = table_changes(text, lambda at, table: _rename_in_table(at, table, rename), self.layer)
         return changes.applied(text, splices)
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """Both names."""
         outer = self.state.rpartition(".")[0]
         yield "name", "state", self.layer, self.state
@@ -159,7 +158,9 @@ def _renamed_in_file(text: str, root: Node, layer: str, rename: StateRename) -> 
     if layer == BASE:
         yield from _renamed_in_base(text, root, rename)
     yield from keys_renamed(text, find(root, ("view", layer)), rename.full)
-    elsewhere = {name for other in levels(root) if other.layer != layer for name in state_names(root, other.layer).full}
+    elsewhere = {
+        name for other in levels(root) if other.layer != layer for name in state_names(root, other.layer).full
+    }
     for key in entries_at(root, "keys").values():
         # where another layer has a state of the same name, the key moves parameters in that one
         yield from keys_renamed(
@@ -186,13 +187,16 @@ def _renamed_in_base(text: str, root: Node, rename: StateRename) -> Iterator[Spl
         yield from value_renamed(fallback, rename.full(fallback.text()))
     for sentence in properties.items() if properties is not None else ():
         yield from value_renamed(
-            sentence, sentence_renamed(sentence.text(), rename.full, same), bool(properties and properties.style)
+            sentence,
+            sentence_renamed(sentence.text(), rename.full, same),
+            bool(properties and properties.style),
         )
     for solver in entries_at(root, "solvers").values():
         yield from keys_renamed(text, find(solver, ("weight",)), rename.full)
 
 
 def entries_at(root: Node, key: str) -> dict[str, Node]:
+    """Returns the entries of a section of the file; none if it is missing or empty."""
     node = root.entries().get(key)
     return node.entries() if node is not None and node.is_mapping else {}
 
@@ -201,12 +205,16 @@ def with_fields(text: MachineText, path: Path, fields: Mapping[str, Value | None
     """Returns the text with other fields of the entry at a path; None removes a field."""
     yaml = text.yaml
     for name, value in fields.items():
-        yaml = without(yaml, (*path, name), len(path)) if value is None else with_value(yaml, (*path, name), value)
+        yaml = (
+            without(yaml, (*path, name), len(path))
+            if value is None
+            else with_value(yaml, (*path, name), value)
+        )
     return text._replace(yaml=yaml)
 
 
 @dataclass(frozen=True)
-class MoveState:
+class MoveState(Operation):
     """Moves a state, and its row, before another state of its machine, or to the end."""
 
     state: str
@@ -225,6 +233,6 @@ class MoveState:
             text = with_table(text, level, table)
         return text._replace(yaml=moved(text.yaml, (*level.path, "states", name), before))
 
-    def touched(self, parts: Parts) -> Iterable[Part]:
+    def touched(self) -> Iterable[Part]:
         """The name."""
         yield "name", "state", self.layer, self.state
