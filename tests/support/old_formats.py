@@ -1,4 +1,6 @@
-"""Databases as older versions wrote them: hashes without keys, logs without ends."""
+"""Databases as older versions wrote them: stages without names and origins, hashes without keys, logs
+without ends.
+"""
 
 import hashlib
 import sqlite3
@@ -15,7 +17,7 @@ def _of_version(machine, number, at, what, text, before):
     return joined(machine.encode(), f"MachineVersion({number=}, {at=}, {what=}, {text=}, {before=})".encode())
 
 
-def to_format_3(path: Path) -> None:
+def to_format_4(path: Path) -> None:
     """Rewrites a database of the present format."""
     columns = "machine, number, at, what, text, before"
     connection = sqlite3.connect(path)
@@ -29,9 +31,22 @@ def to_format_3(path: Path) -> None:
         INSERT INTO old SELECT {columns}, row_digest({columns}) FROM versions;
         DROP TABLE versions;
         ALTER TABLE old RENAME TO versions;
-        PRAGMA user_version=3;
+        PRAGMA user_version=4;
         """
     )
+    connection.close()
+
+
+def to_format_3(path: Path) -> None:
+    """Rewrites a database of the present format."""
+    to_format_4(path)
+    with sqlite3.connect(path) as connection:
+        connection.create_function("row_digest", -1, row_digest)
+        for column in ("name", "parent", "forked_tick", "forked_number", "made"):
+            connection.execute(f"ALTER TABLE stages DROP COLUMN {column}")
+        columns = "id, opened, seed, rate, clock, tick, head, hash, paused, speed, keep_running"
+        connection.execute(f"UPDATE stages SET digest = row_digest({columns})")
+        connection.execute("PRAGMA user_version=3")
     connection.close()
 
 

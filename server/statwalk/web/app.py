@@ -47,6 +47,7 @@ from statwalk.web.routes import (
     stages,
     uploads,
     versions,
+    viewers,
 )
 from statwalk.web.security import Guard
 from statwalk.web.settings import Settings
@@ -68,6 +69,7 @@ ROUTES = (
     scenes,
     history,
     links,
+    viewers,
     actors,
     captures,
     details,

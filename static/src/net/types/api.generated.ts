@@ -225,6 +225,126 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/machines/{name}/undo": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Undo
+         * @description Makes a new version with the text of the version before the newest; again: the one before that.
+         */
+        post: operations["undo_api_machines__name__undo_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/redo": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Redo
+         * @description Takes an undo back; 409 if nothing was undone, or an edit came after it.
+         */
+        post: operations["redo_api_machines__name__redo_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Versions
+         * @description Lists the newest versions of a machine, at most 200, oldest first.
+         */
+        get: operations["list_versions_api_machines__name__versions_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions/{number}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Version
+         * @description Returns a version with its text and its tables.
+         */
+        get: operations["get_version_api_machines__name__versions__number__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions/{number}/differences": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Differences
+         * @description Returns what a version says otherwise than an older one: cells, states, events, other parts by name.
+         */
+        get: operations["get_differences_api_machines__name__versions__number__differences_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions/{number}/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Restore
+         * @description Makes a new version with the text of an older one; an undo takes it back.
+         */
+        post: operations["restore_api_machines__name__versions__number__restore_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/machines": {
         parameters: {
             query?: never;
@@ -281,7 +401,15 @@ export interface paths {
         delete: operations["delete_machine_api_machines__name__delete"];
         options?: never;
         head?: never;
-        patch?: never;
+        /**
+         * Patch Machine
+         * @description Applies operations in their order, as one version; the rest of the file stays as it is. Like PUT
+         *     otherwise, but the version in If-Match may be older: 412 only if another editor has changed what the
+         *     operations touch.
+         *
+         *     `dry`: only verifies, and changes nothing.
+         */
+        patch: operations["patch_machine_api_machines__name__patch"];
         trace?: never;
     };
     "/api/machines/{name}/verify": {
@@ -363,7 +491,7 @@ export interface paths {
         head?: never;
         /**
          * Patch Cell
-         * @description Changes one cell of a table, and leaves the rest of the file as it is; like PUT otherwise.
+         * @description Changes the text of one cell: the operation `set_cell`.
          *
          *     `dry`: only verifies, and changes nothing.
          */
@@ -385,51 +513,11 @@ export interface paths {
         head?: never;
         /**
          * Patch Expressions
-         * @description Replaces the machine's expressions, and leaves the rest of the file as it is; like PUT otherwise.
+         * @description Replaces the machine's expressions: the operation `set_expressions`.
          *
          *     `dry`: only verifies, and changes nothing.
          */
         patch: operations["patch_expressions_api_machines__name__expressions_patch"];
-        trace?: never;
-    };
-    "/api/machines/{name}/undo": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /**
-         * Undo
-         * @description Makes a new version with the text of the version before the newest.
-         */
-        post: operations["undo_api_machines__name__undo_post"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/machines/{name}/versions": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * List Versions
-         * @description Lists the newest versions of a machine, at most 200, oldest first.
-         */
-        get: operations["list_versions_api_machines__name__versions_get"];
-        put?: never;
-        post?: never;
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
         trace?: never;
     };
     "/api/schemas/machine.json": {
@@ -497,7 +585,11 @@ export interface paths {
         delete: operations["close_stage_api_stages__stage_id__delete"];
         options?: never;
         head?: never;
-        patch?: never;
+        /**
+         * Rename Stage
+         * @description Says what people call a stage; an empty name is none.
+         */
+        patch: operations["rename_stage_api_stages__stage_id__patch"];
         trace?: never;
     };
     "/api/stages/{stage_id}/step": {
@@ -591,7 +683,7 @@ export interface paths {
         put?: never;
         /**
          * Fork
-         * @description Opens a new stage with the same past that continues from the playhead.
+         * @description Opens a new stage with the same past that continues from a tick, by default from the playhead.
          */
         post: operations["fork_api_stages__stage_id__fork_post"];
         delete?: never;
@@ -761,6 +853,26 @@ export interface paths {
          * @description Ends a link, and disconnects its viewers.
          */
         delete: operations["revoke_link_api_stages__stage_id__links__link_id__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/stages/{stage_id}/viewers": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Viewers
+         * @description Lists the viewers of a stage, in the order in which they came.
+         */
+        get: operations["list_viewers_api_stages__stage_id__viewers_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -1265,6 +1377,124 @@ export interface components {
             clamped: components["schemas"]["ClampedView"][];
             reached: components["schemas"]["ReachedView"][];
         };
+        /** @description Adds a collider. */
+        AddCollider: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_collider";
+            name: string;
+            fields: components["schemas"]["ColliderFields"];
+            before?: string | null;
+        };
+        /**
+         * @description Adds an event: a column of blank cells in the table of a layer, or of a `composite` state; `buffer` in
+         *     seconds.
+         */
+        AddEvent: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_event";
+            event: string;
+            /** @default base */
+            layer?: string;
+            /** @default  */
+            composite?: string;
+            before?: string | null;
+            buffer?: number | null;
+        };
+        /** @description Gives a key events, or parameters that it moves; `name` as the browser names it, but `Space`. */
+        AddKey: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_key";
+            name: string;
+            fields: components["schemas"]["KeyFields"];
+            before?: string | null;
+        };
+        /** @description Adds a layer with one state, which leaves the pose as it is, below the layer `before` or on top. */
+        AddLayer: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_layer";
+            layer: string;
+            /** @default {} */
+            fields?: components["schemas"]["LayerFields"];
+            /** @default OFF */
+            state?: string;
+            before?: string | null;
+        };
+        /** @description Adds a parameter. */
+        AddParameter: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_parameter";
+            name: string;
+            fields: components["schemas"]["ParameterFields"];
+            before?: string | null;
+        };
+        /** @description Adds a property: `JUMP only after WALK`. */
+        AddProperty: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_property";
+            text: string;
+        };
+        /** @description Adds a sense; `name` is the event that it raises. */
+        AddSense: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_sense";
+            name: string;
+            fields: components["schemas"]["SenseFields"];
+            before?: string | null;
+        };
+        /**
+         * @description Adds a state with a row of blank cells, before the state `before` or last; without a `motion` its
+         *     character is at rest.
+         */
+        AddState: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_state";
+            /**
+             * @default {
+             *       "motion": ""
+             *     }
+             */
+            fields?: components["schemas"]["StateFields"];
+            before?: string | null;
+        };
+        /** @description An alternative of a cell: `to` if the condition `if` is true; without `if` always. */
+        Alternative: {
+            /** @default  */
+            if?: string;
+            to: string;
+            /** @default 0 */
+            blend?: number | components["schemas"]["BlendTime"];
+            /** @default 0 */
+            enter?: number | "match";
+            /** @default  */
+            action?: string;
+        };
         /**
          * @description An alternative of a cell; `blend` in seconds, `enter` is the phase 0…1 at which the motion begins, or
          *     `match`.
@@ -1279,6 +1509,24 @@ export interface components {
             enter: number | "match";
             restart: boolean;
             action: string | null;
+        };
+        /** @description A motion that blends clips over one parameter or two: the point of each clip. */
+        BlendMotion: {
+            over: string | string[];
+            clips: {
+                [key: string]: number | number[];
+            };
+            markers?: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            };
+        };
+        /** @description How long a transition blends (seconds), and along which curve. */
+        BlendTime: {
+            seconds: number;
+            /** @enum {string} */
+            curve: "cubic" | "quintic";
         };
         /** @description A bone; a missing length or direction is not known. */
         BoneBody: {
@@ -1325,6 +1573,25 @@ export interface components {
             to: string;
             restart: boolean;
             text: string;
+        };
+        /** @description A cell in both versions, as in the table and with its fields; null: it is blank. */
+        CellDifferenceView: {
+            layer: string;
+            state: string;
+            event: string;
+            before: string | null;
+            after: string | null;
+        };
+        /** @description What a cell says beyond its text: `alternatives` are a list, or weights by state. */
+        CellFields: {
+            when?: string | null;
+            blend?: number | components["schemas"]["BlendTime"] | null;
+            enter?: number | "match" | null;
+            action?: string | null;
+            off?: boolean | null;
+            alternatives?: components["schemas"]["Alternative"][] | {
+                [key: string]: number;
+            } | null;
         };
         /**
          * @description A cell of the full table with its defaults resolved; `to` is null if the cell does nothing; `source`
@@ -1404,6 +1671,24 @@ export interface components {
             name: string;
             duration: number;
         };
+        /** @description The newest act on the clock of a stage, at the playhead `tick`; `moved`: a seek. */
+        ClockChangeView: {
+            /** @enum {string} */
+            what: "paused" | "resumed" | "speed" | "stepped" | "moved";
+            /** @description the name of the viewer or of the person whose token it was, `somebody`, or `a program` */
+            by: string;
+            /** @description the number of the viewer who did it; null: a program */
+            viewer: number | null;
+            tick: number;
+        };
+        /** @description A sphere with its radius, or a plane with its normal; metres, in the joint's space. */
+        ColliderFields: {
+            sphere?: number | null;
+            plane?: number[] | null;
+            joint?: string | null;
+            at?: number[] | null;
+            radius?: number | null;
+        };
         /** @description A collider in metres, in the joint's space (no joint: the root's). */
         ColliderView: {
             /** @enum {string} */
@@ -1477,6 +1762,76 @@ export interface components {
                 [key: string]: number;
             };
         };
+        /** @description What cells take that say nothing; `buffer` in seconds. */
+        DefaultsFields: {
+            when?: string | null;
+            blend?: number | components["schemas"]["BlendTime"] | null;
+            buffer?: number | null;
+        };
+        /** @description Takes a clip out of a state's blend, with its markers. */
+        DeleteBlendClip: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_blend_clip";
+            clip: string;
+        };
+        /** @description Deletes a parameter, a sense (its event), a key or a collider; refused while something names it. */
+        DeleteEntry: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_entry";
+            /** @enum {string} */
+            section: "parameters" | "senses" | "keys" | "colliders";
+            name: string;
+        };
+        /** @description Deletes an event; refused while cells or keys have it, unless `also_cells` deletes these too. */
+        DeleteEvent: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_event";
+            event: string;
+            /** @default false */
+            also_cells?: boolean;
+        };
+        /** @description Deletes a layer with its table. */
+        DeleteLayer: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_layer";
+            layer: string;
+        };
+        /** @description Deletes a state with its row; refused while cells lead to it, unless `also_cells` makes them blank. */
+        DeleteState: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_state";
+            /** @default false */
+            also_cells?: boolean;
+        };
+        /** @description What differs between two versions; states and events by their names in the newer one. */
+        DifferencesView: {
+            version: number;
+            since: number;
+            names: components["schemas"]["NameDifferenceView"][];
+            cells: components["schemas"]["CellDifferenceView"][];
+            parts: components["schemas"]["PartDifferenceView"][];
+        };
         /** @description An edge of the state graph, and the events that take it. */
         EdgeView: {
             from: string;
@@ -1530,6 +1885,23 @@ export interface components {
             expression_text: string;
             /** @description the machine file */
             text: string;
+            /** @description its .csv tables, by the names of their files */
+            tables: {
+                [key: string]: string;
+            };
+            /** @description by layer, where states stand in the graph, if the file says so */
+            view: {
+                [key: string]: {
+                    [key: string]: [
+                        number,
+                        number
+                    ];
+                };
+            };
+            /** @description the version that an undo brings back; 0: none */
+            undo: number;
+            /** @description the version that a redo brings back; 0: none */
+            redo: number;
             /**
              * @default accepted
              * @constant
@@ -1570,6 +1942,10 @@ export interface components {
             formula: string;
             /** @enum {string} */
             source: "machine" | "character";
+        };
+        /** @description A motion that expressions drive, a line each; "": the pose at rest. */
+        ExpressionsMotion: {
+            expressions: string;
         };
         /** @description The feet of a character and their contacts in its clips. */
         FeetView: {
@@ -1680,6 +2056,13 @@ export interface components {
             opposite: number[];
             heights: number[];
         };
+        /** @description The degree of freedom of a joint at which the page has a handle for a parameter. */
+        HandleField: {
+            joint: string;
+            freedom: string;
+            /** @default  */
+            event?: string;
+        };
         /** @description The process answers; `version` is the server's. */
         HealthView: {
             /**
@@ -1703,6 +2086,12 @@ export interface components {
             kind: "hold" | "release";
             event: string;
         };
+        /** @description An input in words; it counts in `tick`. */
+        InputView: {
+            number: number;
+            tick: number;
+            text: string;
+        };
         /** @description The joints that are one bone; `source` is empty where the spine turns as a whole. */
         JointPair: {
             source: string;
@@ -1713,6 +2102,17 @@ export interface components {
             name: string;
             parent: number;
             node: number;
+        };
+        /** @description What a key sends: `press` or `hold` when it goes down, `release` when it comes up; or what it moves. */
+        KeyFields: {
+            press?: string | null;
+            hold?: string | null;
+            release?: string | null;
+            change?: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            } | null;
         };
         /**
          * @description The events of a key: `press` when it goes down (`hold`: held until it comes up), `release` when it
@@ -1800,6 +2200,12 @@ export interface components {
                 number
             ] | null;
         };
+        /** @description What a layer moves, how, and how much. */
+        LayerFields: {
+            mask?: string[] | null;
+            mode?: ("override" | "additive") | null;
+            weight?: number | string | null;
+        };
         /**
          * @description A layer and its table; `weight` is a number or a parameter's name; `rows` is the table as it is
          *     written: the head, then a row for each state.
@@ -1864,6 +2270,15 @@ export interface components {
             names: string[];
             instead: string;
         };
+        /** @description What a machine says of itself; `idle` is an event, `fallback` a state, `root` a joint. */
+        MachineFields: {
+            title?: string | null;
+            description?: string | null;
+            root?: string | null;
+            idle?: string | null;
+            fallback?: string | null;
+            foot_lock?: boolean | number | string | null;
+        };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
         MachineSummary: {
             name: string;
@@ -1921,6 +2336,23 @@ export interface components {
             expression_text: string;
             /** @description the machine file */
             text: string;
+            /** @description its .csv tables, by the names of their files */
+            tables: {
+                [key: string]: string;
+            };
+            /** @description by layer, where states stand in the graph, if the file says so */
+            view: {
+                [key: string]: {
+                    [key: string]: [
+                        number,
+                        number
+                    ];
+                };
+            };
+            /** @description the version that an undo brings back; 0: none */
+            undo: number;
+            /** @description the version that a redo brings back; 0: none */
+            redo: number;
         };
         /** @description A new link; `url` is shown once, who has it has the role. */
         MadeLink: {
@@ -1994,11 +2426,80 @@ export interface components {
                 number
             ][];
         };
+        /** @description Moves a parameter, a sense, a key or a collider before another, or (null) to the end. */
+        MoveEntry: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_entry";
+            /** @enum {string} */
+            section: "parameters" | "senses" | "keys" | "colliders";
+            name: string;
+            before?: string | null;
+        };
+        /** @description Moves a column before another, or (null) to the end. */
+        MoveEvent: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_event";
+            event: string;
+            /** @default base */
+            layer?: string;
+            /** @default  */
+            composite?: string;
+            before?: string | null;
+        };
+        /** @description Moves a layer below the layer `before`, or (null) on top. */
+        MoveLayer: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_layer";
+            layer: string;
+            before?: string | null;
+        };
+        /** @description Moves a property before another, or (null) to the end. */
+        MoveProperty: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_property";
+            property: string;
+            before?: string | null;
+        };
+        /** @description Moves a state and its row before another state, or (null) to the end. */
+        MoveState: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_state";
+            before?: string | null;
+        };
         /** @description A joint, and how far a transition moves it. */
         MovedView: {
             joint: string;
             degrees: number;
             millimetres: number;
+        };
+        /**
+         * @description A state of a layer, or an event (its layer is empty); `before` null: it is new; `after` null: it is
+         *     gone; both: it was renamed.
+         */
+        NameDifferenceView: {
+            /** @enum {string} */
+            kind: "state" | "event";
+            layer: string;
+            before: string | null;
+            after: string | null;
         };
         /** @description An actor to add; `position` in metres, `heading_deg` in degrees about +Y. */
         NewActor: {
@@ -2133,6 +2634,15 @@ export interface components {
         NewExpressions: {
             text: string;
         };
+        /** @description A fork to open, at `tick` (null: the playhead). */
+        NewFork: {
+            tick?: number | null;
+            /**
+             * @description what people call it
+             * @default
+             */
+            name?: string;
+        };
         /** @description A key: `time` in seconds, angles about X, then Y, then Z in degrees, and its weight in a NURBS. */
         NewKey: {
             time: number;
@@ -2164,6 +2674,10 @@ export interface components {
             } | null;
             /** @default  */
             root?: string;
+        };
+        /** @description Operations on a machine, applied in their order; together they make one version. */
+        NewOperations: {
+            operations: (components["schemas"]["SetCell"] | components["schemas"]["AddState"] | components["schemas"]["SetState"] | components["schemas"]["RenameState"] | components["schemas"]["DeleteState"] | components["schemas"]["MoveState"] | components["schemas"]["SetInitial"] | components["schemas"]["SetBlendClip"] | components["schemas"]["DeleteBlendClip"] | components["schemas"]["SetMarker"] | components["schemas"]["AddEvent"] | components["schemas"]["SetEvent"] | components["schemas"]["RenameEvent"] | components["schemas"]["DeleteEvent"] | components["schemas"]["MoveEvent"] | components["schemas"]["AddParameter"] | components["schemas"]["SetParameter"] | components["schemas"]["RenameParameter"] | components["schemas"]["AddSense"] | components["schemas"]["SetSense"] | components["schemas"]["AddKey"] | components["schemas"]["SetKey"] | components["schemas"]["AddCollider"] | components["schemas"]["SetCollider"] | components["schemas"]["RenameCollider"] | components["schemas"]["DeleteEntry"] | components["schemas"]["MoveEntry"] | components["schemas"]["AddLayer"] | components["schemas"]["SetLayer"] | components["schemas"]["RenameLayer"] | components["schemas"]["DeleteLayer"] | components["schemas"]["MoveLayer"] | components["schemas"]["SetMachine"] | components["schemas"]["SetDefaults"] | components["schemas"]["AddProperty"] | components["schemas"]["SetProperty"] | components["schemas"]["MoveProperty"] | components["schemas"]["SetExpressions"] | components["schemas"]["SetView"])[];
         };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
@@ -2304,14 +2818,40 @@ export interface components {
              * @default false
              */
             keep_running?: boolean;
+            /**
+             * @description what people call it
+             * @default
+             */
+            name?: string;
         };
-        /** @description The whole text of a machine file. */
+        /**
+         * @description The whole text of a machine file; `tables`: its .csv tables by the names of their files, if they change
+         *     too.
+         */
         NewText: {
             text: string;
+            tables?: {
+                [key: string]: string;
+            } | null;
         };
         /** @description The state to which an actor travels. */
         NewTravel: {
             state: string;
+        };
+        /** @description Where a fork began; `is_there` is false once the stage that it left is deleted. */
+        OriginView: {
+            stage: string;
+            tick: number;
+            is_there: boolean;
+        };
+        /** @description A parameter; `smooth` in seconds. */
+        ParameterFields: {
+            kind?: ("number" | "flag" | "point" | "direction" | "rotation") | null;
+            default?: number | number[] | null;
+            min?: number | null;
+            max?: number | null;
+            smooth?: number | null;
+            handle?: components["schemas"]["HandleField"] | null;
         };
         /**
          * @description A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
@@ -2331,6 +2871,12 @@ export interface components {
             freedom: string;
             event: string;
             driven: boolean;
+        };
+        /** @description Another part of the machine: `["parameter", "pace", "max"]`; null: it is not there. */
+        PartDifferenceView: {
+            part: string[];
+            before: string | null;
+            after: string | null;
         };
         /** @description A mesh primitive of the model; `vertices` is their number. */
         PartView: {
@@ -2435,6 +2981,58 @@ export interface components {
             change: components["schemas"]["SendChange"] | components["schemas"]["MomentChange"] | components["schemas"]["HoldChange"] | components["schemas"]["BufferChange"] | components["schemas"]["SetChange"] | components["schemas"]["GoChange"] | components["schemas"]["CellChange"];
             fires: number;
         };
+        /** @description Renames a collider, also in touches of this machine. */
+        RenameCollider: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_collider";
+            name: string;
+            to: string;
+        };
+        /** @description Renames an event, or a marker, everywhere; keys follow. */
+        RenameEvent: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_event";
+            event: string;
+            to: string;
+        };
+        /** @description Renames a layer. */
+        RenameLayer: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_layer";
+            layer: string;
+            to: string;
+        };
+        /** @description Renames a parameter everywhere. */
+        RenameParameter: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_parameter";
+            name: string;
+            to: string;
+        };
+        /** @description Renames a state everywhere; `to` is the name without the composite state around it. */
+        RenameState: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_state";
+            to: string;
+        };
         /** @description An actor's root: `position` in metres, `heading` in radians about +Y. */
         RootView: {
             position: number[];
@@ -2461,6 +3059,44 @@ export interface components {
             event: string;
             tick: number;
         };
+        /** @description A sense: a condition with its `release`, or a `touch` of two colliders. */
+        SenseFields: {
+            when?: string | null;
+            release?: string | null;
+            touch?: string[] | null;
+            on?: ("enter" | "stay" | "leave") | null;
+        };
+        /** @description Puts a clip at a point of a state's blend: a number, or two. */
+        SetBlendClip: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_blend_clip";
+            clip: string;
+            at: number | number[];
+        };
+        /**
+         * @description Changes a cell: `text` as in the table (empty: blank), and `fields`. `*` as `state` or `event`: the
+         *     default of a column, or of a row.
+         */
+        SetCell: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_cell";
+            state: string;
+            event: string;
+            /** @default base */
+            layer?: string;
+            text?: string | null;
+            /** @default {} */
+            fields?: components["schemas"]["CellFields"];
+        };
         /** @description The parameter has the value `value` from `tick` on. */
         SetChange: {
             /**
@@ -2471,6 +3107,154 @@ export interface components {
             parameter: string;
             value: number;
             tick: number;
+        };
+        /** @description Changes members of a collider. */
+        SetCollider: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_collider";
+            name: string;
+            fields: components["schemas"]["ColliderFields"];
+        };
+        /** @description Changes what cells take that say nothing. */
+        SetDefaults: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_defaults";
+            fields: components["schemas"]["DefaultsFields"];
+        };
+        /** @description Changes the buffer of an event, seconds; null: as the defaults say. */
+        SetEvent: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_event";
+            event: string;
+            buffer: number | null;
+        };
+        /** @description Replaces the machine's expressions, a line each; blank: none. */
+        SetExpressions: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_expressions";
+            text: string;
+        };
+        /** @description Makes a state the initial one of its layer, or of the machine around it. */
+        SetInitial: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_initial";
+        };
+        /** @description Changes members of a key. */
+        SetKey: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_key";
+            name: string;
+            fields: components["schemas"]["KeyFields"];
+        };
+        /** @description Changes members of a layer. */
+        SetLayer: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_layer";
+            layer: string;
+            fields: components["schemas"]["LayerFields"];
+        };
+        /** @description Changes what a machine says of itself. */
+        SetMachine: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_machine";
+            fields: components["schemas"]["MachineFields"];
+        };
+        /** @description Puts a marker at a phase of a state's motion, or of one `clip` of its blend; null takes it away. */
+        SetMarker: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_marker";
+            marker: string;
+            phase: number | null;
+            /** @default  */
+            clip?: string;
+        };
+        /** @description Changes members of a parameter. */
+        SetParameter: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_parameter";
+            name: string;
+            fields: components["schemas"]["ParameterFields"];
+        };
+        /** @description Replaces a property, named by its text; null deletes it. */
+        SetProperty: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_property";
+            property: string;
+            text: string | null;
+        };
+        /** @description Changes members of a sense. */
+        SetSense: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_sense";
+            name: string;
+            fields: components["schemas"]["SenseFields"];
+        };
+        /** @description Changes members of a state. */
+        SetState: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_state";
+            fields: components["schemas"]["StateFields"];
+        };
+        /** @description Keeps where states of a layer stand in the graph, x and y; null: where the page puts them. */
+        SetView: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_view";
+            /** @default base */
+            layer?: string;
+            positions: {
+                [key: string]: number[] | null;
+            };
         };
         /** @description A character of a machine folder in the list. */
         ShippedCharacterView: {
@@ -2537,12 +3321,34 @@ export interface components {
         Speed: {
             speed: number;
         };
+        /** @description What people call a stage; empty: nothing. */
+        StageNameBody: {
+            name: string;
+        };
         /**
          * @description A stage: `tick` is its playhead, `head` the newest tick, `first` the oldest tick that you
          *     can seek to.
          */
         StageView: {
             id: string;
+            /** @description what people call it; empty: nothing */
+            name: string;
+            /** @description with which it, or the stage that it left, was opened */
+            scene: string | null;
+            /** @description that it plays, or played */
+            machines: string[];
+            /** @description seconds since 1970; null: an older version made it */
+            made: number | null;
+            /** @description null: it is no fork */
+            origin: components["schemas"]["OriginView"] | null;
+            /** @description of its own: those that came after it was forked */
+            inputs: number;
+            /** @description of its own; null: there is none */
+            newest_input: components["schemas"]["InputView"] | null;
+            /** @description an input in the past made it, and no request has named it yet: it is deleted after a minute */
+            unclaimed: boolean;
+            /** @description null: nobody has touched the clock since the stage was opened or came back */
+            changed: components["schemas"]["ClockChangeView"] | null;
             /** @enum {string} */
             clock: "real" | "manual";
             rate: number;
@@ -2571,6 +3377,21 @@ export interface components {
             actor: number;
             layer: number;
             state: string;
+        };
+        /**
+         * @description A state: `motion` is a clip, `none` (in layers), a blend, or expressions; `speed` a factor or a
+         *     parameter.
+         */
+        StateFields: {
+            /** @default  */
+            motion?: string | components["schemas"]["BlendMotion"] | components["schemas"]["ExpressionsMotion"];
+            loop?: boolean | null;
+            speed?: number | string | null;
+            final?: boolean | null;
+            resume?: boolean | null;
+            markers?: {
+                [key: string]: number;
+            } | null;
         };
         /**
          * @description A state and its motion (null: none); `over`: the parameters of a blend; `duration` in seconds; `outer`:
@@ -2673,15 +3494,50 @@ export interface components {
             bytes: number;
             machines: string[];
         };
+        /** @description A version with its text: the machine file, and its .csv tables by the names of their files. */
+        VersionText: {
+            version: number;
+            at: number;
+            what: string;
+            /** @description the version that an undo brings back; 0: none */
+            before: number;
+            /** @description the version that a redo brings back; 0: none */
+            after: number;
+            author: string;
+            text: string;
+            tables: {
+                [key: string]: string;
+            };
+        };
         /**
-         * @description A version of a machine; `at` in seconds since 1970; `what` says in a few words what the edit changed;
-         *     `before` is the version that an undo brings back, 0: none.
+         * @description A version of a machine; `at` in seconds since 1970; `what` says in a few words what the edit changed,
+         *     and `author` who made it, if the server asks for tokens.
          */
         VersionView: {
             version: number;
             at: number;
             what: string;
+            /** @description the version that an undo brings back; 0: none */
             before: number;
+            /** @description the version that a redo brings back; 0: none */
+            after: number;
+            author: string;
+        };
+        /** @description A viewer: its number, and what it may do. */
+        ViewerView: {
+            id: number;
+            /** @description as the viewer says; empty: it has not said */
+            name: string;
+            /** @description whose token it has; empty without tokens, and for the viewers of a link */
+            person: string;
+            /** @enum {string} */
+            role: "view" | "drive" | "admin";
+            /** @description that it looks at; null: it has not said */
+            actor: number | null;
+            /** @description that it looks at; null: the present */
+            tick: number | null;
+            /** @description the viewer whose camera it gets */
+            follows: number | null;
         };
         /**
          * @description Why an event did not fire, and single changes that make it fire; `remedies` is empty if the event
@@ -2752,6 +3608,25 @@ export interface components {
         ActorName: {
             id: number;
             name: string;
+        };
+        /** @description The newest camera of the viewer that this viewer follows. */
+        CameraMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "camera";
+            viewer: number;
+            position: [
+                number,
+                number,
+                number
+            ];
+            target: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description A collider in metres, in the space of joint number `joint` (-1: the root's). */
         CastCollider: {
@@ -2838,6 +3713,8 @@ export interface components {
             type: "hello";
             version: string;
             stage: string;
+            /** @description your number among the viewers of the stage */
+            viewer: number;
             epoch: number;
             rate: number;
             /** @enum {string} */
@@ -2858,6 +3735,8 @@ export interface components {
             pace: number;
             /** @description why nothing can be kept now, such as a full disk; empty while everything is kept */
             trouble: string;
+            /** @description null: nobody has touched the clock since the stage was opened or came back */
+            changed: components["schemas"]["ClockChangeView"] | null;
             casts: components["schemas"]["CastView"][];
         };
         /** @description The answer to a ping. */
@@ -2889,6 +3768,8 @@ export interface components {
             pace: number;
             /** @description why nothing can be kept now, such as a full disk; empty while everything is kept */
             trouble: string;
+            /** @description null: nobody has touched the clock since the stage was opened or came back */
+            changed: components["schemas"]["ClockChangeView"] | null;
         };
         /**
          * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
@@ -2921,7 +3802,16 @@ export interface components {
             };
             other: number;
         };
-        ServerMessage: components["schemas"]["Hello"] | components["schemas"]["StatusMessage"] | components["schemas"]["ActionMessage"] | components["schemas"]["VerdictMessage"] | components["schemas"]["AcceptedMessage"] | components["schemas"]["ErrorMessage"] | components["schemas"]["Forked"] | components["schemas"]["Pong"];
+        /** @description Who watches the stage, in the order in which they came: sent when it changes, at most once a second. */
+        ViewersMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "viewers";
+            viewers: components["schemas"]["ViewerView"][];
+        };
+        ServerMessage: components["schemas"]["Hello"] | components["schemas"]["StatusMessage"] | components["schemas"]["ViewersMessage"] | components["schemas"]["CameraMessage"] | components["schemas"]["ActionMessage"] | components["schemas"]["VerdictMessage"] | components["schemas"]["AcceptedMessage"] | components["schemas"]["ErrorMessage"] | components["schemas"]["Forked"] | components["schemas"]["Pong"];
         /** @description Acknowledges the frame of a tick. */
         Ack: {
             /**
@@ -2946,6 +3836,24 @@ export interface components {
             /** @default null */
             skinning?: ("linear" | "dual-quaternion" | "rigid" | "parts") | null;
         };
+        /** @description Asks for the camera of another viewer from now on; null: of none. */
+        Follow: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "follow";
+            viewer: number | null;
+        };
+        /** @description Says what this viewer calls itself; empty: nothing. */
+        GiveName: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "name";
+            name: string;
+        };
         /** @description Returns this viewer to the present. */
         Live: {
             /**
@@ -2962,6 +3870,24 @@ export interface components {
              * @enum {string}
              */
             type: "look";
+        };
+        /** @description Says where this viewer looks from, and at what, for those that follow it. */
+        MoveCamera: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "camera";
+            position: [
+                number,
+                number,
+                number
+            ];
+            target: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description Asks for a pong, to measure the round trip. */
         Ping: {
@@ -3011,7 +3937,16 @@ export interface components {
             /** @default  */
             key?: string;
         };
-        ViewerMessage: components["schemas"]["Ack"] | components["schemas"]["PostEvent"] | components["schemas"]["PostParameter"] | components["schemas"]["Look"] | components["schemas"]["Live"] | components["schemas"]["ChooseFrames"] | components["schemas"]["Ping"];
+        /** @description Says which actor this viewer looks at; null: none. */
+        Watch: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "watch";
+            actor: number | null;
+        };
+        ViewerMessage: components["schemas"]["Ack"] | components["schemas"]["PostEvent"] | components["schemas"]["PostParameter"] | components["schemas"]["Look"] | components["schemas"]["Live"] | components["schemas"]["ChooseFrames"] | components["schemas"]["GiveName"] | components["schemas"]["Watch"] | components["schemas"]["MoveCamera"] | components["schemas"]["Follow"] | components["schemas"]["Ping"];
         /** @description The first line: which stage the commands make, and how far it went. */
         LogHeader: {
             /** @constant */
@@ -3273,26 +4208,49 @@ export interface components {
 export type Accepted = components['schemas']['Accepted'];
 export type AccessView = components['schemas']['AccessView'];
 export type ActorView = components['schemas']['ActorView'];
+export type AddCollider = components['schemas']['AddCollider'];
+export type AddEvent = components['schemas']['AddEvent'];
+export type AddKey = components['schemas']['AddKey'];
+export type AddLayer = components['schemas']['AddLayer'];
+export type AddParameter = components['schemas']['AddParameter'];
+export type AddProperty = components['schemas']['AddProperty'];
+export type AddSense = components['schemas']['AddSense'];
+export type AddState = components['schemas']['AddState'];
+export type Alternative = components['schemas']['Alternative'];
 export type AlternativeView = components['schemas']['AlternativeView'];
+export type BlendMotion = components['schemas']['BlendMotion'];
+export type BlendTime = components['schemas']['BlendTime'];
 export type BoneBody = components['schemas']['BoneBody'];
 export type BonesView = components['schemas']['BonesView'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
+export type CellDifferenceView = components['schemas']['CellDifferenceView'];
+export type CellFields = components['schemas']['CellFields'];
 export type CellView = components['schemas']['CellView'];
 export type ChainView = components['schemas']['ChainView'];
 export type CharacterView = components['schemas']['CharacterView'];
 export type ClampedView = components['schemas']['ClampedView'];
 export type ClipContactsView = components['schemas']['ClipContactsView'];
 export type ClipView = components['schemas']['ClipView'];
+export type ClockChangeView = components['schemas']['ClockChangeView'];
+export type ColliderFields = components['schemas']['ColliderFields'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type CurveView = components['schemas']['CurveView'];
 export type CurvesView = components['schemas']['CurvesView'];
 export type DeducedBoneView = components['schemas']['DeducedBoneView'];
 export type DeductionView = components['schemas']['DeductionView'];
+export type DefaultsFields = components['schemas']['DefaultsFields'];
+export type DeleteBlendClip = components['schemas']['DeleteBlendClip'];
+export type DeleteEntry = components['schemas']['DeleteEntry'];
+export type DeleteEvent = components['schemas']['DeleteEvent'];
+export type DeleteLayer = components['schemas']['DeleteLayer'];
+export type DeleteState = components['schemas']['DeleteState'];
+export type DifferencesView = components['schemas']['DifferencesView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
 export type ExpressionView = components['schemas']['ExpressionView'];
+export type ExpressionsMotion = components['schemas']['ExpressionsMotion'];
 export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FigureView = components['schemas']['FigureView'];
@@ -3305,18 +4263,23 @@ export type FoundView = components['schemas']['FoundView'];
 export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
 export type GroundView = components['schemas']['GroundView'];
+export type HandleField = components['schemas']['HandleField'];
 export type HealthView = components['schemas']['HealthView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
+export type InputView = components['schemas']['InputView'];
 export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
+export type KeyFields = components['schemas']['KeyFields'];
 export type KeyView = components['schemas']['KeyView'];
 export type KnownBody = components['schemas']['KnownBody'];
+export type LayerFields = components['schemas']['LayerFields'];
 export type LayerView = components['schemas']['LayerView'];
 export type LevelView = components['schemas']['LevelView'];
 export type LimitView = components['schemas']['LimitView'];
 export type LinkView = components['schemas']['LinkView'];
 export type LossView = components['schemas']['LossView'];
+export type MachineFields = components['schemas']['MachineFields'];
 export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
 export type MadeLink = components['schemas']['MadeLink'];
@@ -3326,7 +4289,13 @@ export type MeasuredView = components['schemas']['MeasuredView'];
 export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
 export type MotionPathView = components['schemas']['MotionPathView'];
+export type MoveEntry = components['schemas']['MoveEntry'];
+export type MoveEvent = components['schemas']['MoveEvent'];
+export type MoveLayer = components['schemas']['MoveLayer'];
+export type MoveProperty = components['schemas']['MoveProperty'];
+export type MoveState = components['schemas']['MoveState'];
 export type MovedView = components['schemas']['MovedView'];
+export type NameDifferenceView = components['schemas']['NameDifferenceView'];
 export type NewActor = components['schemas']['NewActor'];
 export type NewCell = components['schemas']['NewCell'];
 export type NewClip = components['schemas']['NewClip'];
@@ -3336,16 +4305,21 @@ export type NewDeduction = components['schemas']['NewDeduction'];
 export type NewDetail = components['schemas']['NewDetail'];
 export type NewEvent = components['schemas']['NewEvent'];
 export type NewExpressions = components['schemas']['NewExpressions'];
+export type NewFork = components['schemas']['NewFork'];
 export type NewKey = components['schemas']['NewKey'];
 export type NewLink = components['schemas']['NewLink'];
 export type NewMachine = components['schemas']['NewMachine'];
+export type NewOperations = components['schemas']['NewOperations'];
 export type NewParameter = components['schemas']['NewParameter'];
 export type NewRig = components['schemas']['NewRig'];
 export type NewSolve = components['schemas']['NewSolve'];
 export type NewStage = components['schemas']['NewStage'];
 export type NewText = components['schemas']['NewText'];
 export type NewTravel = components['schemas']['NewTravel'];
+export type OriginView = components['schemas']['OriginView'];
+export type ParameterFields = components['schemas']['ParameterFields'];
 export type ParameterView = components['schemas']['ParameterView'];
+export type PartDifferenceView = components['schemas']['PartDifferenceView'];
 export type PartView = components['schemas']['PartView'];
 export type PauseBody = components['schemas']['PauseBody'];
 export type PlanView = components['schemas']['PlanView'];
@@ -3355,18 +4329,42 @@ export type ReachedView = components['schemas']['ReachedView'];
 export type ReadyView = components['schemas']['ReadyView'];
 export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
+export type RenameCollider = components['schemas']['RenameCollider'];
+export type RenameEvent = components['schemas']['RenameEvent'];
+export type RenameLayer = components['schemas']['RenameLayer'];
+export type RenameParameter = components['schemas']['RenameParameter'];
+export type RenameState = components['schemas']['RenameState'];
 export type RootView = components['schemas']['RootView'];
 export type SceneView = components['schemas']['SceneView'];
 export type SeekBody = components['schemas']['SeekBody'];
 export type SendChange = components['schemas']['SendChange'];
+export type SenseFields = components['schemas']['SenseFields'];
+export type SetBlendClip = components['schemas']['SetBlendClip'];
+export type SetCell = components['schemas']['SetCell'];
 export type SetChange = components['schemas']['SetChange'];
+export type SetCollider = components['schemas']['SetCollider'];
+export type SetDefaults = components['schemas']['SetDefaults'];
+export type SetEvent = components['schemas']['SetEvent'];
+export type SetExpressions = components['schemas']['SetExpressions'];
+export type SetInitial = components['schemas']['SetInitial'];
+export type SetKey = components['schemas']['SetKey'];
+export type SetLayer = components['schemas']['SetLayer'];
+export type SetMachine = components['schemas']['SetMachine'];
+export type SetMarker = components['schemas']['SetMarker'];
+export type SetParameter = components['schemas']['SetParameter'];
+export type SetProperty = components['schemas']['SetProperty'];
+export type SetSense = components['schemas']['SetSense'];
+export type SetState = components['schemas']['SetState'];
+export type SetView = components['schemas']['SetView'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
 export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
 export type SolverView = components['schemas']['SolverView'];
 export type Speed = components['schemas']['Speed'];
+export type StageNameBody = components['schemas']['StageNameBody'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];
+export type StateFields = components['schemas']['StateFields'];
 export type StateView = components['schemas']['StateView'];
 export type StepBody = components['schemas']['StepBody'];
 export type StepView = components['schemas']['StepView'];
@@ -3376,13 +4374,16 @@ export type TwinView = components['schemas']['TwinView'];
 export type TwinningView = components['schemas']['TwinningView'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
+export type VersionText = components['schemas']['VersionText'];
 export type VersionView = components['schemas']['VersionView'];
+export type ViewerView = components['schemas']['ViewerView'];
 export type WhyNotView = components['schemas']['WhyNotView'];
 export type WhyView = components['schemas']['WhyView'];
 export type ProblemView = components['schemas']['ProblemView'];
 export type AcceptedMessage = components['schemas']['AcceptedMessage'];
 export type ActionMessage = components['schemas']['ActionMessage'];
 export type ActorName = components['schemas']['ActorName'];
+export type CameraMessage = components['schemas']['CameraMessage'];
 export type CastCollider = components['schemas']['CastCollider'];
 export type CastView = components['schemas']['CastView'];
 export type ErrorMessage = components['schemas']['ErrorMessage'];
@@ -3391,14 +4392,19 @@ export type Hello = components['schemas']['Hello'];
 export type Pong = components['schemas']['Pong'];
 export type StatusMessage = components['schemas']['StatusMessage'];
 export type VerdictMessage = components['schemas']['VerdictMessage'];
+export type ViewersMessage = components['schemas']['ViewersMessage'];
 export type ServerMessage = components['schemas']['ServerMessage'];
 export type Ack = components['schemas']['Ack'];
 export type ChooseFrames = components['schemas']['ChooseFrames'];
+export type Follow = components['schemas']['Follow'];
+export type GiveName = components['schemas']['GiveName'];
 export type Live = components['schemas']['Live'];
 export type Look = components['schemas']['Look'];
+export type MoveCamera = components['schemas']['MoveCamera'];
 export type Ping = components['schemas']['Ping'];
 export type PostEvent = components['schemas']['PostEvent'];
 export type PostParameter = components['schemas']['PostParameter'];
+export type Watch = components['schemas']['Watch'];
 export type ViewerMessage = components['schemas']['ViewerMessage'];
 export type LogHeader = components['schemas']['LogHeader'];
 export type AddLine = components['schemas']['AddLine'];
@@ -3830,6 +4836,209 @@ export interface operations {
             507: components["responses"]["507"];
         };
     };
+    undo_api_machines__name__undo_post: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    redo_api_machines__name__redo_post: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    list_versions_api_machines__name__versions_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionView"][];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_version_api_machines__name__versions__number__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+                number: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionText"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_differences_api_machines__name__versions__number__differences_get: {
+        parameters: {
+            query: {
+                since: number;
+            };
+            header?: never;
+            path: {
+                name: string;
+                number: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DifferencesView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    restore_api_machines__name__versions__number__restore_post: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                number: number;
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     list_machines_api_machines_get: {
         parameters: {
             query?: never;
@@ -3989,6 +5198,50 @@ export interface operations {
             415: components["responses"]["415"];
             421: components["responses"]["421"];
             422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    patch_machine_api_machines__name__patch: {
+        parameters: {
+            query?: {
+                dry?: boolean;
+            };
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewOperations"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"] | components["schemas"]["RefusedTrial"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
             507: components["responses"]["507"];
@@ -4171,72 +5424,6 @@ export interface operations {
             507: components["responses"]["507"];
         };
     };
-    undo_api_machines__name__undo_post: {
-        parameters: {
-            query?: never;
-            header: {
-                "If-Match": string;
-            };
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["EditedMachine"];
-                };
-            };
-            401: components["responses"]["401"];
-            403: components["responses"]["403"];
-            404: components["responses"]["404"];
-            409: components["responses"]["409"];
-            412: components["responses"]["412"];
-            413: components["responses"]["413"];
-            415: components["responses"]["415"];
-            421: components["responses"]["421"];
-            422: components["responses"]["422"];
-            428: components["responses"]["428"];
-            429: components["responses"]["429"];
-            503: components["responses"]["503"];
-            507: components["responses"]["507"];
-        };
-    };
-    list_versions_api_machines__name__versions_get: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["VersionView"][];
-                };
-            };
-            401: components["responses"]["401"];
-            403: components["responses"]["403"];
-            404: components["responses"]["404"];
-            421: components["responses"]["421"];
-            422: components["responses"]["422"];
-            429: components["responses"]["429"];
-            503: components["responses"]["503"];
-        };
-    };
     get_schema_api_schemas_machine_json_get: {
         parameters: {
             query?: never;
@@ -4380,10 +5567,50 @@ export interface operations {
             507: components["responses"]["507"];
         };
     };
-    step_api_stages__stage_id__step_post: {
+    rename_stage_api_stages__stage_id__patch: {
         parameters: {
             query?: never;
             header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["StageNameBody"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StageView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    step_api_stages__stage_id__step_post: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description your number in the hello of the socket */
+                "Statwalk-Viewer"?: number | null;
+            };
             path: {
                 stage_id: string;
             };
@@ -4421,7 +5648,10 @@ export interface operations {
     seek_api_stages__stage_id__seek_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description your number in the hello of the socket */
+                "Statwalk-Viewer"?: number | null;
+            };
             path: {
                 stage_id: string;
             };
@@ -4459,7 +5689,10 @@ export interface operations {
     pause_api_stages__stage_id__pause_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description your number in the hello of the socket */
+                "Statwalk-Viewer"?: number | null;
+            };
             path: {
                 stage_id: string;
             };
@@ -4497,7 +5730,10 @@ export interface operations {
     speed_api_stages__stage_id__speed_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description your number in the hello of the socket */
+                "Statwalk-Viewer"?: number | null;
+            };
             path: {
                 stage_id: string;
             };
@@ -4541,7 +5777,11 @@ export interface operations {
             };
             cookie?: never;
         };
-        requestBody?: never;
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["NewFork"] | null;
+            };
+        };
         responses: {
             /** @description Successful Response */
             201: {
@@ -4552,6 +5792,7 @@ export interface operations {
                     "application/json": components["schemas"]["StageView"];
                 };
             };
+            400: components["responses"]["400"];
             401: components["responses"]["401"];
             403: components["responses"]["403"];
             404: components["responses"]["404"];
@@ -4559,6 +5800,7 @@ export interface operations {
             413: components["responses"]["413"];
             415: components["responses"]["415"];
             421: components["responses"]["421"];
+            422: components["responses"]["422"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
             507: components["responses"]["507"];
@@ -4832,6 +6074,34 @@ export interface operations {
             429: components["responses"]["429"];
             503: components["responses"]["503"];
             507: components["responses"]["507"];
+        };
+    };
+    list_viewers_api_stages__stage_id__viewers_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ViewerView"][];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     list_actors_api_stages__stage_id__actors_get: {

@@ -43,10 +43,30 @@ def _to_3(database: sqlite3.Connection) -> None:
         database.execute("INSERT INTO ends VALUES (?, ?, ?, ?)", sealed(stage, entries, chain))
 
 
-def _to_versions_with_redo(database: sqlite3.Connection) -> None:
+def _to_4(database: sqlite3.Connection) -> None:
+    """Stages have names, the time when they were made, and forks know where they began; rows that were
+    damaged before stay so.
+    """
+    new = {
+        "name": "TEXT",
+        "parent": "TEXT",
+        "forked_tick": "INTEGER",
+        "forked_number": "INTEGER",
+        "made": "REAL",
+    }
+    for name, kind in new.items():
+        default = "''" if kind == "TEXT" else "0"
+        database.execute(f"ALTER TABLE stages ADD COLUMN {name} {kind} NOT NULL DEFAULT {default}")
+    old, _ = SEALED_IN_3["stages"]
+    digest = f"row_digest({old}, {', '.join(new)})"
+    whole = f"CASE digest WHEN row_digest({old}) THEN {digest} ELSE x'' END"
+    database.execute(f"UPDATE stages SET digest = {whole}")  # noqa: S608 - our own names
+
+
+def _to_5(database: sqlite3.Connection) -> None:
     """A version says what a redo brings back, and who made it."""
     columns = "machine, number, at, what, text, before"
-    database.execute("ALTER TABLE versions RENAME TO versions_without_redo")
+    database.execute("ALTER TABLE versions RENAME TO versions_4")
     database.execute(
         "CREATE TABLE versions (machine TEXT NOT NULL, number INTEGER NOT NULL, at REAL NOT NULL, "
         "what TEXT NOT NULL, text TEXT NOT NULL, before INTEGER NOT NULL, after INTEGER NOT NULL, "
@@ -54,9 +74,9 @@ def _to_versions_with_redo(database: sqlite3.Connection) -> None:
     )
     digest = f"CASE digest WHEN row_digest({columns}) THEN row_digest({columns}, 0, '') ELSE x'' END"
     database.execute(
-        f"INSERT INTO versions SELECT {columns}, 0, '', {digest} FROM versions_without_redo"  # noqa: S608 - our own names
+        f"INSERT INTO versions SELECT {columns}, 0, '', {digest} FROM versions_4"  # noqa: S608 - our own names
     )
-    database.execute("DROP TABLE versions_without_redo")
+    database.execute("DROP TABLE versions_4")
 
 
 def _joined(*parts: bytes) -> bytes:
@@ -98,9 +118,5 @@ SEALED_IN_3: dict[str, tuple[str, Callable[..., bool]]] = {
     "versions": ("machine, number, at, what, text, before", _version_was_whole),
 }
 """by table, the columns under the hash of a row, and whether a row was whole"""
-UPGRADES: dict[int, Callable[[sqlite3.Connection], None]] = {
-    1: _to_2,
-    2: _to_3,
-    3: _to_versions_with_redo,
-}
+UPGRADES: dict[int, Callable[[sqlite3.Connection], None]] = {1: _to_2, 2: _to_3, 3: _to_4, 4: _to_5}
 """by format, what brings a database to the next format; the connection has the function `row_digest`"""
