@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from statwalk.files.machine_yaml.edit.cells import LONGEST_CELL
+from statwalk.files.machine_yaml.edit.cell_edits import LONGEST_CELL
 from statwalk.machine.definition.machine_definition import BASE
 from statwalk.web.schemas.base import FileName, Name, RequestModel, ResponseModel
 from statwalk.web.schemas.finding import FindingView

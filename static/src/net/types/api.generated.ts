@@ -1378,7 +1378,7 @@ export interface components {
             reached: components["schemas"]["ReachedView"][];
         };
         /** @description Adds a collider. */
-        AddCollider: {
+        AddColliderOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1392,7 +1392,7 @@ export interface components {
          * @description Adds an event: a column of blank cells in the table of a layer, or of a `composite` state; `buffer` in
          *     seconds.
          */
-        AddEvent: {
+        AddEventOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1407,7 +1407,7 @@ export interface components {
             buffer?: number | null;
         };
         /** @description Gives a key events, or parameters that it moves; `name` as the browser names it, but `Space`. */
-        AddKey: {
+        AddKeyOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1418,7 +1418,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Adds a layer with one state, which leaves the pose as it is, below the layer `before` or on top. */
-        AddLayer: {
+        AddLayerOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1432,7 +1432,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Adds a parameter. */
-        AddParameter: {
+        AddParameterOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1443,7 +1443,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Adds a property: `JUMP only after WALK`. */
-        AddProperty: {
+        AddPropertyOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1452,7 +1452,7 @@ export interface components {
             text: string;
         };
         /** @description Adds a sense; `name` is the event that it raises. */
-        AddSense: {
+        AddSenseOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1466,7 +1466,7 @@ export interface components {
          * @description Adds a state with a row of blank cells, before the state `before` or last; without a `motion` its
          *     character is at rest.
          */
-        AddState: {
+        AddStateOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -1484,7 +1484,7 @@ export interface components {
             before?: string | null;
         };
         /** @description An alternative of a cell: `to` if the condition `if` is true; without `if` always. */
-        Alternative: {
+        AlternativeField: {
             /** @default  */
             if?: string;
             to: string;
@@ -1589,7 +1589,7 @@ export interface components {
             enter?: number | "match" | null;
             action?: string | null;
             off?: boolean | null;
-            alternatives?: components["schemas"]["Alternative"][] | {
+            alternatives?: components["schemas"]["AlternativeField"][] | {
                 [key: string]: number;
             } | null;
         };
@@ -1769,7 +1769,7 @@ export interface components {
             buffer?: number | null;
         };
         /** @description Takes a clip out of a state's blend, with its markers. */
-        DeleteBlendClip: {
+        DeleteBlendClipOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -1781,7 +1781,7 @@ export interface components {
             clip: string;
         };
         /** @description Deletes a parameter, a sense (its event), a key or a collider; refused while something names it. */
-        DeleteEntry: {
+        DeleteEntryOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1792,7 +1792,7 @@ export interface components {
             name: string;
         };
         /** @description Deletes an event; refused while cells or keys have it, unless `also_cells` deletes these too. */
-        DeleteEvent: {
+        DeleteEventOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1803,7 +1803,7 @@ export interface components {
             also_cells?: boolean;
         };
         /** @description Deletes a layer with its table. */
-        DeleteLayer: {
+        DeleteLayerOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1812,7 +1812,7 @@ export interface components {
             layer: string;
         };
         /** @description Deletes a state with its row; refused while cells lead to it, unless `also_cells` makes them blank. */
-        DeleteState: {
+        DeleteStateOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -2427,7 +2427,7 @@ export interface components {
             ][];
         };
         /** @description Moves a parameter, a sense, a key or a collider before another, or (null) to the end. */
-        MoveEntry: {
+        MoveEntryOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2439,7 +2439,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Moves a column before another, or (null) to the end. */
-        MoveEvent: {
+        MoveEventOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2453,7 +2453,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Moves a layer below the layer `before`, or (null) on top. */
-        MoveLayer: {
+        MoveLayerOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2463,7 +2463,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Moves a property before another, or (null) to the end. */
-        MoveProperty: {
+        MovePropertyOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2473,7 +2473,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Moves a state and its row before another state, or (null) to the end. */
-        MoveState: {
+        MoveStateOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -2677,7 +2677,7 @@ export interface components {
         };
         /** @description Operations on a machine, applied in their order; together they make one version. */
         NewOperations: {
-            operations: (components["schemas"]["SetCell"] | components["schemas"]["AddState"] | components["schemas"]["SetState"] | components["schemas"]["RenameState"] | components["schemas"]["DeleteState"] | components["schemas"]["MoveState"] | components["schemas"]["SetInitial"] | components["schemas"]["SetBlendClip"] | components["schemas"]["DeleteBlendClip"] | components["schemas"]["SetMarker"] | components["schemas"]["AddEvent"] | components["schemas"]["SetEvent"] | components["schemas"]["RenameEvent"] | components["schemas"]["DeleteEvent"] | components["schemas"]["MoveEvent"] | components["schemas"]["AddParameter"] | components["schemas"]["SetParameter"] | components["schemas"]["RenameParameter"] | components["schemas"]["AddSense"] | components["schemas"]["SetSense"] | components["schemas"]["AddKey"] | components["schemas"]["SetKey"] | components["schemas"]["AddCollider"] | components["schemas"]["SetCollider"] | components["schemas"]["RenameCollider"] | components["schemas"]["DeleteEntry"] | components["schemas"]["MoveEntry"] | components["schemas"]["AddLayer"] | components["schemas"]["SetLayer"] | components["schemas"]["RenameLayer"] | components["schemas"]["DeleteLayer"] | components["schemas"]["MoveLayer"] | components["schemas"]["SetMachine"] | components["schemas"]["SetDefaults"] | components["schemas"]["AddProperty"] | components["schemas"]["SetProperty"] | components["schemas"]["MoveProperty"] | components["schemas"]["SetExpressions"] | components["schemas"]["SetView"])[];
+            operations: (components["schemas"]["SetCellOperation"] | components["schemas"]["AddStateOperation"] | components["schemas"]["SetStateOperation"] | components["schemas"]["RenameStateOperation"] | components["schemas"]["DeleteStateOperation"] | components["schemas"]["MoveStateOperation"] | components["schemas"]["SetInitialOperation"] | components["schemas"]["SetBlendClipOperation"] | components["schemas"]["DeleteBlendClipOperation"] | components["schemas"]["SetMarkerOperation"] | components["schemas"]["AddEventOperation"] | components["schemas"]["SetEventOperation"] | components["schemas"]["RenameEventOperation"] | components["schemas"]["DeleteEventOperation"] | components["schemas"]["MoveEventOperation"] | components["schemas"]["AddParameterOperation"] | components["schemas"]["SetParameterOperation"] | components["schemas"]["RenameParameterOperation"] | components["schemas"]["AddSenseOperation"] | components["schemas"]["SetSenseOperation"] | components["schemas"]["AddKeyOperation"] | components["schemas"]["SetKeyOperation"] | components["schemas"]["AddColliderOperation"] | components["schemas"]["SetColliderOperation"] | components["schemas"]["RenameColliderOperation"] | components["schemas"]["DeleteEntryOperation"] | components["schemas"]["MoveEntryOperation"] | components["schemas"]["AddLayerOperation"] | components["schemas"]["SetLayerOperation"] | components["schemas"]["RenameLayerOperation"] | components["schemas"]["DeleteLayerOperation"] | components["schemas"]["MoveLayerOperation"] | components["schemas"]["SetMachineOperation"] | components["schemas"]["SetDefaultsOperation"] | components["schemas"]["AddPropertyOperation"] | components["schemas"]["SetPropertyOperation"] | components["schemas"]["MovePropertyOperation"] | components["schemas"]["SetExpressionsOperation"] | components["schemas"]["SetViewOperation"])[];
         };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
@@ -2982,7 +2982,7 @@ export interface components {
             fires: number;
         };
         /** @description Renames a collider, also in touches of this machine. */
-        RenameCollider: {
+        RenameColliderOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2992,7 +2992,7 @@ export interface components {
             to: string;
         };
         /** @description Renames an event, or a marker, everywhere; keys follow. */
-        RenameEvent: {
+        RenameEventOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3002,7 +3002,7 @@ export interface components {
             to: string;
         };
         /** @description Renames a layer. */
-        RenameLayer: {
+        RenameLayerOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3012,7 +3012,7 @@ export interface components {
             to: string;
         };
         /** @description Renames a parameter everywhere. */
-        RenameParameter: {
+        RenameParameterOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3022,7 +3022,7 @@ export interface components {
             to: string;
         };
         /** @description Renames a state everywhere; `to` is the name without the composite state around it. */
-        RenameState: {
+        RenameStateOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -3067,7 +3067,7 @@ export interface components {
             on?: ("enter" | "stay" | "leave") | null;
         };
         /** @description Puts a clip at a point of a state's blend: a number, or two. */
-        SetBlendClip: {
+        SetBlendClipOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -3083,7 +3083,7 @@ export interface components {
          * @description Changes a cell: `text` as in the table (empty: blank), and `fields`. `*` as `state` or `event`: the
          *     default of a column, or of a row.
          */
-        SetCell: {
+        SetCellOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3109,7 +3109,7 @@ export interface components {
             tick: number;
         };
         /** @description Changes members of a collider. */
-        SetCollider: {
+        SetColliderOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3119,7 +3119,7 @@ export interface components {
             fields: components["schemas"]["ColliderFields"];
         };
         /** @description Changes what cells take that say nothing. */
-        SetDefaults: {
+        SetDefaultsOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3128,7 +3128,7 @@ export interface components {
             fields: components["schemas"]["DefaultsFields"];
         };
         /** @description Changes the buffer of an event, seconds; null: as the defaults say. */
-        SetEvent: {
+        SetEventOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3138,7 +3138,7 @@ export interface components {
             buffer: number | null;
         };
         /** @description Replaces the machine's expressions, a line each; blank: none. */
-        SetExpressions: {
+        SetExpressionsOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3147,7 +3147,7 @@ export interface components {
             text: string;
         };
         /** @description Makes a state the initial one of its layer, or of the machine around it. */
-        SetInitial: {
+        SetInitialOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -3158,7 +3158,7 @@ export interface components {
             kind: "set_initial";
         };
         /** @description Changes members of a key. */
-        SetKey: {
+        SetKeyOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3168,7 +3168,7 @@ export interface components {
             fields: components["schemas"]["KeyFields"];
         };
         /** @description Changes members of a layer. */
-        SetLayer: {
+        SetLayerOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3178,7 +3178,7 @@ export interface components {
             fields: components["schemas"]["LayerFields"];
         };
         /** @description Changes what a machine says of itself. */
-        SetMachine: {
+        SetMachineOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3187,7 +3187,7 @@ export interface components {
             fields: components["schemas"]["MachineFields"];
         };
         /** @description Puts a marker at a phase of a state's motion, or of one `clip` of its blend; null takes it away. */
-        SetMarker: {
+        SetMarkerOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -3202,7 +3202,7 @@ export interface components {
             clip?: string;
         };
         /** @description Changes members of a parameter. */
-        SetParameter: {
+        SetParameterOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3212,7 +3212,7 @@ export interface components {
             fields: components["schemas"]["ParameterFields"];
         };
         /** @description Replaces a property, named by its text; null deletes it. */
-        SetProperty: {
+        SetPropertyOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3222,7 +3222,7 @@ export interface components {
             text: string | null;
         };
         /** @description Changes members of a sense. */
-        SetSense: {
+        SetSenseOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3232,7 +3232,7 @@ export interface components {
             fields: components["schemas"]["SenseFields"];
         };
         /** @description Changes members of a state. */
-        SetState: {
+        SetStateOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -3244,7 +3244,7 @@ export interface components {
             fields: components["schemas"]["StateFields"];
         };
         /** @description Keeps where states of a layer stand in the graph, x and y; null: where the page puts them. */
-        SetView: {
+        SetViewOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -4208,15 +4208,15 @@ export interface components {
 export type Accepted = components['schemas']['Accepted'];
 export type AccessView = components['schemas']['AccessView'];
 export type ActorView = components['schemas']['ActorView'];
-export type AddCollider = components['schemas']['AddCollider'];
-export type AddEvent = components['schemas']['AddEvent'];
-export type AddKey = components['schemas']['AddKey'];
-export type AddLayer = components['schemas']['AddLayer'];
-export type AddParameter = components['schemas']['AddParameter'];
-export type AddProperty = components['schemas']['AddProperty'];
-export type AddSense = components['schemas']['AddSense'];
-export type AddState = components['schemas']['AddState'];
-export type Alternative = components['schemas']['Alternative'];
+export type AddColliderOperation = components['schemas']['AddColliderOperation'];
+export type AddEventOperation = components['schemas']['AddEventOperation'];
+export type AddKeyOperation = components['schemas']['AddKeyOperation'];
+export type AddLayerOperation = components['schemas']['AddLayerOperation'];
+export type AddParameterOperation = components['schemas']['AddParameterOperation'];
+export type AddPropertyOperation = components['schemas']['AddPropertyOperation'];
+export type AddSenseOperation = components['schemas']['AddSenseOperation'];
+export type AddStateOperation = components['schemas']['AddStateOperation'];
+export type AlternativeField = components['schemas']['AlternativeField'];
 export type AlternativeView = components['schemas']['AlternativeView'];
 export type BlendMotion = components['schemas']['BlendMotion'];
 export type BlendTime = components['schemas']['BlendTime'];
@@ -4240,11 +4240,11 @@ export type CurvesView = components['schemas']['CurvesView'];
 export type DeducedBoneView = components['schemas']['DeducedBoneView'];
 export type DeductionView = components['schemas']['DeductionView'];
 export type DefaultsFields = components['schemas']['DefaultsFields'];
-export type DeleteBlendClip = components['schemas']['DeleteBlendClip'];
-export type DeleteEntry = components['schemas']['DeleteEntry'];
-export type DeleteEvent = components['schemas']['DeleteEvent'];
-export type DeleteLayer = components['schemas']['DeleteLayer'];
-export type DeleteState = components['schemas']['DeleteState'];
+export type DeleteBlendClipOperation = components['schemas']['DeleteBlendClipOperation'];
+export type DeleteEntryOperation = components['schemas']['DeleteEntryOperation'];
+export type DeleteEventOperation = components['schemas']['DeleteEventOperation'];
+export type DeleteLayerOperation = components['schemas']['DeleteLayerOperation'];
+export type DeleteStateOperation = components['schemas']['DeleteStateOperation'];
 export type DifferencesView = components['schemas']['DifferencesView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
@@ -4289,11 +4289,11 @@ export type MeasuredView = components['schemas']['MeasuredView'];
 export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
 export type MotionPathView = components['schemas']['MotionPathView'];
-export type MoveEntry = components['schemas']['MoveEntry'];
-export type MoveEvent = components['schemas']['MoveEvent'];
-export type MoveLayer = components['schemas']['MoveLayer'];
-export type MoveProperty = components['schemas']['MoveProperty'];
-export type MoveState = components['schemas']['MoveState'];
+export type MoveEntryOperation = components['schemas']['MoveEntryOperation'];
+export type MoveEventOperation = components['schemas']['MoveEventOperation'];
+export type MoveLayerOperation = components['schemas']['MoveLayerOperation'];
+export type MovePropertyOperation = components['schemas']['MovePropertyOperation'];
+export type MoveStateOperation = components['schemas']['MoveStateOperation'];
 export type MovedView = components['schemas']['MovedView'];
 export type NameDifferenceView = components['schemas']['NameDifferenceView'];
 export type NewActor = components['schemas']['NewActor'];
@@ -4329,33 +4329,33 @@ export type ReachedView = components['schemas']['ReachedView'];
 export type ReadyView = components['schemas']['ReadyView'];
 export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
-export type RenameCollider = components['schemas']['RenameCollider'];
-export type RenameEvent = components['schemas']['RenameEvent'];
-export type RenameLayer = components['schemas']['RenameLayer'];
-export type RenameParameter = components['schemas']['RenameParameter'];
-export type RenameState = components['schemas']['RenameState'];
+export type RenameColliderOperation = components['schemas']['RenameColliderOperation'];
+export type RenameEventOperation = components['schemas']['RenameEventOperation'];
+export type RenameLayerOperation = components['schemas']['RenameLayerOperation'];
+export type RenameParameterOperation = components['schemas']['RenameParameterOperation'];
+export type RenameStateOperation = components['schemas']['RenameStateOperation'];
 export type RootView = components['schemas']['RootView'];
 export type SceneView = components['schemas']['SceneView'];
 export type SeekBody = components['schemas']['SeekBody'];
 export type SendChange = components['schemas']['SendChange'];
 export type SenseFields = components['schemas']['SenseFields'];
-export type SetBlendClip = components['schemas']['SetBlendClip'];
-export type SetCell = components['schemas']['SetCell'];
+export type SetBlendClipOperation = components['schemas']['SetBlendClipOperation'];
+export type SetCellOperation = components['schemas']['SetCellOperation'];
 export type SetChange = components['schemas']['SetChange'];
-export type SetCollider = components['schemas']['SetCollider'];
-export type SetDefaults = components['schemas']['SetDefaults'];
-export type SetEvent = components['schemas']['SetEvent'];
-export type SetExpressions = components['schemas']['SetExpressions'];
-export type SetInitial = components['schemas']['SetInitial'];
-export type SetKey = components['schemas']['SetKey'];
-export type SetLayer = components['schemas']['SetLayer'];
-export type SetMachine = components['schemas']['SetMachine'];
-export type SetMarker = components['schemas']['SetMarker'];
-export type SetParameter = components['schemas']['SetParameter'];
-export type SetProperty = components['schemas']['SetProperty'];
-export type SetSense = components['schemas']['SetSense'];
-export type SetState = components['schemas']['SetState'];
-export type SetView = components['schemas']['SetView'];
+export type SetColliderOperation = components['schemas']['SetColliderOperation'];
+export type SetDefaultsOperation = components['schemas']['SetDefaultsOperation'];
+export type SetEventOperation = components['schemas']['SetEventOperation'];
+export type SetExpressionsOperation = components['schemas']['SetExpressionsOperation'];
+export type SetInitialOperation = components['schemas']['SetInitialOperation'];
+export type SetKeyOperation = components['schemas']['SetKeyOperation'];
+export type SetLayerOperation = components['schemas']['SetLayerOperation'];
+export type SetMachineOperation = components['schemas']['SetMachineOperation'];
+export type SetMarkerOperation = components['schemas']['SetMarkerOperation'];
+export type SetParameterOperation = components['schemas']['SetParameterOperation'];
+export type SetPropertyOperation = components['schemas']['SetPropertyOperation'];
+export type SetSenseOperation = components['schemas']['SetSenseOperation'];
+export type SetStateOperation = components['schemas']['SetStateOperation'];
+export type SetViewOperation = components['schemas']['SetViewOperation'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
 export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
