@@ -16,9 +16,9 @@ from statwalk.web.routes.edits import Editor, Versions, answer
 from statwalk.web.schemas.machine import EditedMachine
 from statwalk.web.schemas.version import (
     CellDifferenceView,
-    VersionDifferencesView,
     NameDifferenceView,
     PartDifferenceView,
+    VersionDifferencesView,
     VersionText,
     VersionView,
 )

@@ -1879,6 +1879,21 @@ export interface components {
             /** @default false */
             also_cells?: boolean;
         };
+        /** @description The differences of two stages in the ticks `from` to `to`. */
+        DifferencesView: {
+            stage: string;
+            other: string;
+            from: number;
+            to: number;
+            /** @description the first of these ticks at which an actor differs; null: none does */
+            first_difference: number | null;
+            /** @description why nothing is compared; empty if something is */
+            note: string;
+            /** @description actors that only the stage has in these ticks */
+            only_here: number[];
+            only_there: number[];
+            actors: components["schemas"]["ActorDifferenceView"][];
+        };
         /** @description An edge of the state graph, and the events that take it. */
         EdgeView: {
             from: string;
@@ -3575,6 +3590,14 @@ export interface components {
             bytes: number;
             machines: string[];
         };
+        /** @description What differs between two versions; states and events by their names in the newer one. */
+        VersionDifferencesView: {
+            version: number;
+            since: number;
+            names: components["schemas"]["NameDifferenceView"][];
+            cells: components["schemas"]["CellDifferenceView"][];
+            parts: components["schemas"]["PartDifferenceView"][];
+        };
         /** @description A version with its text: the machine file, and its .csv tables by the names of their files. */
         VersionText: {
             version: number;
@@ -3642,29 +3665,6 @@ export interface components {
             states: string[];
             since: number[];
             events: components["schemas"]["ExplainedView"][];
-        };
-        /** @description The differences of two stages in the ticks `from` to `to`. */
-        statwalk__web__schemas__difference__DifferencesView: {
-            stage: string;
-            other: string;
-            from: number;
-            to: number;
-            /** @description the first of these ticks at which an actor differs; null: none does */
-            first_difference: number | null;
-            /** @description why nothing is compared; empty if something is */
-            note: string;
-            /** @description actors that only the stage has in these ticks */
-            only_here: number[];
-            only_there: number[];
-            actors: components["schemas"]["ActorDifferenceView"][];
-        };
-        /** @description What differs between two versions; states and events by their names in the newer one. */
-        statwalk__web__schemas__version__DifferencesView: {
-            version: number;
-            since: number;
-            names: components["schemas"]["NameDifferenceView"][];
-            cells: components["schemas"]["CellDifferenceView"][];
-            parts: components["schemas"]["PartDifferenceView"][];
         };
         /**
          * @description An error: the wrong fields, the `known` names if a name is unknown, and the verifier's `findings` if an
@@ -4350,6 +4350,7 @@ export type DeleteEntryOperation = components['schemas']['DeleteEntryOperation']
 export type DeleteEventOperation = components['schemas']['DeleteEventOperation'];
 export type DeleteLayerOperation = components['schemas']['DeleteLayerOperation'];
 export type DeleteStateOperation = components['schemas']['DeleteStateOperation'];
+export type DifferencesView = components['schemas']['DifferencesView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
@@ -4481,13 +4482,12 @@ export type TwinView = components['schemas']['TwinView'];
 export type TwinningView = components['schemas']['TwinningView'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
+export type VersionDifferencesView = components['schemas']['VersionDifferencesView'];
 export type VersionText = components['schemas']['VersionText'];
 export type VersionView = components['schemas']['VersionView'];
 export type ViewerView = components['schemas']['ViewerView'];
 export type WhyNotView = components['schemas']['WhyNotView'];
 export type WhyView = components['schemas']['WhyView'];
-export type statwalk__web__schemas__difference__DifferencesView = components['schemas']['statwalk__web__schemas__difference__DifferencesView'];
-export type statwalk__web__schemas__version__DifferencesView = components['schemas']['statwalk__web__schemas__version__DifferencesView'];
 export type ProblemView = components['schemas']['ProblemView'];
 export type AcceptedMessage = components['schemas']['AcceptedMessage'];
 export type ActionMessage = components['schemas']['ActionMessage'];
@@ -5098,7 +5098,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["statwalk__web__schemas__version__DifferencesView"];
+                    "application/json": components["schemas"]["VersionDifferencesView"];
                 };
             };
             401: components["responses"]["401"];
@@ -6084,7 +6084,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["statwalk__web__schemas__difference__DifferencesView"];
+                    "application/json": components["schemas"]["DifferencesView"];
                 };
             };
             401: components["responses"]["401"];
