@@ -10,7 +10,7 @@ import { el, say } from "../../ui/dom";
 import { cellSentence } from "./cellText";
 import { countWords, findingItems, marked, fixed } from "./findings";
 
-export class CellInspector {
+export class TrialReport {
   private readonly verdict = el("p", { class: "trial", role: "status" });
   private readonly cell = el("p", { class: "cell-says" });
   /** The completions, shown by the cell editor. */
