@@ -1,4 +1,4 @@
-"""The inspector of the selected cell or state: each field makes one edit, and says what is wrong with a text."""
+"""The inspector of the selected cell or state: each field makes one edit, and tells at once what is wrong."""
 
 from browser.conftest import Server, until
 from browser.edit.conftest import CELL, machine
@@ -44,6 +44,6 @@ def test_a_condition_makes_an_alternative(own: Server, table: Page) -> None:
 def test_a_state_has_another_clip(own: Server, table: Page) -> None:
     table.locator("th[data-state=FLY]").focus()
     table.keyboard.press("Alt+Enter")
-    table.get_by_label("clip").select_option("land")
+    table.locator("#cell").get_by_label("clip").select_option("land")
     edited(table)
     assert {state["name"]: state["motion"] for state in machine(own)["states"]}["FLY"] == "land"
