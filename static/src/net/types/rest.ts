@@ -15,7 +15,6 @@ export type {
   MappingView as Mapping,
   NewClip,
   NewClipView as CarriedClip,
-  NewCell,
   ProblemView as Problem,
   SceneView as SceneSummary,
   StageView as StageInfo,

@@ -5,7 +5,6 @@
 
 import "./expressions.css";
 import { actorFacts } from "../../net/actors";
-import { ApiError } from "../../net/api";
 import type { ActorView, ExpressionView } from "../../net/types/api.generated";
 import type { MachineInfo } from "../../net/protocol";
 import type { App } from "../../view/app";
@@ -119,15 +118,14 @@ class ExpressionsPanel {
 
   private async keep(): Promise<void> {
     const file = this.app.machine.info.value?.text ?? "";
-    try {
-      await this.app.editing.expressions(this.text.value);
+    const answer = await this.app.editing.keep([{ kind: "set_expressions", text: this.text.value }]);
+    if (answer.kind === "fine") {
       this.close();
-    } catch (error) {
-      if (!(error instanceof ApiError)) throw error;
-      const { line, words } = fault(error.message, file);
-      say(this.refused, words);
-      this.select(line);
+      return;
     }
+    const { line, words } = fault(answer.words, file);
+    say(this.refused, words);
+    this.select(line);
   }
 
   /** Selects a line of the text, from 1. */

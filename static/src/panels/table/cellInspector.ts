@@ -3,7 +3,8 @@
  * the table.
  */
 
-import type { Answer, Editing } from "../../state/editing";
+import type { Answer } from "../../state/editAnswer";
+import type { Editing } from "../../state/editing";
 import type { Cell, Finding } from "../../net/protocol";
 import { el, say } from "../../ui/dom";
 import { cellSentence } from "./cellText";

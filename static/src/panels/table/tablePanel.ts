@@ -6,7 +6,7 @@ import { byId } from "../../ui/dom";
 import { CellEditor } from "./cellEditor";
 import { CellInspector } from "./cellInspector";
 import { Table } from "./table";
-import { VersionBar } from "./versionBar";
+import { versionBar } from "./versionBar";
 
 export function tablePanel(_host: HTMLElement, app: App): void {
   const table: Table = new Table(byId("table"), byId("verdict"), app, (cell, typed) =>
@@ -14,7 +14,7 @@ export function tablePanel(_host: HTMLElement, app: App): void {
   );
   const inspector = new CellInspector(byId("cell-inspector"), app.editing, (finding) => table.go(finding));
   const editor = new CellEditor(byId("table"), app, inspector, (state, event) => table.cell(state, event));
-  new VersionBar(byId("version"), app, () => inspector.toggle());
+  versionBar(byId("version"), app, () => inspector.toggle());
   app.inspection.cells.on(({ layer, state, event, text }: CellRequest) => {
     table.go({ state, event, layer: app.machine.info.value?.layers[layer]?.name ?? "" });
     if (text !== null) editor.propose(table.cell(state, event), text);
