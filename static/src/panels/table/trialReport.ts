@@ -3,16 +3,45 @@
  * the table.
  */
 
+import { effect, signal } from "@preact/signals-core";
+import { html, type TemplateResult } from "lit-html";
 import type { Answer } from "../../state/editAnswer";
 import type { Editing } from "../../state/editing";
 import type { Cell, Finding } from "../../net/protocol";
-import { el, say } from "../../ui/dom";
+import { el } from "../../ui/dom";
+import { draw } from "../../ui/draw";
 import { cellSentence } from "./cellText";
-import { countWords, findingItems, marked, fixed } from "./findings";
+import { countWords, findingItems, fixed, marked } from "./findings";
+
+const HOW = "STATE, STATE!, STATE at end, STATE at MARKER, - or nothing";
+const REFUSED = "Refused: you cannot keep this text.";
+
+/** What is shown about the edited cell. */
+interface Trial {
+  /** The cell in words. */
+  cell: string;
+  kind: "" | "trying" | Answer["kind"];
+  words: string;
+  /** About the typed text; null: those of the table. */
+  findings: readonly Finding[] | null;
+}
+
+/** Says what a text that may be kept changes about the findings. */
+export function fineWords(before: readonly Finding[], now: readonly Finding[]): string {
+  const added = marked(before, now).filter(({ isNew, severity }) => isNew && severity !== "info").length;
+  const gone = fixed(before, now);
+  const news = [added ? `${added} new below` : "", gone ? `${gone} fixed` : ""].filter(Boolean).join(", ");
+  return `Enter keeps it, Escape drops it${news ? ` (${news})` : ": nothing new is wrong"}.`;
+}
+
+/** Returns the findings of a refusal; without any, one with the server's words. */
+function reasons({ kind, words, findings }: Answer): readonly Finding[] {
+  if (findings.length) return findings;
+  const nowhere = { line: 0, layer: "", state: null, event: null, replay: [] };
+  return [{ kind, severity: "error", message: words, ...nowhere }];
+}
 
 export class TrialReport {
-  private readonly verdict = el("p", { class: "trial", role: "status" });
-  private readonly cell = el("p", { class: "cell-says" });
   /** The completions, shown by the cell editor. */
   readonly suggestions = el("ul", {
     class: "suggestions",
@@ -20,100 +49,75 @@ export class TrialReport {
     id: "suggestions",
     "aria-label": "completions",
   });
-  private readonly list = el("ul", { class: "findings" });
-  private editing_ = false;
+  /** Null: no cell is edited. */
+  private readonly trial = signal<Trial | null>(null);
+  /** Whether the findings about the table are shown while no cell is edited. */
+  private readonly isOpen = signal(false);
+  /** Stays before all words until the editor is closed. */
   private stays = "";
 
   constructor(
-    private readonly host: HTMLElement,
+    host: HTMLElement,
     private readonly editing: Editing,
     private readonly go: (finding: Finding) => void,
   ) {
-    host.append(this.suggestions, this.cell, this.verdict, this.list);
-    host.hidden = true;
-    editing.findings.subscribe(() => !this.editing_ && !host.hidden && this.list_(editing.findings.value));
+    effect(() => {
+      host.hidden = !this.trial.value && !this.isOpen.value;
+      host.dataset["trial"] = this.trial.value?.kind ?? "";
+    });
+    draw(host, () => this.template());
   }
 
   begin(state: string, event: string, cell: Cell | undefined): void {
-    this.editing_ = true;
     this.stays = "";
-    this.host.hidden = false;
-    this.host.dataset["trial"] = "";
-    say(this.cell, cellSentence(state, event, cell));
-    this.cell.hidden = false;
-    this.unchanged();
+    this.trial.value = { cell: cellSentence(state, event, cell), kind: "", words: HOW, findings: null };
   }
 
   /** Shows the state before anything is typed. */
   unchanged(): void {
-    this.host.dataset["trial"] = "";
-    say(this.verdict, this.stays || "STATE, STATE!, STATE at end, STATE at MARKER, - or nothing");
-    this.list_(this.editing.findings.value);
+    this.change({ kind: "", words: this.stays || HOW, findings: null });
   }
 
   trying(): void {
-    this.host.dataset["trial"] = "trying";
+    this.change({ kind: "trying" });
   }
 
-  show({ kind, words, findings }: Answer): void {
-    const before = this.editing.findings.value;
-    this.host.dataset["trial"] = kind;
-    if (kind === "stale")
+  show(answer: Answer): void {
+    const { kind, words, findings } = answer;
+    if (kind === "stale") {
       this.stays = `Another editor was faster: ${words}. Your text is still here; Enter keeps it on top.`;
-    if (kind === "stale") return say(this.verdict, this.stays);
-    if (kind === "refused") {
-      say(this.verdict, "Refused: you cannot keep this text.");
-      return this.list_(
-        [
-          ...findings,
-          ...(findings.length
-            ? []
-            : [
-                {
-                  kind,
-                  severity: "error" as const,
-                  message: words,
-                  line: 0,
-                  layer: "",
-                  state: null,
-                  event: null,
-                  replay: [],
-                },
-              ]),
-        ],
-        [],
-      );
+      this.change({ kind, words: this.stays });
+    } else if (kind === "refused") this.change({ kind, words: REFUSED, findings: reasons(answer) });
+    else {
+      const news = fineWords(this.editing.findings.value, findings);
+      this.change({ kind, words: [this.stays, news].filter(Boolean).join(" "), findings });
     }
-    const added = marked(before, findings).filter(
-      ({ isNew, severity }) => isNew && severity !== "info",
-    ).length;
-    const gone = fixed(before, findings);
-    const news = [added ? `${added} new below` : "", gone ? `${gone} fixed` : ""].filter(Boolean).join(", ");
-    const stays = this.stays ? `${this.stays} ` : "";
-    const result = news ? ` (${news})` : ": nothing new is wrong";
-    say(this.verdict, `${stays}Enter keeps it, Escape drops it${result}.`);
-    this.list_(findings);
   }
 
   end(): void {
-    this.editing_ = false;
-    this.host.hidden = true;
+    this.trial.value = null;
+    this.isOpen.value = false;
   }
 
   /** Shows or hides the findings about the table. */
   toggle(): void {
-    if (this.editing_) return;
-    this.host.hidden = !this.host.hidden;
-    this.cell.hidden = true;
-    this.host.dataset["trial"] = "";
-    say(this.verdict, countWords(this.editing.findings.value));
-    this.list_(this.editing.findings.value);
+    if (!this.trial.value) this.isOpen.value = !this.isOpen.value;
   }
 
-  private list_(
-    findings: readonly Finding[],
-    before: readonly Finding[] = this.editing.findings.value,
-  ): void {
-    this.list.replaceChildren(...findingItems(marked(before, findings), this.go));
+  private change(part: Partial<Trial>): void {
+    if (this.trial.value) this.trial.value = { ...this.trial.value, ...part };
+  }
+
+  private template(): TemplateResult {
+    const trial = this.trial.value;
+    const table = this.editing.findings.value;
+    // Everything about a refused text is new.
+    const before = trial?.kind === "refused" ? [] : table;
+    return html`${this.suggestions}
+      <p class="cell-says" ?hidden=${!trial} .textContent=${trial?.cell ?? ""}></p>
+      <p class="trial" role="status" .textContent=${trial?.words ?? countWords(table)}></p>
+      <ul class="findings">
+        ${findingItems(marked(before, trial?.findings ?? table), this.go)}
+      </ul>`;
   }
 }
