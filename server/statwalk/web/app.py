@@ -48,6 +48,7 @@ from statwalk.web.routes import (
     scenes,
     stages,
     uploads,
+    versions,
     viewers,
 )
 from statwalk.web.security import Guard
@@ -62,6 +63,7 @@ ROUTES = (
     downloads,
     deduce,
     uploads,
+    versions,
     machines,
     new_machines,
     edits,
