@@ -52,6 +52,7 @@ VIEW = (
     "GET /api/stages/{stage_id}/actors/{actor_id}/why",
     "GET /api/stages/{stage_id}/actors/{actor_id}/whynot",
     "GET /api/stages/{stage_id}/differences",
+    "GET /api/stages/{stage_id}/facts",
     "GET /api/stages/{stage_id}/frame.glb",
     "GET /api/stages/{stage_id}/history",
     "GET /api/stages/{stage_id}/log",

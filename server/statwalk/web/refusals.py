@@ -51,6 +51,7 @@ OF_OPERATION = {
     "DELETE /api/stages/{stage_id}": frozenset({409}),
     "GET /api/stages/{stage_id}/links": frozenset({409}),
     "GET /api/stages/{stage_id}/differences": frozenset({409}),
+    "GET /api/stages/{stage_id}/facts": frozenset({409, 507}),
     "GET /api/stages/{stage_id}/frame.glb": frozenset({409}),
     "GET /api/stages/{stage_id}/recording.glb": frozenset({409}),
     "GET /api/stages/{stage_id}/actors/{actor_id}/skeleton.svg": frozenset({409}),

@@ -840,6 +840,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/stages/{stage_id}/facts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Facts
+         * @description Lists the actions and verdicts after tick `since`; 409 if the stage has forgotten some of them.
+         */
+        get: operations["get_facts_api_stages__stage_id__facts_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/stages/{stage_id}/history": {
         parameters: {
             query?: never;
@@ -1438,6 +1458,21 @@ export interface components {
             /** @enum {string} */
             role: "view" | "drive" | "admin";
             stage: string | null;
+        };
+        /** @description An action of a machine; `seq` numbers all actions of a stage from 1. */
+        ActionMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "action";
+            seq: number;
+            tick: number;
+            actor: number;
+            name: string;
+            arguments: (string | number)[];
+            /** @description the actor that was touched, or that raised the event; -1: none */
+            other: number;
         };
         /**
          * @description How far an actor is from the actor with its id on the other stage. A list has a number for each tick of
@@ -2074,6 +2109,12 @@ export interface components {
         /** @description A motion that expressions drive, a line each; "": the pose at rest. */
         ExpressionsMotion: {
             expressions: string;
+        };
+        /** @description All actions and verdicts after the tick that was asked for, up to `tick`; oldest first. */
+        FactsView: {
+            tick: number;
+            actions: components["schemas"]["ActionMessage"][];
+            verdicts: components["schemas"]["VerdictMessage"][];
         };
         /** @description The feet of a character and their contacts in its clips. */
         FeetView: {
@@ -3665,6 +3706,37 @@ export interface components {
             bytes: number;
             machines: string[];
         };
+        /**
+         * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
+         *     the event has no cell.
+         */
+        VerdictMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "verdict";
+            tick: number;
+            actor: number;
+            layer: number;
+            event: string;
+            /** @enum {string} */
+            verdict: "taken" | "waits" | "dropped";
+            reason: string;
+            from: string;
+            to: string;
+            cell: [
+                string,
+                string
+            ] | null;
+            source: string;
+            line: number;
+            /** @description the values that the cell's condition read */
+            values: {
+                [key: string]: number;
+            };
+            other: number;
+        };
         /** @description What differs between two versions; states and events by their names in the newer one. */
         VersionDifferencesView: {
             version: number;
@@ -3767,21 +3839,6 @@ export interface components {
              */
             type: "accepted";
             ref: string | number | null;
-        };
-        /** @description An action of a machine; `seq` numbers all actions of a stage from 1. */
-        ActionMessage: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "action";
-            seq: number;
-            tick: number;
-            actor: number;
-            name: string;
-            arguments: (string | number)[];
-            /** @description the actor that was touched, or that raised the event; -1: none */
-            other: number;
         };
         /** @description An actor of a cast. */
         ActorName: {
@@ -3949,37 +4006,6 @@ export interface components {
             trouble: string;
             /** @description null: nobody has touched the clock since the stage was opened or came back */
             changed: components["schemas"]["ClockChangeView"] | null;
-        };
-        /**
-         * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
-         *     the event has no cell.
-         */
-        VerdictMessage: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "verdict";
-            tick: number;
-            actor: number;
-            layer: number;
-            event: string;
-            /** @enum {string} */
-            verdict: "taken" | "waits" | "dropped";
-            reason: string;
-            from: string;
-            to: string;
-            cell: [
-                string,
-                string
-            ] | null;
-            source: string;
-            line: number;
-            /** @description the values that the cell's condition read */
-            values: {
-                [key: string]: number;
-            };
-            other: number;
         };
         /** @description Who watches the stage, in the order in which they came: sent when it changes, at most once a second. */
         ViewersMessage: {
@@ -4386,6 +4412,7 @@ export interface components {
 }
 export type Accepted = components['schemas']['Accepted'];
 export type AccessView = components['schemas']['AccessView'];
+export type ActionMessage = components['schemas']['ActionMessage'];
 export type ActorDifferenceView = components['schemas']['ActorDifferenceView'];
 export type ActorView = components['schemas']['ActorView'];
 export type AddColliderOperation = components['schemas']['AddColliderOperation'];
@@ -4431,6 +4458,7 @@ export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
 export type ExpressionView = components['schemas']['ExpressionView'];
 export type ExpressionsMotion = components['schemas']['ExpressionsMotion'];
+export type FactsView = components['schemas']['FactsView'];
 export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FigureView = components['schemas']['FigureView'];
@@ -4558,6 +4586,7 @@ export type TwinView = components['schemas']['TwinView'];
 export type TwinningView = components['schemas']['TwinningView'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
+export type VerdictMessage = components['schemas']['VerdictMessage'];
 export type VersionDifferencesView = components['schemas']['VersionDifferencesView'];
 export type VersionText = components['schemas']['VersionText'];
 export type VersionView = components['schemas']['VersionView'];
@@ -4566,7 +4595,6 @@ export type WhyNotView = components['schemas']['WhyNotView'];
 export type WhyView = components['schemas']['WhyView'];
 export type ProblemView = components['schemas']['ProblemView'];
 export type AcceptedMessage = components['schemas']['AcceptedMessage'];
-export type ActionMessage = components['schemas']['ActionMessage'];
 export type ActorName = components['schemas']['ActorName'];
 export type CameraMessage = components['schemas']['CameraMessage'];
 export type CastCollider = components['schemas']['CastCollider'];
@@ -4576,7 +4604,6 @@ export type Forked = components['schemas']['Forked'];
 export type Hello = components['schemas']['Hello'];
 export type Pong = components['schemas']['Pong'];
 export type StatusMessage = components['schemas']['StatusMessage'];
-export type VerdictMessage = components['schemas']['VerdictMessage'];
 export type ViewersMessage = components['schemas']['ViewersMessage'];
 export type ServerMessage = components['schemas']['ServerMessage'];
 export type Ack = components['schemas']['Ack'];
@@ -6213,6 +6240,39 @@ export interface operations {
             421: components["responses"]["421"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
+        };
+    };
+    get_facts_api_stages__stage_id__facts_get: {
+        parameters: {
+            query?: {
+                since?: number;
+            };
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FactsView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_history_api_stages__stage_id__history_get: {
