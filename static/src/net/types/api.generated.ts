@@ -345,6 +345,49 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/machines/{name}/export.zip": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Machine
+         * @description Returns the newest version of a machine with its tables and its character, as a zip; `statwalk serve`
+         *     plays the unpacked folder.
+         */
+        get: operations["export_machine_api_machines__name__export_zip_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/import.zip": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Import Machine
+         * @description Makes a machine of a zip, as `export.zip` gives it, or of a folder with a machine.yaml and a model.
+         *
+         *     409 if the name is taken.
+         */
+        put: operations["import_machine_api_machines__name__import_zip_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/machines": {
         parameters: {
             query?: never;
@@ -360,8 +403,9 @@ export interface paths {
         put?: never;
         /**
          * Make Machine
-         * @description Makes a machine from a character: a state for each clip, a complete table, an event on a key for each
-         *     state. A character without clips gets one state, its pose at rest.
+         * @description Makes a machine: a copy of another (`copy_of`); from a character, with a state for each clip, a
+         *     complete table, an event on a key for each state, or (`empty`) with one state; or, with neither, from
+         *     nothing: a simple skeleton at rest, in one state.
          *
          *     You can play it at once.
          */
@@ -470,6 +514,28 @@ export interface paths {
         get: operations["get_feet_api_machines__name__feet_get"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/rename": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rename Machine
+         * @description Gives a machine that POST made another name; its versions come along.
+         *
+         *     409 for other machines, and while a stage plays the machine or has it in its past.
+         */
+        post: operations["rename_machine_api_machines__name__rename_post"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2782,17 +2848,26 @@ export interface components {
             seconds?: number;
         };
         /**
-         * @description A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-         *     left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
+         * @description A machine to make: a copy of the machine `copy_of`, or from a character, or from nothing: then it has
+         *     a simple skeleton. `mapping` gives a state for each clip (a clip without a state is left out), by default
+         *     the proposed mapping; `empty`: one state only. `root`: the joint that moves the character through the
+         *     world.
          */
         NewMachine: {
             name: string;
-            character: string;
+            character?: string | null;
+            copy_of?: string | null;
+            /** @default false */
+            empty?: boolean;
             mapping?: {
                 [key: string]: string | null;
             } | null;
             /** @default  */
             root?: string;
+        };
+        /** @description Another name for a machine. */
+        NewName: {
+            to: string;
         };
         /** @description Operations on a machine, applied in their order; together they make one version. */
         NewOperations: {
@@ -4444,6 +4519,7 @@ export type NewFork = components['schemas']['NewFork'];
 export type NewKey = components['schemas']['NewKey'];
 export type NewLink = components['schemas']['NewLink'];
 export type NewMachine = components['schemas']['NewMachine'];
+export type NewName = components['schemas']['NewName'];
 export type NewOperations = components['schemas']['NewOperations'];
 export type NewParameter = components['schemas']['NewParameter'];
 export type NewRig = components['schemas']['NewRig'];
@@ -5175,6 +5251,73 @@ export interface operations {
             507: components["responses"]["507"];
         };
     };
+    export_machine_api_machines__name__export_zip_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": unknown;
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    import_machine_api_machines__name__import_zip_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/zip": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            408: components["responses"]["408"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     list_machines_api_machines_get: {
         parameters: {
             query?: never;
@@ -5470,6 +5613,44 @@ export interface operations {
             422: components["responses"]["422"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
+        };
+    };
+    rename_machine_api_machines__name__rename_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewName"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     patch_cell_api_machines__name__cells_patch: {
