@@ -137,8 +137,8 @@ async def test_who_acts_on_the_clock(stage: Stage) -> None:
     stage.audience.change(ada, name="Ada L.")
     assert doer(1, ADA) == Doer("Ada L.", 1)
     assert doer(2, GUEST) == Doer("somebody", 2)
-    assert doer(None, BOB) == doer(7, BOB) == Doer("bob")
-    assert doer(None, EVERYTHING) == doer(None, GUEST) == Doer("a program")
+    assert doer(0, BOB) == doer(7, BOB) == Doer("bob")
+    assert doer(0, EVERYTHING) == doer(0, GUEST) == Doer("a program")
 
 
 async def test_nobody_acts_in_the_name_of_a_viewer_with_another_token(stage: Stage) -> None:

@@ -5717,8 +5717,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -5758,8 +5758,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -5799,8 +5799,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -5840,8 +5840,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
