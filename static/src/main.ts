@@ -32,6 +32,7 @@ import { timelinePanel } from "./panels/timeline/timeline";
 import { versionsPanel } from "./panels/versions/versions";
 import { viewControlsPanel } from "./panels/viewControls/viewControls";
 import { whyPanel } from "./panels/why/why";
+import { yamlPanel } from "./panels/yaml/yaml";
 import { keepAddress, stageOfAddress } from "./state/address";
 import { exposeForTests } from "./testHook";
 import { byId, canvasById, el } from "./ui/dom";
@@ -69,6 +70,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["modes", viewControlsPanel],
   ["cell", cellInspectorPanel],
   ["versions", versionsPanel],
+  ["text", yamlPanel],
   ["drawer", drawerPanel],
   ["help", helpPanel],
 ];

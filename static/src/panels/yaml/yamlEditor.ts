@@ -1,0 +1,81 @@
+/** CodeMirror with YAML and marks at the lines of findings. Loaded when the text is opened. */
+
+import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
+import { yaml } from "@codemirror/lang-yaml";
+import { defaultHighlightStyle, syntaxHighlighting } from "@codemirror/language";
+import { type Diagnostic, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { Annotation, EditorState } from "@codemirror/state";
+import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
+import type { Finding } from "../../net/protocol";
+import { changeOf } from "./changeOf";
+
+/** Marks a change that nobody typed. */
+const SHOWN = Annotation.define<boolean>();
+
+const look = EditorView.theme({
+  "&": { height: "100%", fontSize: "12px", color: "var(--ink)", backgroundColor: "var(--paper)" },
+  ".cm-scroller": { fontFamily: "var(--mono)", lineHeight: "1.5" },
+  ".cm-gutters": { backgroundColor: "var(--panel)", color: "var(--ink-3)", border: "0" },
+  ".cm-activeLine": { backgroundColor: "var(--accent-soft)" },
+  ".cm-content": { caretColor: "var(--accent)" },
+  ".cm-cursor": { borderLeftColor: "var(--accent)" },
+  ".cm-tooltip": { backgroundColor: "var(--raise)", color: "var(--ink)", border: "1px solid var(--edge)" },
+  "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "-2px" },
+});
+
+export class YamlEditor {
+  private readonly view: EditorView;
+
+  constructor(host: HTMLElement, told: { typed: () => void; keep: () => void }) {
+    // A style sheet of a shadow tree is allowed by the page's policy, a style element is not.
+    const root = host.attachShadow({ mode: "open" });
+    const keep = (): boolean => {
+      told.keep();
+      return true;
+    };
+    this.view = new EditorView({
+      root,
+      parent: root,
+      state: EditorState.create({
+        extensions: [
+          lineNumbers(),
+          lintGutter(),
+          history(),
+          drawSelection(),
+          highlightActiveLine(),
+          yaml(),
+          syntaxHighlighting(defaultHighlightStyle),
+          keymap.of([{ key: "Mod-s", run: keep }, ...defaultKeymap, ...historyKeymap, ...lintKeymap]),
+          EditorView.contentAttributes.of({ "aria-label": "machine.yaml" }),
+          EditorView.updateListener.of((update) => {
+            const shown = update.transactions.some((transaction) => transaction.annotation(SHOWN));
+            if (update.docChanged && !shown) told.typed();
+          }),
+          look,
+        ],
+      }),
+    });
+  }
+
+  get text(): string {
+    return this.view.state.doc.toString();
+  }
+
+  /** Shows another text: only what differs changes, so that the cursor stays where it is. */
+  show(text: string): void {
+    const changes = changeOf(this.text, text);
+    if (changes) this.view.dispatch({ changes, annotations: SHOWN.of(true) });
+  }
+
+  /** Marks the lines of findings. */
+  mark(findings: readonly Finding[]): void {
+    const { doc } = this.view.state;
+    const marks = findings
+      .filter(({ line }) => line > 0 && line <= doc.lines)
+      .map(({ line, severity, message }): Diagnostic => {
+        const { from, to } = doc.line(line);
+        return { from, to, severity, message };
+      });
+    this.view.dispatch(setDiagnostics(this.view.state, marks));
+  }
+}
