@@ -2,15 +2,23 @@
 
 import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { yaml } from "@codemirror/lang-yaml";
-import { defaultHighlightStyle, syntaxHighlighting } from "@codemirror/language";
+import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
 import { type Diagnostic, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { Annotation, EditorState } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
+import { tags } from "@lezer/highlight";
 import type { Finding } from "../../net/protocol";
 import { changeOf } from "./changeOf";
 
 /** Marks a change that nobody typed. */
 const SHOWN = Annotation.define<boolean>();
+
+const colours = HighlightStyle.define([
+  { tag: tags.comment, color: "var(--ink-3)" },
+  { tag: [tags.propertyName, tags.definition(tags.propertyName)], color: "var(--ink)", fontWeight: "600" },
+  { tag: [tags.string, tags.content, tags.number, tags.atom], color: "var(--ink-2)" },
+  { tag: [tags.punctuation, tags.separator, tags.bracket], color: "var(--ink-3)" },
+]);
 
 const look = EditorView.theme({
   "&": { height: "100%", fontSize: "12px", color: "var(--ink)", backgroundColor: "var(--paper)" },
@@ -44,7 +52,7 @@ export class YamlEditor {
           drawSelection(),
           highlightActiveLine(),
           yaml(),
-          syntaxHighlighting(defaultHighlightStyle),
+          syntaxHighlighting(colours),
           keymap.of([{ key: "Mod-s", run: keep }, ...defaultKeymap, ...historyKeymap, ...lintKeymap]),
           EditorView.contentAttributes.of({ "aria-label": "machine.yaml" }),
           EditorView.updateListener.of((update) => {
