@@ -1,4 +1,4 @@
-"""The text of a machine beside its table: each shows what is typed in the other; errors stand at their line."""
+"""The text of a machine beside its table: each shows what is typed in the other; faults have their line."""
 
 from browser.conftest import Server, until
 from browser.edit.conftest import CELL, machine, type_in_cell
