@@ -7,6 +7,7 @@ import "./style/layout.css";
 import { accessPanel } from "./panels/access/access";
 import { actionCounterPanel } from "./panels/actionCounter/actionCounter";
 import { badgePanel } from "./panels/badge/badge";
+import { cellInspectorPanel } from "./panels/cellInspector/cellInspector";
 import { clampedPanel } from "./panels/clamped/clamped";
 import { deducePanel } from "./panels/deduce/deduceDialog";
 import { downloadPanel } from "./panels/download/downloadDialog";
@@ -66,6 +67,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["events", eventsPanel],
   ["timeline", timelinePanel],
   ["modes", viewControlsPanel],
+  ["cell", cellInspectorPanel],
   ["versions", versionsPanel],
   ["drawer", drawerPanel],
   ["help", helpPanel],

@@ -101,8 +101,8 @@ def test_the_keyboard_alone_edits(own: Server, table: Page) -> None:
 def test_another_editors_change_is_not_overwritten(
     own: Server, table: Page, allowed: list[str], event: str
 ) -> None:
-    """The page has not heard of the change. Of another cell: both are kept. Of the same cell: the page says so
-    and keeps your text; Enter then keeps it.
+    """The page has not heard of the change. Of another cell: both are kept. Of the same cell: the page says
+    so and keeps your text; Enter then keeps it.
     """
     allowed.append("status of 412")
     table.locator(CELL).click()
@@ -162,9 +162,7 @@ def test_a_version_is_restored_from_the_list(own: Server, table: Page) -> None:
     assert machine(own)["text"] == text
 
 
-def test_an_edit_waits_for_a_server_that_starts_again(
-    own: Server, table: Page, allowed: list[str]
-) -> None:
+def test_an_edit_waits_for_a_server_that_starts_again(own: Server, table: Page, allowed: list[str]) -> None:
     """You keep a text while the server is away: it is sent when the server is back."""
     allowed += ["ERR_CONNECTION_REFUSED", "Failed to load", "WebSocket"]
     table.locator(CELL).click()

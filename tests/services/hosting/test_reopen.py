@@ -142,6 +142,16 @@ def test_an_edit_of_a_shipped_machine_comes_back(tmp_path: Path) -> None:
         assert held.versions.of("elbow") == before
 
 
+def test_a_renamed_machine_has_its_versions_when_the_server_starts_again(tmp_path: Path) -> None:
+    with keeping(tmp_path, Catalogue()) as held:
+        edited(held)
+        before = held.versions.of("elbow")
+        held.versions.rename("elbow", "hand")
+    with keeping(tmp_path, Catalogue()) as held:
+        kept = held.store.records.versions() if held.store else {}
+        assert (list(kept), kept["hand"]) == (["hand"], before)
+
+
 def test_an_edit_that_came_back_can_be_undone(tmp_path: Path) -> None:
     with keeping(tmp_path, Catalogue()) as held:
         shipped = held.catalogue.entry("elbow").file.text

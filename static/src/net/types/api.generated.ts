@@ -345,6 +345,49 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/machines/{name}/export.zip": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Machine
+         * @description Returns the newest version of a machine with its tables and its character, as a zip; `statwalk serve`
+         *     plays the unpacked folder.
+         */
+        get: operations["export_machine_api_machines__name__export_zip_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/import.zip": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Import Machine
+         * @description Makes a machine of a zip, as `export.zip` gives it, or of a folder with a machine.yaml and a model.
+         *
+         *     409 if the name is taken.
+         */
+        put: operations["import_machine_api_machines__name__import_zip_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/machines": {
         parameters: {
             query?: never;
@@ -360,8 +403,9 @@ export interface paths {
         put?: never;
         /**
          * Make Machine
-         * @description Makes a machine from a character: a state for each clip, a complete table, an event on a key for each
-         *     state. A character without clips gets one state, its pose at rest.
+         * @description Makes a machine: a copy of another (`copy_of`); from a character, with a state for each clip, a
+         *     complete table, an event on a key for each state, or (`empty`) with one state; or, with neither, from
+         *     nothing: a simple skeleton at rest, in one state.
          *
          *     You can play it at once.
          */
@@ -470,6 +514,28 @@ export interface paths {
         get: operations["get_feet_api_machines__name__feet_get"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/rename": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rename Machine
+         * @description Gives a machine that POST made another name; its versions come along.
+         *
+         *     409 for other machines, and while a stage plays the machine or has it in its past.
+         */
+        post: operations["rename_machine_api_machines__name__rename_post"];
         delete?: never;
         options?: never;
         head?: never;
@@ -766,6 +832,26 @@ export interface paths {
          * @description Lists the scenes with their numbers of actors.
          */
         get: operations["list_scenes_api_scenes_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/stages/{stage_id}/facts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Facts
+         * @description Lists the actions and verdicts after tick `since`; 409 if the stage has forgotten some of them.
+         */
+        get: operations["get_facts_api_stages__stage_id__facts_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1372,6 +1458,21 @@ export interface components {
             /** @enum {string} */
             role: "view" | "drive" | "admin";
             stage: string | null;
+        };
+        /** @description An action of a machine; `seq` numbers all actions of a stage from 1. */
+        ActionMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "action";
+            seq: number;
+            tick: number;
+            actor: number;
+            name: string;
+            arguments: (string | number)[];
+            /** @description the actor that was touched, or that raised the event; -1: none */
+            other: number;
         };
         /**
          * @description How far an actor is from the actor with its id on the other stage. A list has a number for each tick of
@@ -2008,6 +2109,12 @@ export interface components {
         /** @description A motion that expressions drive, a line each; "": the pose at rest. */
         ExpressionsMotion: {
             expressions: string;
+        };
+        /** @description All actions and verdicts after the tick that was asked for, up to `tick`; oldest first. */
+        FactsView: {
+            tick: number;
+            actions: components["schemas"]["ActionMessage"][];
+            verdicts: components["schemas"]["VerdictMessage"][];
         };
         /** @description The feet of a character and their contacts in its clips. */
         FeetView: {
@@ -2741,17 +2848,26 @@ export interface components {
             seconds?: number;
         };
         /**
-         * @description A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-         *     left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
+         * @description A machine to make: a copy of the machine `copy_of`, or from a character, or from nothing: then it has
+         *     a simple skeleton. `mapping` gives a state for each clip (a clip without a state is left out), by default
+         *     the proposed mapping; `empty`: one state only. `root`: the joint that moves the character through the
+         *     world.
          */
         NewMachine: {
             name: string;
-            character: string;
+            character?: string | null;
+            copy_of?: string | null;
+            /** @default false */
+            empty?: boolean;
             mapping?: {
                 [key: string]: string | null;
             } | null;
             /** @default  */
             root?: string;
+        };
+        /** @description Another name for a machine. */
+        NewName: {
+            to: string;
         };
         /** @description Operations on a machine, applied in their order; together they make one version. */
         NewOperations: {
@@ -3590,6 +3706,37 @@ export interface components {
             bytes: number;
             machines: string[];
         };
+        /**
+         * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
+         *     the event has no cell.
+         */
+        VerdictMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "verdict";
+            tick: number;
+            actor: number;
+            layer: number;
+            event: string;
+            /** @enum {string} */
+            verdict: "taken" | "waits" | "dropped";
+            reason: string;
+            from: string;
+            to: string;
+            cell: [
+                string,
+                string
+            ] | null;
+            source: string;
+            line: number;
+            /** @description the values that the cell's condition read */
+            values: {
+                [key: string]: number;
+            };
+            other: number;
+        };
         /** @description What differs between two versions; states and events by their names in the newer one. */
         VersionDifferencesView: {
             version: number;
@@ -3692,21 +3839,6 @@ export interface components {
              */
             type: "accepted";
             ref: string | number | null;
-        };
-        /** @description An action of a machine; `seq` numbers all actions of a stage from 1. */
-        ActionMessage: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "action";
-            seq: number;
-            tick: number;
-            actor: number;
-            name: string;
-            arguments: (string | number)[];
-            /** @description the actor that was touched, or that raised the event; -1: none */
-            other: number;
         };
         /** @description An actor of a cast. */
         ActorName: {
@@ -3874,37 +4006,6 @@ export interface components {
             trouble: string;
             /** @description null: nobody has touched the clock since the stage was opened or came back */
             changed: components["schemas"]["ClockChangeView"] | null;
-        };
-        /**
-         * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
-         *     the event has no cell.
-         */
-        VerdictMessage: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "verdict";
-            tick: number;
-            actor: number;
-            layer: number;
-            event: string;
-            /** @enum {string} */
-            verdict: "taken" | "waits" | "dropped";
-            reason: string;
-            from: string;
-            to: string;
-            cell: [
-                string,
-                string
-            ] | null;
-            source: string;
-            line: number;
-            /** @description the values that the cell's condition read */
-            values: {
-                [key: string]: number;
-            };
-            other: number;
         };
         /** @description Who watches the stage, in the order in which they came: sent when it changes, at most once a second. */
         ViewersMessage: {
@@ -4311,6 +4412,7 @@ export interface components {
 }
 export type Accepted = components['schemas']['Accepted'];
 export type AccessView = components['schemas']['AccessView'];
+export type ActionMessage = components['schemas']['ActionMessage'];
 export type ActorDifferenceView = components['schemas']['ActorDifferenceView'];
 export type ActorView = components['schemas']['ActorView'];
 export type AddColliderOperation = components['schemas']['AddColliderOperation'];
@@ -4356,6 +4458,7 @@ export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
 export type ExpressionView = components['schemas']['ExpressionView'];
 export type ExpressionsMotion = components['schemas']['ExpressionsMotion'];
+export type FactsView = components['schemas']['FactsView'];
 export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FigureView = components['schemas']['FigureView'];
@@ -4416,6 +4519,7 @@ export type NewFork = components['schemas']['NewFork'];
 export type NewKey = components['schemas']['NewKey'];
 export type NewLink = components['schemas']['NewLink'];
 export type NewMachine = components['schemas']['NewMachine'];
+export type NewName = components['schemas']['NewName'];
 export type NewOperations = components['schemas']['NewOperations'];
 export type NewParameter = components['schemas']['NewParameter'];
 export type NewRig = components['schemas']['NewRig'];
@@ -4482,6 +4586,7 @@ export type TwinView = components['schemas']['TwinView'];
 export type TwinningView = components['schemas']['TwinningView'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
+export type VerdictMessage = components['schemas']['VerdictMessage'];
 export type VersionDifferencesView = components['schemas']['VersionDifferencesView'];
 export type VersionText = components['schemas']['VersionText'];
 export type VersionView = components['schemas']['VersionView'];
@@ -4490,7 +4595,6 @@ export type WhyNotView = components['schemas']['WhyNotView'];
 export type WhyView = components['schemas']['WhyView'];
 export type ProblemView = components['schemas']['ProblemView'];
 export type AcceptedMessage = components['schemas']['AcceptedMessage'];
-export type ActionMessage = components['schemas']['ActionMessage'];
 export type ActorName = components['schemas']['ActorName'];
 export type CameraMessage = components['schemas']['CameraMessage'];
 export type CastCollider = components['schemas']['CastCollider'];
@@ -4500,7 +4604,6 @@ export type Forked = components['schemas']['Forked'];
 export type Hello = components['schemas']['Hello'];
 export type Pong = components['schemas']['Pong'];
 export type StatusMessage = components['schemas']['StatusMessage'];
-export type VerdictMessage = components['schemas']['VerdictMessage'];
 export type ViewersMessage = components['schemas']['ViewersMessage'];
 export type ServerMessage = components['schemas']['ServerMessage'];
 export type Ack = components['schemas']['Ack'];
@@ -5148,6 +5251,73 @@ export interface operations {
             507: components["responses"]["507"];
         };
     };
+    export_machine_api_machines__name__export_zip_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": unknown;
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    import_machine_api_machines__name__import_zip_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/zip": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            408: components["responses"]["408"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     list_machines_api_machines_get: {
         parameters: {
             query?: never;
@@ -5443,6 +5613,44 @@ export interface operations {
             422: components["responses"]["422"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
+        };
+    };
+    rename_machine_api_machines__name__rename_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewName"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     patch_cell_api_machines__name__cells_patch: {
@@ -6032,6 +6240,39 @@ export interface operations {
             421: components["responses"]["421"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
+        };
+    };
+    get_facts_api_stages__stage_id__facts_get: {
+        parameters: {
+            query?: {
+                since?: number;
+            };
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FactsView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
         };
     };
     get_history_api_stages__stage_id__history_get: {

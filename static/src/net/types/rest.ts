@@ -6,6 +6,7 @@ export type {
   AccessView as Access,
   BonesView as Bones,
   ActorView as ActorFacts,
+  ClipView as Clip,
   ClampedView as ClampedJoint,
   EventLine,
   HistoryView as StateHistory,

@@ -8,7 +8,10 @@ import { byId } from "../../ui/dom";
 import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
 
-const TABS: readonly (readonly [NonNullable<Drawer>, string])[] = [["versions", "versions"]];
+const TABS: readonly (readonly [NonNullable<Drawer>, string])[] = [
+  ["cell", "cell"],
+  ["versions", "versions"],
+];
 
 export function drawerPanel(host: HTMLElement, app: App): void {
   const { drawer } = app.inspection;

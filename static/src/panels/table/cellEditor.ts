@@ -8,7 +8,7 @@ import type { App } from "../../view/app";
 import { el, flash } from "../../ui/dom";
 import { writtenText } from "./cellText";
 import { completions, markersOf, targets } from "./completion";
-import type { CellInspector } from "./cellInspector";
+import type { TrialReport } from "./trialReport";
 import { Suggestions } from "./suggestions";
 
 const TRIAL_PAUSE_MS = 180;
@@ -41,7 +41,7 @@ export class CellEditor {
   constructor(
     private readonly host: HTMLElement,
     private readonly app: App,
-    private readonly inspector: CellInspector,
+    private readonly inspector: TrialReport,
     private readonly cellAt: (state: string, event: string) => HTMLTableCellElement | null,
   ) {
     host.append(this.field);

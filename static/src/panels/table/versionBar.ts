@@ -77,6 +77,15 @@ export function versionBar(host: HTMLElement, app: App, showFindings: () => void
       <button
         type="button"
         class="plain"
+        title="the selected cell or state, field by field (Alt+Enter)"
+        aria-expanded=${inspection.drawer.value === "cell"}
+        @click=${() => toggle("cell")}
+      >
+        inspect
+      </button>
+      <button
+        type="button"
+        class="plain"
         title="all versions, and what each changed"
         aria-expanded=${inspection.drawer.value === "versions"}
         @click=${() => toggle("versions")}

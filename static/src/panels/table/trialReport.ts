@@ -41,7 +41,7 @@ function reasons({ kind, words, findings }: Answer): readonly Finding[] {
   return [{ kind, severity: "error", message: words, ...nowhere }];
 }
 
-export class CellInspector {
+export class TrialReport {
   /** The completions, shown by the cell editor. */
   readonly suggestions = el("ul", {
     class: "suggestions",

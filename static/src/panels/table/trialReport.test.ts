@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import type { Finding } from "../../net/protocol";
 import { cell, finding } from "../../net/types/examples";
 import { exampleApp } from "../../view/exampleApp";
-import { CellInspector, fineWords } from "./cellInspector";
+import { TrialReport, fineWords } from "./trialReport";
 
 const old = finding({ severity: "warning", message: "old" });
 const news = finding({ severity: "error", message: "news", state: "A", event: "GO" });
@@ -12,7 +12,7 @@ function shown() {
   const app = exampleApp();
   const host = document.createElement("div");
   const gone: Finding[] = [];
-  const inspector = new CellInspector(host, app.editing, (one) => gone.push(one));
+  const inspector = new TrialReport(host, app.editing, (one) => gone.push(one));
   app.editing.findings.value = [old];
   const items = (): string[] =>
     [...host.querySelectorAll(".findings li")].map((item) => item.textContent.replace(/\s+/g, " ").trim());
