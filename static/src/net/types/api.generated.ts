@@ -5925,8 +5925,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -5966,8 +5966,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -6007,8 +6007,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -6048,8 +6048,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
