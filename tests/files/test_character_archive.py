@@ -8,8 +8,9 @@ import tiny_model
 from paths import GLTF, MACHINES, needs_assets
 from statwalk.errors import ContentError
 from statwalk.files.character_archive import FORMAT, read_character, write_character
+from statwalk.files.character_file import load_character_file
 from statwalk.files.gltf import read_model
-from statwalk.services.library.load import load, load_character_file
+from statwalk.services.library.load import load
 from whole_character import difference
 
 SHIPPED = sorted(MACHINES.rglob("*.glb"))

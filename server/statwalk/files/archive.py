@@ -1,5 +1,5 @@
-"""Unpacks a model and the files that it needs from a zip; names and sizes are checked before any byte is
-unpacked.
+"""Unpacks a model, or a character file, and the files that it needs from a zip; names and sizes are checked
+before any byte is unpacked.
 """
 
 from __future__ import annotations
@@ -13,9 +13,13 @@ from pathlib import Path, PurePosixPath
 
 from statwalk.errors import ModelError
 
+SUFFIX = ".zip"
 MODELS = (".gltf", ".glb")
 SUFFIXES = (*MODELS, ".bin", ".png", ".jpg", ".jpeg", ".webp", ".ktx2")
 """files that a model may need; all other files stay in the archive"""
+CHARACTER_FILES = (".yaml", ".yml")
+CHARACTER_SUFFIXES = (*SUFFIXES, *CHARACTER_FILES, ".txt", ".md2", ".x", ".chunk", ".bvh", ".trc")
+"""files that a character file may name"""
 MOST_ENTRIES = 1_000
 LARGEST_DIRECTORY_BYTES = 1 << 20
 LARGEST_UNPACKED_BYTES = 128 << 20
@@ -37,7 +41,8 @@ def is_zip(start: bytes) -> bool:
 
 
 def unpack(archive: Path, folder: Path) -> Path:
-    """Unpacks a zip into an empty folder and returns the path of the only model in it.
+    """Unpacks a zip into an empty folder and returns the path of its only character file, or else of its only
+    model.
 
     :raises ModelError: when the zip is damaged, too large or unsafe, or does not hold exactly one model;
         `place` is the entry's name or a byte offset.
@@ -58,7 +63,7 @@ def unpack(archive: Path, folder: Path) -> Path:
         struct.error,
     ) as error:
         raise ModelError(f"the zip cannot be read: {str(error)[:200]}", place="byte 0") from None
-    return _model_in(folder)
+    return _main_file_in(folder)
 
 
 def _check_directory(archive: Path) -> None:
@@ -98,7 +103,14 @@ def _checked(entries: Sequence[zipfile.ZipInfo]) -> list[zipfile.ZipInfo]:
         )
     for entry in entries:
         _check_entry(entry)
-    wanted = [entry for entry in entries if not entry.is_dir() and _is_wanted(PurePosixPath(entry.filename))]
+    paths = [PurePosixPath(entry.filename) for entry in entries]
+    has_character_file = any(_is_wanted(path, CHARACTER_FILES) for path in paths)
+    suffixes = CHARACTER_SUFFIXES if has_character_file else SUFFIXES
+    wanted = [
+        entry
+        for entry, path in zip(entries, paths, strict=True)
+        if not entry.is_dir() and _is_wanted(path, suffixes)
+    ]
     _check_different(entry.filename for entry in wanted)
     return wanted
 
@@ -139,10 +151,10 @@ def shown(name: str) -> str:
     return ascii(name[:LONGEST_NAME])
 
 
-def _is_wanted(path: PurePosixPath) -> bool:
-    """Returns whether a model may need the file; hidden files, which some systems add, are skipped."""
+def _is_wanted(path: PurePosixPath, suffixes: tuple[str, ...]) -> bool:
+    """Returns whether a file has one of the suffixes; hidden files, which some systems add, are skipped."""
     hidden = any(part.startswith(".") or part == "__MACOSX" for part in path.parts)
-    return path.suffix.lower() in SUFFIXES and not hidden
+    return path.suffix.lower() in suffixes and not hidden
 
 
 def _check_different(names: Iterable[str]) -> None:
@@ -182,17 +194,20 @@ def _extract(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, folder: Path, most
     return written
 
 
-def _model_in(folder: Path) -> Path:
-    """Returns the only model of a folder: the .gltf or .glb nearest to the top.
+def _main_file_in(folder: Path) -> Path:
+    """Returns the only character file of a folder, the one nearest to the top; without one, the model.
 
-    :raises ModelError: when the folder has no model, or several at the same depth.
+    :raises ModelError: when the folder has neither, or several at the same depth.
     """
-    models = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in MODELS and path.is_file()]
+    files = [path for path in sorted(folder.rglob("*")) if path.is_file()]
+    texts = [path for path in files if path.suffix.lower() in CHARACTER_FILES]
+    models = texts or [path for path in files if path.suffix.lower() in MODELS]
+    kind = "character file" if texts else "model"
     if not models:
-        raise ModelError("the zip holds no model; add one .gltf or .glb file")
+        raise ModelError("the zip holds no model; add one .gltf or .glb file, or a character file (.yaml)")
     depth = min(len(path.parts) for path in models)
     highest = [path for path in models if len(path.parts) == depth]
     if len(highest) > 1:
         names = ", ".join(path.name[:60] for path in highest[:5])
-        raise ModelError(f"the zip holds {len(highest)} models; keep only one: {names}")
+        raise ModelError(f"the zip holds {len(highest)} {kind}s; keep only one: {names}")
     return highest[0]
