@@ -64,7 +64,7 @@ def curl(arguments: list[str], address: str, folder: Path) -> None:
     headers = dict(line.split(": ") for line in asked.H)
     url = "http://" + asked.url.replace("localhost:8000", address)
     answer = httpx.request(
-        "POST" if asked.d else "GET", url, content=asked.d, headers=headers, timeout=30
+        "POST" if asked.d else "GET", url, content=asked.d, headers=headers, timeout=100
     ).raise_for_status()
     if asked.o:
         (folder / asked.o).write_bytes(answer.content)
@@ -77,7 +77,7 @@ def shell(line: str, address: str, folder: Path) -> None:
         curl(arguments, address, folder)
     else:
         command = [sys.executable, "-m", "statwalk.cli"] if program == "statwalk" else [program]
-        subprocess.run([*command, *arguments], cwd=folder, check=True, capture_output=True, timeout=60)
+        subprocess.run([*command, *arguments], cwd=folder, check=True, capture_output=True, timeout=200)
 
 
 def test_the_whole_readme_runs_as_printed(

@@ -32,7 +32,7 @@ WIDE = {"width": 1280, "height": 900}
 UNTIL = """async arg => {
   const start = performance.now();
   while (!(CONDITION)) {
-    if (performance.now() - start > 20000) {
+    if (performance.now() - start > 60000) {
       const v = window.__viewer;
       const where = v ? ` at tick ${v.tick()} in ${v.state()}, line ${v.link()}` : '';
       throw new Error('waited for ' + `CONDITION` + where);
@@ -106,7 +106,7 @@ class Server:
         self.process.send_signal(by)
         assert self.process.stdout is not None
         self.process.stdout.close()
-        self.process.wait(10)
+        self.process.wait(60)
         self.process = None
 
     def __enter__(self) -> Self:
@@ -168,7 +168,7 @@ def page(browser: Browser, allowed: list[str]) -> Iterator[Page]:
     """
     context = browser.new_context(viewport=SIZE, reduced_motion="reduce")
     shown = context.new_page()
-    shown.set_default_timeout(20_000)
+    shown.set_default_timeout(60_000)
     shown.add_init_script(REPORT_VIOLATIONS)
     wrong: list[str] = []
 

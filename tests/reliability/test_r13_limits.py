@@ -12,9 +12,11 @@ import pytest
 from serving import open_and_never_read, serving, wait_for
 from statwalk.services.cancel import CancelToken
 from statwalk.services.limits import Limits
+from statwalk.services.publish import outbox
 from statwalk.web import server
 from statwalk.web.app import create_app
 from statwalk.web.settings import Settings
+from statwalk.web.socket import protocol
 from watcher import Watcher
 
 MAIN = "/api/stages/main"
@@ -34,9 +36,11 @@ def masked(text: str) -> bytes:
 
 @pytest.fixture
 def impatient(monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
-    """A server that soon notices who does not read."""
+    """A server that soon notices who does not answer pings, and looks for nothing else."""
     monkeypatch.setattr(server, "PING_SECONDS", 0.1)
-    monkeypatch.setattr(server, "PONG_SECONDS", 1.0)
+    monkeypatch.setattr(server, "PONG_SECONDS", 3.0)
+    monkeypatch.setattr(protocol, "UNWRITABLE_SECONDS", 3_600.0)
+    monkeypatch.setattr(outbox, "ACKNOWLEDGE_SECONDS", 3_600.0)
     with serving(create_app()) as address:
         yield address
 
@@ -49,7 +53,7 @@ def acknowledge_all(client: socket.socket, first: int, last: int) -> None:
 
 def test_who_acknowledges_without_reading_is_cut_off(impatient: str) -> None:
     """The frames of one actor fill the buffers only after many seconds; a ping is answered or it is not."""
-    with httpx.Client(base_url=f"http://{impatient}") as rest:
+    with httpx.Client(base_url=f"http://{impatient}", timeout=60) as rest:
         lying = open_and_never_read(impatient, f"{MAIN}/stream")
         wait_for(lambda: rest.get(MAIN).json()["viewers"] == 1)
         acknowledged = rest.get(MAIN).json()["head"]
@@ -64,14 +68,14 @@ def test_who_acknowledges_without_reading_is_cut_off(impatient: str) -> None:
             acknowledged = facts["head"]
             return bool(facts["viewers"] == 0)
 
-        wait_for(is_cut, 5.0)
+        wait_for(is_cut)
         lying.close()
 
 
 def test_who_reads_is_not_cut_off(impatient: str) -> None:
     with Watcher(impatient, MAIN) as viewer:
         first = viewer.frame().tick
-        assert viewer.frame_at(first + 120)
+        assert viewer.frame_from(first + 240)
 
 
 LONG = {"clock": "manual", "actors": [{"machine": "faq-walker"}] * 20}
@@ -135,7 +139,7 @@ def test_many_long_steps_at_once_leave_room_for_all_others(busy: str) -> None:
                 viewer.say(type="event", event="FORWARD", ref=1)
                 assert viewer.text("accepted")["stage"] == "main"
             assert rest.get("/healthz").status_code == 200
-            httpx.delete(f"http://{busy}{long}")
+            rest.delete(long)
         statuses = [step.result().status_code for step in steps]
     assert 503 in statuses  # one more than may wait
 
@@ -146,5 +150,5 @@ def test_a_stage_that_takes_too_much_time_slows_down_and_says_so(busy: str) -> N
     with httpx.Client(base_url=f"http://{busy}", timeout=60) as rest:
         stage = rest.post("/api/stages", json=crowd).headers["location"]
         with Watcher(busy, stage) as viewer:
-            wait_for(lambda: viewer.text("status")["pace"] < 1, 60.0)
+            wait_for(lambda: viewer.text("status")["pace"] < 1)
             assert rest.get(MAIN).json()["pace"] == 1

@@ -43,7 +43,7 @@ def test_r15_a_server_refuses_shows_and_recovers(tmp_path: Path, error: str, sta
         with strace(process.pid, "-o", "/dev/null", "-e", f"trace={FAILING}", "-e", inject):
             assert [post(key) for key in ("one", "two", "one")] == [status] * 3
             assert rest.get(MAIN).status_code == 200
-            viewer.frame_at(viewer.frame().tick + TICKS)
+            viewer.frame_from(viewer.frame().tick + TICKS)
         wait_for(lambda: post("one") == 202)
         assert post("after") == 202
         log = rest.get(f"{MAIN}/log").text

@@ -8,12 +8,13 @@ from collections.abc import Iterator
 import httpx
 import pytest
 from load_process import LoadProcess, viewers_in_a_process
-from pacing_figures import held, late_counts, late_within, pace
+from pacing_figures import held, late_counts, late_within, pace, ticks_left_out
 from processes import served
-from serving import wait_for
+from serving import PATIENCE, wait_for
 
 MAIN = "/api/stages/main"
-TICKS = 240
+TICKS = 720
+"""a stage may be 15 ticks behind on a busy computer, at the beginning or at the end: 1.25 Hz over so many"""
 WARM_TICKS = 120
 """until the server has opened its files"""
 NEAR = 1.5
@@ -26,19 +27,20 @@ MORE_THREADS = 4
 def running() -> Iterator[tuple[int, httpx.Client, LoadProcess]]:
     with (
         served() as (process, address),
-        httpx.Client(base_url=f"http://{address}") as rest,
+        httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest,
         viewers_in_a_process(address, MAIN, 1) as load,
     ):
         yield process.pid, rest, load
 
 
 def hertz(rest: httpx.Client, load: LoadProcess) -> float:
-    """The pace over four seconds' ticks."""
+    """The pace over twelve seconds' ticks."""
     load.seen()
-    first = rest.get(MAIN).json()["head"]
-    wait_for(lambda: rest.get(MAIN).json()["head"] >= first + TICKS, 20.0)
+    first, before = rest.get(MAIN).json()["head"], ticks_left_out(rest.get("/metrics").text)
+    wait_for(lambda: rest.get(MAIN).json()["head"] >= first + TICKS)
     seen = load.seen()[0]
-    return pace(seen.times, seen.ticks).hz
+    left_out = ticks_left_out(rest.get("/metrics").text) - before
+    return pace(seen.times, seen.ticks, left_out=left_out).hz
 
 
 def test_r20_a_stage_keeps_its_pace_and_the_server_its_size(

@@ -1,18 +1,33 @@
-"""Databases as older versions wrote them: hashes without keys, logs without ends."""
+"""Databases as older versions wrote them: stages without names and origins, hashes without keys, logs
+without ends.
+"""
 
 import hashlib
 import sqlite3
 from pathlib import Path
 
-from statwalk.services.hosting.store.records import KeptBeginning, MachineVersion
+from statwalk.services.hosting.store.records import KeptBeginning, MachineVersion, row_digest
 
 
 def joined(*parts: bytes) -> bytes:
     return hashlib.blake2b(b"\0".join(parts), digest_size=16).digest()
 
 
+def to_format_3(path: Path) -> None:
+    """Rewrites a database of the present format."""
+    with sqlite3.connect(path) as connection:
+        connection.create_function("row_digest", -1, row_digest)
+        for column in ("name", "parent", "forked_tick", "forked_number", "made"):
+            connection.execute(f"ALTER TABLE stages DROP COLUMN {column}")
+        columns = "id, opened, seed, rate, clock, tick, head, hash, paused, speed, keep_running"
+        connection.execute(f"UPDATE stages SET digest = row_digest({columns})")
+        connection.execute("PRAGMA user_version=3")
+    connection.close()
+
+
 def to_format_2(path: Path) -> None:
     """Rewrites a database of the present format."""
+    to_format_3(path)
     with sqlite3.connect(path) as connection:
         for name, function in {
             "of_role": lambda text, model: joined(text.encode(), model),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -13,19 +14,25 @@ BUCKET = 'statwalk_tick_late_seconds_bucket{le="'
 
 
 class Pace(NamedTuple):
-    """`hz`: ticks a second, by a line through all frames; `drift`: seconds by which the last frame came later
-    than the first frame and its tick say, negative if it came earlier.
+    """`hz`: ticks a second, from the frame of the first quarter that came least late to that of the last one;
+    `drift`: seconds by which the last frame came later than the first frame and its tick say, negative if it
+    came earlier.
     """
 
     hz: float
     drift: float
 
 
-def pace(times: Sequence[float], ticks: Sequence[int], rate: float = 60.0) -> Pace:
-    """The pace of a stage, from when (s) which tick came to a viewer."""
+def pace(times: Sequence[float], ticks: Sequence[int], rate: float = 60.0, left_out: int = 0) -> Pace:
+    """The pace of a stage, from when (s) which tick came to a viewer. `left_out`: how many ticks the server
+    says that it left out meanwhile, since the computer was busy; they count.
+    """
     at, tick = np.asarray(times), np.asarray(ticks)
-    slope = np.polyfit(at - at[0], tick - tick[0], 1)[0]
-    return Pace(float(slope), float(at[-1] - at[0] - (tick[-1] - tick[0]) / rate))
+    late = at - at[0] - (tick - tick[0]) / rate
+    quarter = max(1, len(late) // 4)
+    first, last = int(late[:quarter].argmin()), len(late) - quarter + int(late[-quarter:].argmin())
+    hz = (tick[last] - tick[first] + left_out) / (at[last] - at[first])
+    return Pace(float(hz), float(late[-1]))
 
 
 class Held(NamedTuple):
@@ -43,6 +50,12 @@ def held(process: int) -> Held:
     return Held(
         resident_bytes(process), len(list((folder / "fd").iterdir())), len(list((folder / "task").iterdir()))
     )
+
+
+def ticks_left_out(metrics: str) -> int:
+    """How many ticks a server has left out, from the text of /metrics."""
+    (number,) = re.findall(r"^statwalk_ticks_left_out_total (\S+)$", metrics, re.MULTILINE)
+    return int(float(number))
 
 
 def late_counts(metrics: str) -> dict[float, float]:

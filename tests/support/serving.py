@@ -12,6 +12,9 @@ from typing import Any
 from statwalk.services.limits import Limits
 from statwalk.web import server as listen
 
+PATIENCE = 60.0
+"""seconds for what a quiet machine does in two: another may be slow, and busy with other tests"""
+
 
 @contextmanager
 def serving(app: Any, limits: Limits | None = None) -> Iterator[str]:
@@ -26,11 +29,11 @@ def serving(app: Any, limits: Limits | None = None) -> Iterator[str]:
         yield address
     finally:
         server.should_exit = True
-        thread.join(timeout=10)
+        thread.join(PATIENCE)
         assert not thread.is_alive(), "the server did not stop"
 
 
-def wait_for(condition: Any, seconds: float = 10.0) -> None:
+def wait_for(condition: Any, seconds: float = PATIENCE) -> None:
     """Until something outside of this process's control is so."""
     until = time.monotonic() + seconds
     while not condition():

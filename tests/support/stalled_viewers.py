@@ -60,9 +60,9 @@ def acknowledge_all(
             told = sent
 
 
-def _stay(address: str, stage: str, name: str, lies: bool, leaving: threading.Event) -> None:
+def _stay(address: str, stage: str, name: str, lies: bool, seconds: float, leaving: threading.Event) -> None:
     while not leaving.is_set():
-        until = time.monotonic() + STAY_SECONDS
+        until = time.monotonic() + seconds
         with stall(address, stage, name) as client:
             if lies:
                 acknowledge_all(client, address, stage, until, leaving)
@@ -70,14 +70,15 @@ def _stay(address: str, stage: str, name: str, lies: bool, leaving: threading.Ev
 
 
 @contextmanager
-def stalled(count: int, address: str, stage: str, *, lies: bool = False) -> Iterator[str]:
-    """So many stalled viewers while the context is open, each replaced every `STAY_SECONDS`; yields their
+def stalled(
+    count: int, address: str, stage: str, *, lies: bool = False, seconds: float = STAY_SECONDS
+) -> Iterator[str]:
+    """So many stalled viewers while the context is open, each replaced after so many seconds; yields their
     name in the server's log. `lies`: they acknowledge.
     """
     name, leaving = ("lying" if lies else "silent"), threading.Event()
-    threads = [
-        threading.Thread(target=_stay, args=(address, stage, name, lies, leaving)) for _ in range(count)
-    ]
+    ask = address, stage, name, lies, seconds, leaving
+    threads = [threading.Thread(target=_stay, args=ask) for _ in range(count)]
     for thread in threads:
         thread.start()
     try:

@@ -7,8 +7,12 @@ from typing import Any, Self
 from statwalk.services.publish.pose_message import PoseMessage, decode
 from websockets.sync.client import connect
 
-PATIENCE = 20.0
+PATIENCE = 60.0
+CLOSE_SECONDS = 1.0
+"""for which websockets may wait for the end of a connection after its close frame, though it has come"""
 MOST_MESSAGES = 2_000
+FRAMES, TICKS, TRIES = 30, 33, 60
+"""so many frames within so many ticks are the pace of the stage, if one of so many tries brings them"""
 
 
 class Watcher:
@@ -22,6 +26,7 @@ class Watcher:
             subprotocols=["statwalk.v1"],
             compression=None,
             max_size=None,
+            close_timeout=CLOSE_SECONDS,
             **options,
         )
         self.socket = self.opened.__enter__()
@@ -75,10 +80,28 @@ class Watcher:
         return decode(self.data())
 
     def frame_at(self, tick: int) -> PoseMessage:
-        """The next frame of a tick."""
+        """The next frame of a tick, which must come: no tick of a stage that is stepped is skipped."""
         while (frame := self.frame()).tick != tick:
             pass
         return frame
+
+    def frame_from(self, tick: int) -> PoseMessage:
+        """The next frame of a tick, or of a later one: a busy machine skips frames in real time."""
+        while (frame := self.frame()).tick < tick:
+            pass
+        return frame
+
+    def keeps_up(self) -> bool:
+        """Whether frames come at the pace of the stage. A busy machine leaves frames out now and then, a
+        server that holds them back does so in each try.
+        """
+        return any(self._ticks_of(FRAMES) <= TICKS for _ in range(TRIES))
+
+    def _ticks_of(self, frames: int) -> int:
+        """How many ticks go by while so many frames come, each newer than the one before."""
+        ticks = [self.frame().tick for _ in range(frames + 1)]
+        assert ticks == sorted(set(ticks))
+        return ticks[-1] - ticks[0]
 
 
 def glb_tick(data: bytes) -> int:

@@ -3,7 +3,7 @@
 import asyncio
 import contextlib
 import json
-from time import perf_counter
+from time import thread_time
 
 import pytest
 from hostile import HOSTILE
@@ -62,10 +62,10 @@ LONG = {
 @pytest.mark.parametrize("body", LONG.values(), ids=LONG)
 def test_what_is_long_is_refused_in_no_time(body: bytes) -> None:
     """Each took from 7 to 20 s while the time grew with the square of the length; now it is 20 ms."""
-    begun = perf_counter()
+    begun = thread_time()
     with pytest.raises(Problem):
         parse(body)
-    assert perf_counter() - begun < 0.5
+    assert thread_time() - begun < 0.5
 
 
 def test_the_event_loop_goes_on_while_a_large_body_is_read() -> None:

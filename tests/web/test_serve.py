@@ -7,7 +7,6 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -16,7 +15,7 @@ import pytest
 import tiny_model
 import typer
 from processes import command, served
-from serving import open_and_never_read, wait_for
+from serving import PATIENCE, open_and_never_read, wait_for
 from statwalk.cli.serve import serve
 from watcher import Watcher
 from websockets.exceptions import ConnectionClosed
@@ -28,12 +27,9 @@ def test_sigterm_ends_it_with_viewers_connected_and_one_stalled() -> None:
     with served() as (process, address):
         stalled = open_and_never_read(address, f"{MAIN}/stream?frames=glb")
         viewers = [Watcher(address, MAIN) for _ in range(5)]
-        for viewer in viewers:
-            viewer.frame_at(viewer.frame().tick + 60)
-        asked = time.monotonic()
+        viewers[0].frame_from(viewers[0].frame().tick + 60)
         process.send_signal(signal.SIGTERM)
-        assert process.wait(timeout=5) == 0
-        assert time.monotonic() - asked < 5
+        assert process.wait(timeout=PATIENCE) == 0
         for viewer in viewers:
             with pytest.raises(ConnectionClosed) as closed:
                 viewer.text("nothing")
@@ -55,7 +51,7 @@ def test_sigterm_ends_it_in_the_middle_of_a_long_step() -> None:
         wait_for(lambda: rest.get(stage).json()["tick"] > 0)
         process.send_signal(signal.SIGTERM)
         assert (
-            process.wait(timeout=15) == 0
+            process.wait(timeout=PATIENCE) == 0
         )  # 1.5 s on a quiet machine; without a look at the token it was minutes
         answer = step.result()
     assert (answer.status_code, answer.json()["detail"]) == (
@@ -75,7 +71,7 @@ run(create_app(), listening_socket("127.0.0.1", 0))
 
 
 def test_a_signal_before_uvicorn_listens_for_it_counts() -> None:
-    assert subprocess.run([sys.executable, "-c", SIGNALLED_EARLY], timeout=20).returncode == 0
+    assert subprocess.run([sys.executable, "-c", SIGNALLED_EARLY], timeout=PATIENCE).returncode == 0
 
 
 def test_the_page_and_the_default_machine_are_there() -> None:
@@ -108,7 +104,11 @@ def test_uploads_are_kept_in_the_data_folder(tmp_path: Path) -> None:
 def refused(*arguments: str) -> str:
     """What it says when it ends with status 2."""
     ended = subprocess.run(
-        command(*arguments), capture_output=True, text=True, timeout=30, env=os.environ | {"COLUMNS": "200"}
+        command(*arguments),
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        env=os.environ | {"COLUMNS": "200"},
     )
     assert ended.returncode == 2
     return ended.stderr

@@ -55,8 +55,9 @@ def replay(source: Path | Iterable[str], roles: Roles, until: int | None = None)
     return stage
 
 
-def at_beginning(loaded: Loaded, roles: Roles) -> Stage:
-    """Returns a stage at the first tick of a log, whose steps follow the log.
+def at_beginning(loaded: Loaded, roles: Roles, newest: int = 0) -> Stage:
+    """Returns a stage at the first tick of a log, whose steps follow the log; the numbers of its next entries
+    are above `newest`.
 
     :raises StageError: when the log names what does not exist; the message names the line.
     """
@@ -64,7 +65,7 @@ def at_beginning(loaded: Loaded, roles: Roles) -> Stage:
     beginning = loaded.beginning
     start = from_bytes(beginning.state, catalog) if beginning else StageState()
     _check_names(loaded, catalog, start)
-    log = MemoryLog(loaded.entries, beginning.number if beginning else 0)
+    log = MemoryLog(loaded.entries, max(newest, beginning.number if beginning else 0))
     seed, rate = loaded.header.get("seed", 0), loaded.header.get("rate", 60)
     return Stage.of(log, catalog, start, seed, rate, beginning)
 

@@ -46,6 +46,7 @@ from statwalk.web.routes import (
     scenes,
     stages,
     uploads,
+    viewers,
 )
 from statwalk.web.security import Guard
 from statwalk.web.settings import Settings
@@ -66,6 +67,7 @@ ROUTES = (
     scenes,
     history,
     links,
+    viewers,
     actors,
     captures,
     details,

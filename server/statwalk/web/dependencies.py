@@ -8,13 +8,14 @@ from contextlib import asynccontextmanager
 from typing import Annotated
 
 from anyio import to_thread
-from fastapi import Depends, Request
+from fastapi import Depends, Header, Request
 from starlette.requests import HTTPConnection
 
 from statwalk.services.access.authenticator import Authenticator
 from statwalk.services.access.roles import EVERYTHING, Grant
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting import stage_messages as ask
+from statwalk.services.hosting.commands import Doer
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.library.catalogue import Catalogue
@@ -82,6 +83,23 @@ async def stage_of(stage_id: str, request: Request) -> StageHost:
     :raises UnknownNameError: when no stage has this id.
     """
     return registry_in(request).find(stage_id)
+
+
+ViewerNumber = Annotated[
+    int | None,
+    Header(alias="Statwalk-Viewer", ge=1, le=2**53, description="your number in the hello of the socket"),
+]
+
+
+async def doer_of(stage_id: str, request: Request, viewer: ViewerNumber = None) -> Doer:
+    """Returns who acts on the stage of the path: the viewer that the request names, or who sends it.
+
+    :raises UnknownNameError: when no stage has this id.
+    """
+    return registry_in(request).find(stage_id).audience.doer(viewer, grant_of(request))
+
+
+DoerDep = Annotated[Doer, Depends(doer_of)]
 
 
 @asynccontextmanager

@@ -52,6 +52,7 @@ VIEW = (
     "GET /api/stages/{stage_id}/history",
     "GET /api/stages/{stage_id}/log",
     "GET /api/stages/{stage_id}/recording.glb",
+    "GET /api/stages/{stage_id}/viewers",
     # these compute an answer from their body, and change nothing
     "POST /api/characters/{name}/solve",
     "POST /api/curves",
@@ -65,6 +66,7 @@ DRIVE = (
     "DELETE /api/stages/{stage_id}/actors/{actor_id}/travel",
     "DELETE /api/stages/{stage_id}/links/{link_id}",
     "GET /api/stages/{stage_id}/links",
+    "PATCH /api/stages/{stage_id}",
     "POST /api/stages",
     "POST /api/stages/{stage_id}/actors",
     "POST /api/stages/{stage_id}/actors/{actor_id}/travel",
@@ -102,6 +104,7 @@ BEYOND_A_LINK = frozenset(
         "DELETE /api/stages/{stage_id}",
         "DELETE /api/stages/{stage_id}/links/{link_id}",
         "GET /api/stages/{stage_id}/links",
+        "PATCH /api/stages/{stage_id}",
         "POST /api/stages/{stage_id}/fork",
         "POST /api/stages/{stage_id}/links",
     }

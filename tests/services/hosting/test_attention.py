@@ -138,7 +138,9 @@ async def test_the_list_of_stages_and_the_metrics_wake_none() -> None:
         made = (await client.post("/api/stages", json={})).json()["id"]
         host = inside.state.registry.stages[made]
         host.advance_to(inside.state.registry.now())
+        asked = host.idle_for(0.0)
         await client.get("/metrics")
         listed = {stage["id"]: stage["asleep"] for stage in (await client.get("/api/stages")).json()}
-        assert listed == {"main": False, made: True}
-        assert not (await client.get(f"/api/stages/{made}")).json()["asleep"]
+        assert (listed, host.idle_for(0.0)) == ({"main": False, made: True}, asked)
+        await client.get(f"/api/stages/{made}")
+        assert host.idle_for(0.0) < asked

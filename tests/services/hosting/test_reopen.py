@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from keeping import keeping, what_it_is
-from old_formats import to_format_1, to_format_2
+from old_formats import to_format_1, to_format_2, to_format_3
 from planted import planted
 from stages import registry
 from statwalk.errors import BusyError, ConflictError, UnknownNameError
@@ -220,7 +220,7 @@ def test_a_damaged_snapshot_is_made_again_from_the_log(tmp_path: Path, catalogue
         assert what_it_is(held.find(host.id)) == before
 
 
-FORMATS = {1: to_format_1, 2: to_format_2}
+FORMATS = {1: to_format_1, 2: to_format_2, 3: to_format_3}
 
 
 @pytest.mark.parametrize("old", FORMATS)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from statwalk.errors import ConflictError, StageError, UnknownNameError
 from statwalk.services.hosting import stage_messages as ask
+from statwalk.services.hosting.audience import Audience
 from statwalk.services.hosting.commands import (
     AddActor,
     RemoveActor,
@@ -46,6 +47,8 @@ MESSAGES: dict[type, Callable[[Registry], ask.Message[Any]]] = {
     ask.Fork: lambda _: ask.Fork(4),
     ask.Pause: lambda _: ask.Pause(True),
     ask.SetSpeed: lambda _: ask.SetSpeed(2.0),
+    ask.Rename: lambda _: ask.Rename("Idea B"),
+    ask.Viewers: lambda _: ask.Viewers(),
     ask.Close: lambda _: ask.Close(),
     ask.Status: lambda _: ask.Status(),
     ask.Describe: lambda _: ask.Describe(),
@@ -82,6 +85,7 @@ def test_nothing_of_the_live_stage_is_reached_through_the_host(host: StageHost) 
     plain_data = StageIdentity.__module__
     assert {module for module in reached if module.startswith("statwalk")} == {
         Registry.__module__,
+        Audience.__module__,
         plain_data,
     }
 

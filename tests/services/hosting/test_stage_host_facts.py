@@ -34,6 +34,7 @@ async def test_frames_do_not_wait_for_the_disk_and_verdicts_do(kept: tuple[Stage
     """Not for the input alone: a stage that came back before the tick might get there by another way."""
     (host, disk), outbox = kept, Outbox("pose")
     host.join(outbox)
+    outbox.take_texts()  # who watches
     host.handle(BEND)
     disk.goes_on.clear()
     host._live.tick()
@@ -69,6 +70,7 @@ async def test_viewers_are_sent_away_rather_than_that_too_many_verdicts_wait(
 ) -> None:
     (host, disk), outbox = kept, Outbox("pose")
     host.join(outbox)
+    outbox.take_texts()  # who watches
     host.handle(BEND)
     disk.goes_on.clear()
     host._live.facts_waiting.put(1, [b"fact"] * MOST_FACTS)

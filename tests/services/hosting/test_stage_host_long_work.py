@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import pytest
-from serving import wait_for
+from serving import PATIENCE, wait_for
 from statwalk.errors import CancelledError
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting import stage_messages as ask
@@ -82,14 +82,14 @@ def test_the_server_s_end_cancels_what_every_client_asked_for(host: StageHost) -
     with at_work(host, ask.Step(FOR_EVER), CancelToken(ending)) as work:
         wait_for(lambda: host.handle(ask.Status()).tick > 10)
         ending.set()
-        assert isinstance(work.exception(timeout=2), CancelledError)
+        assert isinstance(work.exception(PATIENCE), CancelledError)
 
 
 def test_long_work_ends_when_its_stage_is_closed(held: Registry, host: StageHost) -> None:
     with at_work(host, ask.Step(FOR_EVER), CancelToken()) as work:
         wait_for(lambda: host.handle(ask.Status()).tick > 10)
         held.close(host.id)
-        assert isinstance(work.exception(timeout=2), CancelledError)
+        assert isinstance(work.exception(PATIENCE), CancelledError)
 
 
 def test_a_stage_that_nobody_waits_for_is_not_opened(held: Registry) -> None:

@@ -61,10 +61,10 @@ def test_overdue_after_five_seconds(outbox: Outbox) -> None:
 
 
 def test_facts_come_once_in_order_and_the_status_last(outbox: Outbox) -> None:
-    outbox.put_status(b"old")
+    outbox.put_newest("status", b"old")
     outbox.put_facts([b"1", b"2"])
     outbox.put_facts([b"3"])
-    outbox.put_status(b"new")
+    outbox.put_newest("status", b"new")
     assert outbox.take_texts() == [b"1", b"2", b"3", b"new"]
     assert outbox.take_texts() == []
 

@@ -38,7 +38,7 @@ def test_a_stage_that_fails_makes_the_server_unready(monkeypatch: pytest.MonkeyP
 
 def test_the_metrics_are_what_prometheus_reads(address: str, rest: httpx.Client) -> None:
     with Watcher(address, "/api/stages/main") as watcher:
-        watcher.frame_at(watcher.frame().tick + 3)
+        watcher.frame_from(watcher.frame().tick + 3)
         answer = rest.get("/metrics")
     families = {family.name: family for family in text_string_to_metric_families(answer.text)}
     held = {sample.labels["what"]: sample.value for sample in families["statwalk_held"].samples}

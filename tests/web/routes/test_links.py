@@ -133,7 +133,7 @@ def test_a_revoked_link_ends_its_sockets_at_once(shared: Shared) -> None:
 
 
 def test_a_link_ends_by_itself(shared: Shared) -> None:
-    _, token = shared.link("view", seconds=1)
+    _, token = shared.link("view", seconds=4)
     with shared.watch(token) as viewer:
         assert closed_with(viewer) == 4001
 

@@ -8,11 +8,13 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from serving import open_and_never_read, serving, wait_for
+from serving import PATIENCE, open_and_never_read, serving, wait_for
+from statwalk.web import server
 from statwalk.web.socket import protocol
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
+FOR_EVER = 3_600.0
 LARGE = b"x" * (1 << 20)
 EMPTY_TEXT = b"\x81\x80\x00\x00\x00\x00"
 
@@ -40,6 +42,13 @@ class Flood:
             self.ended.set()
 
 
+@pytest.fixture(autouse=True)
+def _lasting(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing cuts a viewer off but what a test is about."""
+    monkeypatch.setattr(server, "PONG_SECONDS", FOR_EVER)
+    monkeypatch.setattr(protocol, "UNWRITABLE_SECONDS", FOR_EVER)
+
+
 def is_stuck(flood: Flood) -> bool:
     """Whether nothing went out between two looks."""
     before = flood.sent
@@ -52,7 +61,7 @@ def test_a_viewer_that_never_reads_is_cut_off(monkeypatch: pytest.MonkeyPatch) -
     flood = Flood()
     with serving(flood) as address:
         client = open_and_never_read(address, "/")
-        assert flood.ended.wait(5)
+        assert flood.ended.wait(PATIENCE)
         client.close()
 
 
@@ -61,20 +70,17 @@ def test_the_server_ends_although_a_viewer_never_reads() -> None:
     with serving(flood) as address:
         client = open_and_never_read(address, "/")
         wait_for(lambda: is_stuck(flood))
-        started = time.monotonic()
-    assert time.monotonic() - started < 4.5
     assert flood.ended.is_set()
     client.close()
 
 
-def test_a_viewer_that_reads_again_in_time_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(protocol, "UNWRITABLE_SECONDS", 20.0)
+def test_a_viewer_that_reads_again_in_time_is_kept() -> None:
     flood = Flood()
     with serving(flood) as address, connect(f"ws://{address}/", max_size=None, compression=None) as viewer:
         wait_for(lambda: is_stuck(flood))
         stuck_at = flood.sent
         for _ in range(stuck_at + 2):
-            assert viewer.recv(timeout=5) == LARGE
+            assert viewer.recv(timeout=PATIENCE) == LARGE
         assert not flood.ended.is_set()
 
 
@@ -103,7 +109,7 @@ def test_a_peer_that_sends_too_much_gets_the_reason() -> None:
     with serving(app) as address, connect(f"ws://{address}/", compression=None) as viewer:
         viewer.send(b"x" * (8 << 20))
         with pytest.raises(ConnectionClosed) as closed:
-            viewer.recv(timeout=5)
+            viewer.recv(timeout=PATIENCE)
     assert closed.value.rcvd is not None
     assert closed.value.rcvd.code == 1009
     assert isinstance(app.refused, OSError)  # as when a viewer has left

@@ -1,4 +1,4 @@
-"""The commands that a stage takes from its clients, and the setup of a new stage; both are plain data."""
+"""The commands that a stage takes from its clients, the setup of a new stage, and who acts; plain data."""
 
 from __future__ import annotations
 
@@ -69,3 +69,16 @@ class StageSetup:
     scene: str | None = None
     keep_running: bool = False
     """also while nobody uses it"""
+    name: str = ""
+    """what people call it"""
+
+
+@dataclass(frozen=True)
+class Doer:
+    """Who acts on the clock of a stage: a name for people, and the number of the viewer; None: a program."""
+
+    name: str = "a program"
+    viewer: int | None = None
+
+
+PROGRAM = Doer()

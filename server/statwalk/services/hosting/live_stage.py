@@ -9,22 +9,22 @@ from functools import partial
 from statwalk.character.role import Role
 from statwalk.errors import StageError
 from statwalk.services.hosting.apply_commands import apply_commands
-from statwalk.services.hosting.commands import AddActor, ClockKind, RemoveActor
+from statwalk.services.hosting.commands import AddActor, Doer, RemoveActor
 from statwalk.services.hosting.log_room import LogRoom
 from statwalk.services.hosting.pacing import TickCost
+from statwalk.services.hosting.stage_layouts import layouts_of
 from statwalk.services.hosting.stage_messages import Post
-from statwalk.services.hosting.stage_replies import Posted, StageStatus
+from statwalk.services.hosting.stage_replies import ClockAct, ClockChange, Posted, StageStatus
 from statwalk.services.hosting.stage_services import StageServices
 from statwalk.services.hosting.store.committer import Statement
 from statwalk.services.hosting.store.kept_keys import KeptKeys
 from statwalk.services.hosting.store.kept_stage import KeptStage
+from statwalk.services.hosting.store.records import StageIdentity
 from statwalk.services.publish.encoder import Encoder
-from statwalk.services.publish.layout import CastLayout, cast_layout
 from statwalk.services.publish.outbox import MOST_FACTS, EncodedFrame, FrameForm
 from statwalk.services.publish.waiting_facts import WaitingFacts
 from statwalk.stage.clock import Clock
 from statwalk.stage.stage import Stage
-from statwalk.stage.state.frame import CastFrame
 
 FACTS_SECONDS = 0.005
 """between two looks at the log while facts wait for durability"""
@@ -34,8 +34,13 @@ MANUAL_WAIT_SECONDS = 0.25
 class LiveStage:
     """Steps a stage, applies commands to it, and publishes its frames."""
 
-    def __init__(self, stage_id: str, stage: Stage, clock_kind: ClockKind, services: StageServices) -> None:
-        self.id, self.stage, self.clock_kind, self.services = stage_id, stage, clock_kind, services
+    def __init__(
+        self, identity: StageIdentity, stage: Stage, services: StageServices, name: str = ""
+    ) -> None:
+        self.identity, self.stage, self.services = identity, stage, services
+        self.id, self.clock_kind = identity.id, identity.clock
+        self.name = name
+        self.changed: ClockChange | None = None
         self.clock, self.cost = Clock(stage.rate), TickCost()
         self.encoder = Encoder()
         self.fanout, self.facts_waiting = self.encoder.fanout, WaitingFacts()
@@ -106,6 +111,10 @@ class LiveStage:
         self.clock.speed = speed
         self.announce()
 
+    def note_change(self, what: ClockAct, by: Doer) -> None:
+        """Notes who acts on the clock, for the status."""
+        self.changed = ClockChange(what, by.name, by.viewer, self.stage.tick)
+
     # --- inputs
 
     def apply(self, post: Post, roles: Mapping[str, Role]) -> Posted:
@@ -151,8 +160,20 @@ class LiveStage:
 
     def keep(self, kept: KeptStage, also: Sequence[Statement] = ()) -> None:
         """Keeps the stage in the store from now on; `also` goes into the same commit."""
+        kept.name = self.name
         kept.begin(self.stage, self.clock, also)
         self.kept = kept
+
+    def resume(self, kept: KeptStage, *, paused: bool, speed: float) -> None:
+        """Goes on with a stage that was kept."""
+        self.kept, self.restored, self.name = kept, self.stage.tick, kept.name
+        self.clock.paused, self.clock.speed = paused, speed
+
+    def rename(self, name: str) -> None:
+        """Gives the stage another name; `save` keeps it."""
+        self.name = name
+        if self.kept:
+            self.kept.name = name
 
     def _keep_forgotten(self) -> None:
         if self.kept:
@@ -178,7 +199,8 @@ class LiveStage:
             texts = [*map(encode, frame.actions), *map(encode, frame.verdicts)]
             self.facts_waiting.put(frame.tick, texts)
             self._note()
-        self.encoder.show(frame, self.stage.head, self._layout(self.stage), self._durable_facts())
+        layouts = layouts_of(self.stage, self.services.catalogue)
+        self.encoder.show(frame, self.stage.head, layouts, self._durable_facts())
 
     def _durable_facts(self) -> list[bytes]:
         """Removes and returns the facts that need not wait; disconnects the viewers if too many wait."""
@@ -202,18 +224,8 @@ class LiveStage:
         """Takes the frame at the playhead of `stage`, the live stage or a copy of it; returns the function
         that encodes it, which may be called while the stage goes on.
         """
-        return partial(self.encoder.encode, stage.frame, form, self.stage.head, self._layout(stage))
-
-    def _layout(self, stage: Stage) -> Callable[[CastFrame], CastLayout]:
-        """Returns the function that makes the layouts of the frame that `stage` shows now."""
-        roles, name_of = tuple(stage.roles.values()), stage.state.names.__getitem__
-
-        def layout(cast: CastFrame) -> CastLayout:
-            character = self.services.catalogue.character_of(cast.role)
-            version = 1 + roles.index(cast.role)  # rises with each edit
-            return cast_layout(cast, character, version, name_of)
-
-        return layout
+        layouts = layouts_of(stage, self.services.catalogue)
+        return partial(self.encoder.encode, stage.frame, form, self.stage.head, layouts)
 
     def status(self) -> StageStatus:
         """Returns the status of the stage; safe to call while another thread holds the lock."""
@@ -228,4 +240,5 @@ class LiveStage:
             clock.pace,
             self.restored,
             self.services.trouble(),
+            self.changed,
         )

@@ -67,6 +67,10 @@ class Registry:
         """Returns the hosts of all stages."""
         return list(self.stages.values())
 
+    def is_open(self, stage_id: str) -> bool:
+        """Returns whether a stage has this id."""
+        return stage_id in self.stages
+
     def find(self, stage_id: str) -> StageHost:
         """Returns the host of the stage with this id.
 
@@ -155,7 +159,8 @@ class Registry:
         stage = Stage()
         if self.catalogue.default is not None:
             stage.add(self.catalogue.role(self.catalogue.default))
-        return self.hold(StageHost(StageIdentity(MAIN, opened, stage.seed, stage.rate, "real"), stage, self))
+        identity = StageIdentity(MAIN, opened, stage.seed, stage.rate, "real", made=time.time())
+        return self.hold(StageHost(identity, stage, self))
 
     def main_content(self, scene: str = "") -> str:
         """Returns in a word what `main` opens with."""
@@ -168,7 +173,7 @@ class Registry:
         :raises LimitError: when the setup has too many actors, or the server too many stages.
         :raises CancelledError: when the token is cancelled before the stage is open.
         """
-        host = self._with_scene(self.new_id(), setup)
+        host = self._with_scene(self.new_id(), setup, f"scene {setup.scene}" if setup.scene else "")
         host.handle(ask.Post(setup.actors, forks=False), token)
         token.check()
         return self.hold(host)
@@ -220,5 +225,7 @@ class Registry:
         if scene:
             check_room(sum(line.count for _, line in scene.lines), self.limits.actors)
             scene.enter(stage)
-        identity = StageIdentity(stage_id, opened, stage.seed, stage.rate, setup.clock, setup.keep_running)
-        return StageHost(identity, stage, self)
+        identity = StageIdentity(
+            stage_id, opened, stage.seed, stage.rate, setup.clock, setup.keep_running, time.time()
+        )
+        return StageHost(identity, stage, self, setup.name)

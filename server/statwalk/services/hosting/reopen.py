@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -39,24 +40,32 @@ def reopen(registry: Registry, main: str) -> None:
     if store is None:
         return
     _reopen_versions(registry.versions, store)
+    names: dict[str, str] = {}  # new ids by the old ones; a fork comes after the stage that it left
     for stage_id in store.records.ids():
         try:
-            _reopen_stage(registry, store, _renamed(registry, store, store.records.record(stage_id), main))
+            record = store.records.record(stage_id)
+            if stage_id == MAIN and record.identity.opened != main:
+                names[MAIN] = _rename_main(registry, store)
+            _reopen_stage(registry, store, _renamed(record, names))
         except StatwalkError as error:
             log.error("the stage %s is not brought back, and its record is kept: %s", stage_id, error)
-            # the server opens a new stage that is called main
-            kept = _rename_main(registry, store) if stage_id == MAIN else stage_id
+            if stage_id == MAIN and MAIN not in names:
+                names[MAIN] = _rename_main(
+                    registry, store
+                )  # the server opens a new stage that is called main
+            kept = names.get(stage_id, stage_id)
             registry.left[kept] = f"{kept} is kept, and did not come back: {error}"
 
 
 # --- stages
 
 
-def _renamed(registry: Registry, store: Store, record: StageRecord, main: str) -> StageRecord:
-    identity = record.identity
-    if identity.id != MAIN or identity.opened == main:
-        return record
-    return replace(record, identity=replace(identity, id=_rename_main(registry, store)))
+def _renamed(record: StageRecord, names: Mapping[str, str]) -> StageRecord:
+    """The record with the present ids of the stage and of the stage that it left."""
+    identity, origin = record.identity, record.identity.origin
+    if origin:
+        origin = replace(origin, stage=names.get(origin.stage, origin.stage))
+    return replace(record, identity=replace(identity, id=names.get(identity.id, identity.id), origin=origin))
 
 
 def _rename_main(registry: Registry, store: Store) -> str:
@@ -90,11 +99,12 @@ def reopened(record: StageRecord, catalogue: Catalogue) -> Stage:
     header = log_header({"seed": identity.seed, "rate": identity.rate}, _beginning(record))
     loaded = load([header, *record.lines])
     role_of = partial(_role, record, catalogue)
+    number = identity.origin.number if identity.origin else 0
     try:
-        stage = at_beginning(loaded, role_of)
+        stage = at_beginning(loaded, role_of, number)
         stage.resume(note.head, record.snapshots)
     except StageError:  # snapshots of another engine: its states may be others, the hash below decides
-        stage = at_beginning(loaded, role_of)
+        stage = at_beginning(loaded, role_of, number)
         stage.resume(note.head, {})
     stage.seek(note.tick)
     if stage.hash != note.hash:

@@ -6,20 +6,23 @@ Only the host touches the stage. Messages are plain data, so that a host may liv
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager as Context
 from contextlib import contextmanager, nullcontext
 from typing import Any, Protocol
 
 from statwalk.errors import CancelledError, LimitError
+from statwalk.services.access.roles import EVERYTHING, Grant
 from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.apply_commands import packed, roles_to_add
 from statwalk.services.hosting.attention import Attention
+from statwalk.services.hosting.audience import Audience
 from statwalk.services.hosting.live_stage import LiveStage
 from statwalk.services.hosting.past_stages import PastStages, branch_at
 from statwalk.services.hosting.stage_lock import RETRY_SECONDS, StageLock
-from statwalk.services.hosting.stage_moves import IN_SLICES, OF_THE_CLOCK
+from statwalk.services.hosting.stage_moves import AT_ONCE, IN_SLICES
 from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, LOOK_SECONDS, ON_A_COPY, finished
 from statwalk.services.hosting.stage_replies import Posted, StageStatus
 from statwalk.services.hosting.stage_services import StageServices
@@ -46,11 +49,12 @@ class StageHost:
 
     is_unclaimed = False
 
-    def __init__(self, identity: StageIdentity, stage: Stage, home: Home) -> None:
+    def __init__(self, identity: StageIdentity, stage: Stage, home: Home, name: str = "") -> None:
         self.identity, self.home = identity, home
         self.id, self.clock_kind, self.rate = identity.id, identity.clock, stage.rate
-        self._live = LiveStage(self.id, stage, self.clock_kind, home)
+        self._live = LiveStage(identity, stage, home, name)
         self._lock, self._attention = StageLock(home.now), Attention(identity, self._live)
+        self.audience = Audience(self._live.fanout, home.encode_fact, home.now)
         self.idle_for = self._attention.idle_for
         self._closed = threading.Event()
         self._past = PastStages(self._copy)
@@ -83,7 +87,7 @@ class StageHost:
             copy = self._copy()
             copy.before_tick = token.check
             answer = on_a_copy(copy, message)
-        elif kind in IN_SLICES or kind in OF_THE_CLOCK:
+        elif kind in IN_SLICES or kind in AT_ONCE:
             answer = self._moved(message, token)
         else:
             answer = _HANDLERS[kind](self, message, token)
@@ -92,18 +96,13 @@ class StageHost:
 
     def advance_to(self, now: float) -> float:
         """Takes the steps that are due at `now` (seconds of `home.now`), and publishes the facts that waited
-        for durability; returns the seconds until the next call.
-
-        Nothing happens while another thread holds the stage, or the stage sleeps.
+        for durability, unless another thread holds the stage or it sleeps; returns the seconds until the next
+        call.
         """
         if self._attention.sleeps(now) or self.is_unclaimed:
             return 1.0  # the first request has the ticker look again
-        if not self._lock.lock.acquire(blocking=False):
-            return RETRY_SECONDS
-        try:
-            return self._live.advance_to(now)
-        finally:
-            self._lock.lock.release()
+        with self._lock.tried() as is_held:
+            return self._live.advance_to(now) if is_held else RETRY_SECONDS
 
     def keep(self, kept: KeptStage, also: Sequence[Statement] = ()) -> None:
         """Keeps the stage from now on; `also` goes into the same commit."""
@@ -113,30 +112,30 @@ class StageHost:
     def resume(self, kept: KeptStage, *, paused: bool, speed: float) -> None:
         """Goes on with a stage that was kept."""
         with self._locked() as live:
-            live.kept, live.restored = kept, live.stage.tick
-            live.clock.paused, live.clock.speed = paused, speed
+            live.resume(kept, paused=paused, speed=speed)
 
     def save(self) -> None:
         """Keeps the playhead, the clock and new snapshots, if they changed."""
         with self._locked() as live:
             live.save()
 
-    def join(self, outbox: Outbox, loop: Loop | None = None) -> None:
+    def join(self, outbox: Outbox, loop: Loop | None = None, grant: Grant = EVERYTHING) -> None:
         """Adds a viewer in the event loop; :raises BusyError: when the stage has the most viewers it may."""
-        self._live.fanout.join(outbox, loop)
+        self.audience.join(outbox, grant, loop)
         self._attention.touch()
 
     def leave(self, outbox: Outbox) -> None:
         """Removes a viewer; the stage counts as idle from now on if it was the last one."""
-        self._live.fanout.leave(outbox)
+        self.audience.leave(outbox)
         if not self._live.fanout.outboxes:
             self._past.forget()
         self._attention.touch()
 
     def look_after_viewers(self, now: float) -> None:
-        """Sends the status to viewers, in the event loop; disconnects viewers that acknowledge no frames."""
+        """Tells viewers the status and of each other, in the event loop; disconnects the slow ones."""
         self._live.fanout.cut_overdue(now)
         self._live.announce()
+        self.audience.tell()
 
     @property
     def actors(self) -> int:
@@ -168,7 +167,7 @@ class StageHost:
             self._lock.in_slices(in_slices(self._live, message), check)
         else:
             with self._locked() as live:
-                OF_THE_CLOCK[type(message)](live, message)
+                AT_ONCE[type(message)](live, message)
         self.home.wake()
         self.save()
         self.home.flush()
@@ -214,12 +213,12 @@ class StageHost:
         self.home.check_storage()
         past = self._copy()
         tick = past.tick if message.tick is None else message.tick
-        return self.home.hold(self._branch(past, tick, token)).id
+        return self.home.hold(self._branch(past, tick, token, message.name)).id
 
-    def _branch(self, past: Stage, tick: int, token: CancelToken) -> StageHost:
+    def _branch(self, past: Stage, tick: int, token: CancelToken, name: str = "") -> StageHost:
         branch = branch_at(past, tick, token)
-        identity = StageIdentity(self.home.new_id(), "", branch.seed, branch.rate, self.clock_kind)
-        return StageHost(identity, branch, self.home)
+        identity = self.identity.forked(self.home.new_id(), tick, branch.newest, time.time())
+        return StageHost(identity, branch, self.home, name)
 
     def _edit(self, message: ask.Edit, _: CancelToken) -> bool:
         role = packed(self.home.catalogue.version(message.machine, message.text))
@@ -245,6 +244,7 @@ _HANDLERS: dict[type[ask.Message[Any]], Callable[[StageHost, Any, CancelToken], 
     ask.Edit: StageHost._edit,
     ask.Fork: StageHost._fork,
     ask.Close: StageHost._close,
+    ask.Viewers: lambda host, *_: host.audience.present,
     ask.Status: lambda host, *_: host._live.status(),
     ask.Frame: StageHost._frame,
 }

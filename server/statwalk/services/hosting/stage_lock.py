@@ -35,6 +35,16 @@ class StageLock:
         finally:
             self.lock.release()
 
+    @contextmanager
+    def tried(self) -> Iterator[bool]:
+        """Holds the lock if no other thread does; yields whether it does."""
+        is_held = self.lock.acquire(blocking=False)
+        try:
+            yield is_held
+        finally:
+            if is_held:
+                self.lock.release()
+
     def in_slices(self, work: Iterator[int], check: Callable[[], None]) -> None:
         """Runs long work, holding the lock for 5 ms at a time; what is done stays if `check` raises.
 

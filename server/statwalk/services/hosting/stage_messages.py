@@ -7,7 +7,7 @@ from typing import Generic, TypeVar
 
 from statwalk.files.skeleton_svg import Side
 from statwalk.services.hosting import stage_replies as replies
-from statwalk.services.hosting.commands import Command
+from statwalk.services.hosting.commands import PROGRAM, Command, Doer
 from statwalk.services.publish.outbox import EncodedFrame, FrameForm, FrameKind
 from statwalk.skin.skinning import Skinning
 from statwalk.stage.explain import why, whynot
@@ -62,6 +62,7 @@ class Step(Message[replies.StageStatus]):
     """Steps the stage by `ticks`; viewers see each tick."""
 
     ticks: int
+    by: Doer = PROGRAM
 
 
 @dataclass(frozen=True)
@@ -69,6 +70,7 @@ class StepTo(Message[replies.StageStatus]):
     """Steps the stage up to a tick; viewers see each tick. Nothing happens at or after the tick."""
 
     tick: int
+    by: Doer = PROGRAM
 
 
 @dataclass(frozen=True)
@@ -76,6 +78,7 @@ class Seek(Message[replies.StageStatus]):
     """Moves the playhead to a past tick, for all viewers."""
 
     tick: int
+    by: Doer = PROGRAM
 
 
 @dataclass(frozen=True)
@@ -85,6 +88,14 @@ class Fork(Message[str]):
     """
 
     tick: int | None = None
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Rename(Message[replies.StageStatus]):
+    """Says what people call the stage; empty: it has no name."""
+
+    name: str
 
 
 @dataclass(frozen=True)
@@ -92,6 +103,7 @@ class Pause(Message[replies.StageStatus]):
     """Stops or starts the clock."""
 
     paused: bool
+    by: Doer = PROGRAM
 
 
 @dataclass(frozen=True)
@@ -99,6 +111,7 @@ class SetSpeed(Message[replies.StageStatus]):
     """Makes the clock run faster or slower; 1 is real time."""
 
     speed: float
+    by: Doer = PROGRAM
 
 
 @dataclass(frozen=True)
@@ -112,6 +125,11 @@ class Close(Message[None]):
 @dataclass(frozen=True)
 class Status(Message[replies.StageStatus]):
     """Asks for the status of the stage; the host answers at once, even during long work."""
+
+
+@dataclass(frozen=True)
+class Viewers(Message[replies.Present]):
+    """Asks for the viewers of the stage; the host answers at once."""
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.actor_facts import ActorColumns, columns_of, facts_in
 from statwalk.services.hosting.live_stage import LiveStage
+from statwalk.services.hosting.place_in_tree import place_of
 from statwalk.services.hosting.recorder import recorded
 from statwalk.services.hosting.stage_replies import (
     ActorFacts,
@@ -71,6 +72,7 @@ def _describe(live: LiveStage, _: ask.Describe) -> Pieces[StageFacts]:
         stage.seconds,
         stage.hash,
         live.status(),
+        place_of(live),
     )
     asleep = live.asleep
     yield

@@ -4,14 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Literal, NamedTuple
 
 from statwalk.machine.travel import Plan
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
 from statwalk.rig.limits import ClampedJoint
+from statwalk.services.access.roles import AccessRole
 from statwalk.services.hosting.commands import ClockKind
 from statwalk.stage.state.frame import Action, Verdict
 from statwalk.stage.steps.reached import ReachedTarget
+
+Point = tuple[float, float, float]
+ClockAct = Literal["paused", "resumed", "speed", "stepped", "moved"]
+"""what may be done to the clock of a stage; `moved`: the playhead, by a seek"""
+
+
+@dataclass(frozen=True)
+class ClockChange:
+    """The newest act on the clock, at the playhead `tick`; `by`: a name for people; `viewer`: the number of
+    the viewer who did it, None: a program.
+    """
+
+    what: ClockAct
+    by: str
+    viewer: int | None
+    tick: int
 
 
 @dataclass(frozen=True)
@@ -31,6 +49,39 @@ class StageStatus:
     """the tick at which the stage came back when the server started; None: it was opened since then"""
     trouble: str = ""
     """why nothing can be kept now, such as a full disk; empty while everything is kept"""
+    changed: ClockChange | None = None
+    """None: nobody has touched the clock since the stage was opened or came back"""
+
+
+class Camera(NamedTuple):
+    """Where a viewer looks from, and at what, in metres."""
+
+    viewer: int
+    position: Point
+    target: Point
+
+
+@dataclass(frozen=True)
+class Presence:
+    """A viewer; `tick` None: it watches the present."""
+
+    id: int
+    role: AccessRole
+    person: str
+    """whose token it has; empty without tokens, and for the viewers of a link"""
+    name: str = ""
+    """as the viewer says"""
+    actor: int | None = None
+    tick: int | None = None
+    follows: int | None = None
+    """the viewer whose camera it gets"""
+
+
+@dataclass(frozen=True)
+class Present:
+    """All viewers of a stage, in the order in which they came."""
+
+    viewers: tuple[Presence, ...]
 
 
 @dataclass(frozen=True)
@@ -59,6 +110,39 @@ class ActorFacts:
 
 
 @dataclass(frozen=True)
+class OriginFacts:
+    """Where a fork began; `is_there`: the stage that it left is still open."""
+
+    stage: str
+    tick: int
+    is_there: bool
+
+
+@dataclass(frozen=True)
+class InputFacts:
+    """An input in words; it counts in `tick`."""
+
+    number: int
+    tick: int
+    text: str
+
+
+@dataclass(frozen=True)
+class PlaceInTree:
+    """What a stage is among the others; `inputs` are its own, which came after it was forked."""
+
+    name: str
+    scene: str | None
+    machines: tuple[str, ...]
+    """that it plays, or played"""
+    made: float | None
+    """seconds since 1970; None: not known"""
+    origin: OriginFacts | None
+    inputs: int
+    newest_input: InputFacts | None
+
+
+@dataclass(frozen=True)
 class StageFacts:
     """A stage with its actors."""
 
@@ -69,6 +153,7 @@ class StageFacts:
     seconds: float
     hash: str
     status: StageStatus
+    place: PlaceInTree
     actors: tuple[ActorFacts, ...]
     asleep: bool
     """its time stands until somebody looks or asks"""

@@ -6,14 +6,14 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from statwalk.services.hosting.pacing import Pacing
-from statwalk.services.hosting.stage_replies import StageStatus
+from statwalk.services.hosting.stage_replies import Camera, Present, StageStatus
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.limits import Limits
 from statwalk.services.threads import Now
 from statwalk.stage.state.frame import Action, Verdict
 
-EncodeFact = Callable[[Action | Verdict | StageStatus], bytes]
-"""encodes an action, a verdict or a status as a text message for viewers"""
+EncodeFact = Callable[[Action | Verdict | StageStatus | Present | Camera], bytes]
+"""encodes an action, a verdict, a status, the viewers or a camera as a text message for viewers"""
 MeasureTicks = Callable[[Sequence[float], int], None]
 """is told by how many seconds each tick of a real-time stage is late, and how many were left out"""
 
@@ -31,6 +31,9 @@ class StageServices(Protocol):
     """returns the id of a new stage"""
     wake: Callable[[], None]
     """has the ticker look at the clocks now"""
+
+    def is_open(self, stage_id: str) -> bool:
+        """Returns whether the server holds a stage with this id."""
 
     def trouble(self) -> str:
         """Returns why nothing can be kept now; empty while everything is kept."""

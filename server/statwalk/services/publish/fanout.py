@@ -81,7 +81,7 @@ class Fanout:
 
     def tell(self, status: bytes) -> None:
         """Sends the status to every viewer."""
-        self.each(lambda outbox: outbox.put_status(status))
+        self.each(lambda outbox: outbox.put_newest("status", status))
 
     def cut_overdue(self, now: float) -> None:
         """Disconnects the viewers that leave frames unacknowledged."""

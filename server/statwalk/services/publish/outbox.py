@@ -21,6 +21,8 @@ FRAME_KINDS: tuple[FrameKind, ...] = ("pose", "glb")
 CREDITS = 3
 ACKNOWLEDGE_SECONDS = 5.0
 MOST_FACTS = 16_384
+Newest = Literal["status", "viewers", "camera"]
+"""what is state as frames are: a newer text replaces an unsent one"""
 Ending = Literal["slow", "too many messages", "too large", "deleted", "access ended"]
 """why a viewer is disconnected"""
 
@@ -51,7 +53,7 @@ class Outbox:
         self.form = FrameForm(frames, skinning)
         self.live = True
         self.frame: EncodedFrame | None = None
-        self.status: bytes | None = None
+        self.newest: dict[Newest, bytes] = {}
         self.facts: deque[bytes] = deque()
         self.travelling: deque[tuple[int, float]] = deque()
         self.skipped = 0
@@ -69,9 +71,9 @@ class Outbox:
         skipped, self.skipped = self.skipped, 0
         return skipped
 
-    def put_status(self, text: bytes) -> None:
-        """Replaces the pending status."""
-        self.status = text
+    def put_newest(self, kind: Newest, text: bytes) -> None:
+        """Replaces the pending text of a kind."""
+        self.newest[kind] = text
         self.filled.set()
 
     def put_facts(self, texts: Sequence[bytes]) -> None:
@@ -106,12 +108,10 @@ class Outbox:
         return bool(self.travelling) and now - self.travelling[0][1] > ACKNOWLEDGE_SECONDS
 
     def take_texts(self) -> list[bytes]:
-        """Removes and returns the pending texts: all facts, then the status."""
-        texts = list(self.facts)
+        """Removes and returns the pending texts: all facts, then the newest of each kind."""
+        texts = [*self.facts, *self.newest.values()]
         self.facts.clear()
-        if self.status is not None:
-            texts.append(self.status)
-            self.status = None
+        self.newest.clear()
         return texts
 
     def take_frame(self, now: float) -> EncodedFrame | None:

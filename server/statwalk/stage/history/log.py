@@ -19,6 +19,10 @@ class Log(Protocol):
         """The sequence number of the newest command; 0 if the log is empty."""
 
     @property
+    def last(self) -> LogEntry | None:
+        """The newest entry that came to this log itself, and not to a log whose past it shares."""
+
+    @property
     def held(self) -> int:
         """The number of entries that the log holds, or more: what is shared with another log may count."""
 
@@ -52,15 +56,20 @@ class MemoryLog:
             tuple[int, Mapping[int, list[LogEntry]]]
         ] = []  # (first tick that is not shared, entries), oldest first
         self.newest, self.held = newest, 0
+        self.last: LogEntry | None = None
         for entry in entries:
             self._by_tick.setdefault(entry.tick, []).append(entry)
-            self.newest = max(self.newest, entry.number)
+            if self.last is None or entry.number > self.last.number:
+                self.last = entry
             self.held += 1
+        if self.last:
+            self.newest = max(newest, self.last.number)
 
     def append(self, tick: int, commands: Iterable[Command]) -> list[int]:
         """Appends commands after all other commands of their tick; returns their sequence numbers."""
         new = [LogEntry(number, tick, command) for number, command in enumerate(commands, self.newest + 1)]
         self._by_tick.setdefault(tick, []).extend(new)
+        self.last = new[-1] if new else self.last
         self.newest += len(new)
         self.held += len(new)
         return [entry.number for entry in new]

@@ -72,6 +72,11 @@ class Past:
         """The sequence number of the newest command; 0 if there was none."""
         return self._log.newest
 
+    @property
+    def last(self) -> LogEntry | None:
+        """The newest command, unless it came before this stage was forked; None: there is none."""
+        return self._log.last
+
     def commands(self, tick: int) -> list[Command]:
         """Returns the commands of one tick."""
         return [entry.command for entry in self._log.at(tick)]

@@ -16,11 +16,20 @@ from statwalk.services.hosting.stage_replies import ActorFacts, StageFacts
 from statwalk.services.hosting.store.records import MAIN
 from statwalk.skin.skinning import Skinning
 from statwalk.web.bounded_json import RoomyRoute
-from statwalk.web.dependencies import LongWorkToken, registry_of, stage_of, token_of
+from statwalk.web.dependencies import DoerDep, LongWorkToken, registry_of, stage_of, token_of
 from statwalk.web.errors import Problem
 from statwalk.web.schemas.actor import ActorView, ClampedView, ReachedView
 from statwalk.web.schemas.base import Tick
-from statwalk.web.schemas.stage import NewStage, PauseBody, SeekBody, Speed, StageView, StepBody
+from statwalk.web.schemas.stage import (
+    NewFork,
+    NewStage,
+    PauseBody,
+    SeekBody,
+    Speed,
+    StageNameBody,
+    StageView,
+    StepBody,
+)
 
 LOG: dict[int | str, dict[str, Any]] = {
     200: {
@@ -67,12 +76,16 @@ def view_actor(actor: ActorFacts) -> ActorView:
 
 
 def _view_stage(host: StageHost) -> StageView:
-    return _view(host.handle(ask.Describe()))
+    return view_stage(host, host.handle(ask.Describe()))
 
 
-def _view(facts: StageFacts) -> StageView:
+def view_stage(host: StageHost, facts: StageFacts) -> StageView:
+    """Returns the API's view of a stage."""
+    place = asdict(facts.place)
     return StageView(
         id=facts.id,
+        machines=list(place.pop("machines")),
+        unclaimed=host.is_unclaimed,
         clock=facts.clock,
         rate=facts.rate,
         seed=facts.seed,
@@ -80,6 +93,7 @@ def _view(facts: StageFacts) -> StageView:
         hash=facts.hash,
         asleep=facts.asleep,
         actors=[view_actor(actor) for actor in facts.actors],
+        **place,
         **asdict(facts.status),
     )
 
@@ -87,7 +101,7 @@ def _view(facts: StageFacts) -> StageView:
 @router.get("")
 def list_stages(registry: RegistryDep) -> list[StageView]:
     """Lists the stages; wakes none."""
-    return [_view(host.look(ask.Describe())) for host in registry.all()]
+    return [view_stage(host, host.look(ask.Describe())) for host in registry.all()]
 
 
 @router.post("", status_code=201)
@@ -104,6 +118,13 @@ def get_stage(host: HostDep) -> StageView:
     return _view_stage(host)
 
 
+@router.patch("/{stage_id}")
+def rename_stage(host: HostDep, body: StageNameBody) -> StageView:
+    """Says what people call a stage; an empty name is none."""
+    host.handle(ask.Rename(body.name.strip()))
+    return _view_stage(host)
+
+
 @router.delete("/{stage_id}", status_code=204)
 def close_stage(stage_id: str, registry: RegistryDep) -> None:
     """Closes a stage, and disconnects its viewers with code 4404. You cannot close `main`."""
@@ -113,37 +134,44 @@ def close_stage(stage_id: str, registry: RegistryDep) -> None:
 
 
 @router.post("/{stage_id}/step")
-def step(host: HostDep, body: StepBody, token: LongWorkToken) -> StageView:
+def step(host: HostDep, body: StepBody, token: LongWorkToken, doer: DoerDep) -> StageView:
     """Steps the stage by `ticks`, with any clock; stops early if the client disconnects."""
-    host.handle(ask.Step(body.ticks), token)
+    host.handle(ask.Step(body.ticks, doer), token)
     return _view_stage(host)
 
 
 @router.post("/{stage_id}/seek")
-def seek(host: HostDep, body: SeekBody, token: LongWorkToken) -> StageView:
+def seek(host: HostDep, body: SeekBody, token: LongWorkToken, doer: DoerDep) -> StageView:
     """Moves the playhead to a past tick; an input that you post there goes to a fork."""
-    host.handle(ask.Seek(body.tick), token)
+    host.handle(ask.Seek(body.tick, doer), token)
     return _view_stage(host)
 
 
 @router.post("/{stage_id}/pause")
-def pause(host: HostDep, body: PauseBody) -> StageView:
+def pause(host: HostDep, body: PauseBody, doer: DoerDep) -> StageView:
     """Stops or starts the clock."""
-    host.handle(ask.Pause(body.paused))
+    host.handle(ask.Pause(body.paused, doer))
     return _view_stage(host)
 
 
 @router.post("/{stage_id}/speed")
-def speed(host: HostDep, body: Speed) -> StageView:
+def speed(host: HostDep, body: Speed, doer: DoerDep) -> StageView:
     """Makes the clock run faster or slower."""
-    host.handle(ask.SetSpeed(body.speed))
+    host.handle(ask.SetSpeed(body.speed, doer))
     return _view_stage(host)
 
 
 @router.post("/{stage_id}/fork", status_code=201)
-def fork(host: HostDep, registry: RegistryDep, response: Response) -> StageView:
-    """Opens a new stage with the same past that continues from the playhead."""
-    branch = registry.find(host.handle(ask.Fork()))
+def fork(
+    host: HostDep,
+    registry: RegistryDep,
+    response: Response,
+    token: LongWorkToken,
+    body: NewFork | None = None,
+) -> StageView:
+    """Opens a new stage with the same past that continues from a tick, by default from the playhead."""
+    new = body or NewFork()
+    branch = registry.find(host.handle(ask.Fork(new.tick, new.name.strip()), token))
     response.headers["Location"] = f"/api/stages/{branch.id}"
     return _view_stage(branch)
 

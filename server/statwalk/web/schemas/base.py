@@ -16,6 +16,14 @@ Name = Annotated[str, StringConstraints(min_length=1, max_length=80)]
 FILE_NAME_PATTERN = f"^{FILE_NAME.pattern}$"
 FileName = Annotated[Name, Field(json_schema_extra={"pattern": FILE_NAME_PATTERN})]
 """a name that becomes a file's; the routes refuse another one in words of their own"""
+LINE = r"^[^\u0000-\u001f\u007f-\u009f\u2028\u2029\u202a-\u202e\u2066-\u2069]*$"
+"""one line of text, without control characters, and without those that turn the direction of writing"""
+LONGEST_STAGE_NAME = 80
+LONGEST_VIEWER_NAME = 40
+StageName = Annotated[str, StringConstraints(max_length=LONGEST_STAGE_NAME, pattern=LINE)]
+"""what people call a stage; empty: nothing"""
+ViewerName = Annotated[str, StringConstraints(max_length=LONGEST_VIEWER_NAME, pattern=LINE)]
+"""what a viewer calls itself; empty: nothing"""
 Coordinate = Annotated[float, Field(ge=-1e6, le=1e6)]
 Tick = Annotated[int, Field(ge=0, le=LATEST_TICK)]
 ActorId = Annotated[int, Field(ge=0, le=LATEST_TICK)]

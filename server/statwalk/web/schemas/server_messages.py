@@ -12,6 +12,8 @@ from statwalk.skin.skinning import Skinning
 from statwalk.web.schemas.actor import Accepted
 from statwalk.web.schemas.base import Place, Ref, ResponseModel, Values, Vector, VerdictWord
 from statwalk.web.schemas.problem import ProblemView
+from statwalk.web.schemas.stage import ClockChangeView
+from statwalk.web.schemas.viewer import ViewerView
 
 
 class ActorName(ResponseModel):
@@ -68,6 +70,8 @@ class Hello(ResponseModel):
     type: Literal["hello"] = "hello"
     version: str
     stage: str
+    viewer: int
+    """your number among the viewers of the stage"""
     epoch: int
     rate: int
     clock: ClockKind
@@ -86,6 +90,8 @@ class Hello(ResponseModel):
     """the part of the speed at which the stage runs; less than 1 while it takes more time than it may"""
     trouble: str
     """why nothing can be kept now, such as a full disk; empty while everything is kept"""
+    changed: ClockChangeView | None
+    """null: nobody has touched the clock since the stage was opened or came back"""
     casts: tuple[CastView, ...]
 
 
@@ -105,6 +111,8 @@ class StatusMessage(ResponseModel):
     """the part of the speed at which the stage runs; less than 1 while it takes more time than it may"""
     trouble: str
     """why nothing can be kept now, such as a full disk; empty while everything is kept"""
+    changed: ClockChangeView | None
+    """null: nobody has touched the clock since the stage was opened or came back"""
 
 
 class ActionMessage(ResponseModel):
@@ -142,6 +150,22 @@ class VerdictMessage(ResponseModel):
     other: int
 
 
+class ViewersMessage(ResponseModel):
+    """Who watches the stage, in the order in which they came: sent when it changes, at most once a second."""
+
+    type: Literal["viewers"] = "viewers"
+    viewers: tuple[ViewerView, ...]
+
+
+class CameraMessage(ResponseModel):
+    """The newest camera of the viewer that this viewer follows."""
+
+    type: Literal["camera"] = "camera"
+    viewer: int
+    position: Vector
+    target: Vector
+
+
 class AcceptedMessage(Accepted):
     """The answer to an input with this `ref`."""
 
@@ -172,6 +196,15 @@ class Pong(ResponseModel):
 
 
 ServerMessage = Annotated[
-    Hello | StatusMessage | ActionMessage | VerdictMessage | AcceptedMessage | ErrorMessage | Forked | Pong,
+    Hello
+    | StatusMessage
+    | ViewersMessage
+    | CameraMessage
+    | ActionMessage
+    | VerdictMessage
+    | AcceptedMessage
+    | ErrorMessage
+    | Forked
+    | Pong,
     Field(discriminator="type"),
 ]

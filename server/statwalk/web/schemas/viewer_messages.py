@@ -4,13 +4,23 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, Strict
 
 from statwalk.services.publish.outbox import FrameKind
 from statwalk.skin.skinning import Skinning
 from statwalk.web.schemas.actor import NewEvent, NewParameter
-from statwalk.web.schemas.base import IdempotencyKey, Ref, RequestModel, Tick
+from statwalk.web.schemas.base import (
+    ActorId,
+    Coordinate,
+    IdempotencyKey,
+    Ref,
+    RequestModel,
+    Tick,
+    ViewerName,
+)
 from statwalk.web.schemas.stage import SeekBody
+
+Place3 = Annotated[tuple[Coordinate, Coordinate, Coordinate], Strict(False)]
 
 
 class Ack(RequestModel):
@@ -59,6 +69,39 @@ class ChooseFrames(RequestModel):
     skinning: Skinning | None = None
 
 
+class PresenceMessage(RequestModel):
+    """The base of what a viewer says of itself to the others."""
+
+
+class GiveName(PresenceMessage):
+    """Says what this viewer calls itself; empty: nothing."""
+
+    type: Literal["name"]
+    name: ViewerName
+
+
+class Watch(PresenceMessage):
+    """Says which actor this viewer looks at; null: none."""
+
+    type: Literal["watch"]
+    actor: ActorId | None
+
+
+class MoveCamera(PresenceMessage):
+    """Says where this viewer looks from, and at what, for those that follow it."""
+
+    type: Literal["camera"]
+    position: Place3
+    target: Place3
+
+
+class Follow(PresenceMessage):
+    """Asks for the camera of another viewer from now on; null: of none."""
+
+    type: Literal["follow"]
+    viewer: Annotated[int, Field(ge=1, le=2**53)] | None
+
+
 class Ping(RequestModel):
     """Asks for a pong, to measure the round trip."""
 
@@ -67,5 +110,16 @@ class Ping(RequestModel):
 
 
 ViewerMessage = Annotated[
-    Ack | PostEvent | PostParameter | Look | Live | ChooseFrames | Ping, Field(discriminator="type")
+    Ack
+    | PostEvent
+    | PostParameter
+    | Look
+    | Live
+    | ChooseFrames
+    | GiveName
+    | Watch
+    | MoveCamera
+    | Follow
+    | Ping,
+    Field(discriminator="type"),
 ]

@@ -7,7 +7,6 @@ import contextlib
 from collections.abc import Callable
 
 from anyio import CapacityLimiter, to_thread
-from pydantic import TypeAdapter, ValidationError
 
 from statwalk.errors import StatwalkError
 from statwalk.services.access.roles import EVERYTHING, Grant
@@ -18,7 +17,7 @@ from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_replies import Posted
 from statwalk.services.publish.outbox import FrameForm, Outbox
 from statwalk.web import bounded_json
-from statwalk.web.errors import Problem, field_name, from_error
+from statwalk.web.errors import Problem, from_error
 from statwalk.web.gate import check_role
 from statwalk.web.schemas.base import Ref
 from statwalk.web.schemas.viewer_messages import (
@@ -29,9 +28,12 @@ from statwalk.web.schemas.viewer_messages import (
     Ping,
     PostEvent,
     PostParameter,
+    PresenceMessage,
     ViewerMessage,
 )
 from statwalk.web.socket import messages
+from statwalk.web.socket.presence_inbox import PresenceInbox
+from statwalk.web.socket.read_message import read, ref_of
 from statwalk.web.token_bucket import TokenBucket, cost_of
 
 INPUTS_PER_SECOND = 120.0
@@ -45,8 +47,6 @@ MOST_VALUES = 64
 SECONDS_PER_FORK = 5.0
 MOST_FORKS = 4
 """forks in a row, before the viewer waits `SECONDS_PER_FORK` for each"""
-MESSAGES: TypeAdapter[ViewerMessage] = TypeAdapter(ViewerMessage)
-REFS: TypeAdapter[Ref] = TypeAdapter(Ref)
 
 
 class Inbox:
@@ -82,6 +82,7 @@ class Inbox:
         self.inputs = TokenBucket(INPUTS_PER_SECOND, INPUT_BURST)
         self.acks = TokenBucket(IDLE_ACKS_PER_SECOND, IDLE_ACKS_PER_SECOND)
         self.forks = TokenBucket(1 / SECONDS_PER_FORK, MOST_FORKS)
+        self.presence = PresenceInbox(host.audience, outbox)
         self.looked_at: int | None = None
         self.look_changed = asyncio.Event()
         self.held: set[tuple[str, int | None]] = set()
@@ -95,7 +96,7 @@ class Inbox:
         ref: Ref = None
         try:
             raw = await bounded_json.parse_aside(data, MOST_VALUES)
-            ref = _ref_of(raw)
+            ref = ref_of(raw)
             await self.act(read(raw))
         except Problem as problem:
             self.answer(messages.error(ref, problem))
@@ -130,6 +131,8 @@ class Inbox:
                 await self.post(ref, message, self.looked_at)
             case Look(tick=tick):
                 self.look(tick)
+            case PresenceMessage():
+                self.presence.act(message)
             case Live() | ChooseFrames():
                 await self.choose(message)
 
@@ -179,6 +182,7 @@ class Inbox:
         outbox.form, outbox.frame = form, None
         if isinstance(message, Live):
             outbox.live, self.looked_at = True, None
+            self.host.audience.change(outbox, tick=None)
         if outbox.live:
             outbox.put_frame(frame)
         else:
@@ -197,6 +201,7 @@ class Inbox:
                 422, f"the stage has the ticks {status.first} to {status.head}, not {tick}", field="tick"
             )
         self.outbox.live, self.looked_at = False, tick
+        self.host.audience.change(self.outbox, tick=tick)
         self.look_changed.set()
 
     async def show_past(self) -> None:
@@ -225,23 +230,3 @@ class Inbox:
 
 def _looks_like_ack(data: str | bytes) -> bool:
     return len(data) <= LONGEST_ACK and (b'"ack"' in data if isinstance(data, bytes) else '"ack"' in data)
-
-
-def _ref_of(raw: object) -> Ref:
-    """Returns the `ref` of a message, or None if it has none that the answer can repeat."""
-    try:
-        return REFS.validate_python(raw.get("ref") if isinstance(raw, dict) else None, strict=True)
-    except ValidationError:
-        return None
-
-
-def read(raw: object) -> ViewerMessage:
-    """Returns the message that a JSON value describes.
-
-    :raises Problem: 422, naming the field, when the value is no message.
-    """
-    try:
-        return MESSAGES.validate_python(raw)
-    except ValidationError as error:
-        first = error.errors(include_url=False, include_context=False, include_input=False)[0]
-        raise Problem(422, first["msg"], field=field_name(("message", *first["loc"]))) from None

@@ -6,7 +6,7 @@ from dataclasses import asdict
 
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_messages import Status
-from statwalk.services.hosting.stage_replies import Posted, StageStatus
+from statwalk.services.hosting.stage_replies import Camera, Posted, Present, StageStatus
 from statwalk.services.publish.layout import CastLayout, FrameLayout
 from statwalk.services.publish.outbox import Ending, FrameForm
 from statwalk.stage.state.frame import Action, Verdict
@@ -15,6 +15,7 @@ from statwalk.web.schemas.base import Ref
 from statwalk.web.schemas.server_messages import (
     AcceptedMessage,
     ActionMessage,
+    CameraMessage,
     CastView,
     ErrorMessage,
     Forked,
@@ -23,6 +24,7 @@ from statwalk.web.schemas.server_messages import (
     ServerMessage,
     StatusMessage,
     VerdictMessage,
+    ViewersMessage,
 )
 
 VERSION = "statwalk.v1"
@@ -39,12 +41,13 @@ def _encoded(message: ServerMessage) -> bytes:
     return message.model_dump_json().encode()
 
 
-def hello(host: StageHost, layout: FrameLayout, form: FrameForm) -> bytes:
+def hello(host: StageHost, layout: FrameLayout, form: FrameForm, viewer: int) -> bytes:
     """Encodes the hello, which a viewer gets before the first frame of a layout."""
     return _encoded(
         Hello(
             version=VERSION,
             stage=host.id,
+            viewer=viewer,
             epoch=layout.epoch,
             rate=host.rate,
             clock=host.clock_kind,
@@ -60,8 +63,8 @@ def _cast(cast: CastLayout) -> CastView:
     return CastView(**asdict(cast), machine=cast.role, model=f"/api/characters/{cast.character}/model.glb")
 
 
-def fact(fact: Action | Verdict | StageStatus) -> bytes:
-    """Encodes an action, a verdict or a status for all viewers of a stage."""
+def fact(fact: Action | Verdict | StageStatus | Present | Camera) -> bytes:
+    """Encodes an action, a verdict, a status, the viewers or a camera for viewers of a stage."""
     match fact:
         case Action():
             return _encoded(ActionMessage.model_validate(fact))
@@ -69,6 +72,10 @@ def fact(fact: Action | Verdict | StageStatus) -> bytes:
             return _encoded(VerdictMessage.model_validate(fact))
         case StageStatus():
             return _encoded(StatusMessage.model_validate(fact))
+        case Present():
+            return _encoded(ViewersMessage.model_validate(fact))
+        case Camera():
+            return _encoded(CameraMessage.model_validate(fact))
 
 
 def accepted(ref: Ref, posted: Posted) -> bytes:

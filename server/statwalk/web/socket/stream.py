@@ -42,7 +42,7 @@ async def stream(socket: WebSocket, stage_id: str, frames: str = "pose", skinnin
         host = registry.find(stage_id)
         _check_subprotocol(socket)
         outbox = Outbox(kind, way)
-        host.join(outbox)
+        host.join(outbox, grant=grant_of(socket))
     except (Problem, StatwalkError) as error:
         problem = error if isinstance(error, Problem) else from_error(error, socket.path_params)
         note_limit(socket.scope, problem.limit)
@@ -176,6 +176,8 @@ class Viewer:
         while outbox.closing is None:
             await outbox.filled.wait()
             outbox.filled.clear()
+            if self.sent_layout is None:
+                await self._write_frame()  # a viewer hears first what the frames are
             for text in outbox.take_texts():
                 await self.socket.send_text(text.decode())
             await self._write_frame()
@@ -192,6 +194,7 @@ class Viewer:
         layout = frame.layout.epoch, form
         if self.sent_layout != layout:
             self.sent_layout = layout
-            await self.socket.send_text(messages.hello(self.host, frame.layout, form).decode())
+            viewer = self.host.audience.of(self.outbox).id
+            await self.socket.send_text(messages.hello(self.host, frame.layout, form, viewer).decode())
         await self.socket.send_bytes(frame.data)
         self.metrics.count_frame(self.host.handle(ask.Status()).viewers, self.outbox.take_skipped())

@@ -497,7 +497,11 @@ export interface paths {
         delete: operations["close_stage_api_stages__stage_id__delete"];
         options?: never;
         head?: never;
-        patch?: never;
+        /**
+         * Rename Stage
+         * @description Says what people call a stage; an empty name is none.
+         */
+        patch: operations["rename_stage_api_stages__stage_id__patch"];
         trace?: never;
     };
     "/api/stages/{stage_id}/step": {
@@ -591,7 +595,7 @@ export interface paths {
         put?: never;
         /**
          * Fork
-         * @description Opens a new stage with the same past that continues from the playhead.
+         * @description Opens a new stage with the same past that continues from a tick, by default from the playhead.
          */
         post: operations["fork_api_stages__stage_id__fork_post"];
         delete?: never;
@@ -761,6 +765,26 @@ export interface paths {
          * @description Ends a link, and disconnects its viewers.
          */
         delete: operations["revoke_link_api_stages__stage_id__links__link_id__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/stages/{stage_id}/viewers": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Viewers
+         * @description Lists the viewers of a stage, in the order in which they came.
+         */
+        get: operations["list_viewers_api_stages__stage_id__viewers_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -1404,6 +1428,16 @@ export interface components {
             name: string;
             duration: number;
         };
+        /** @description The newest act on the clock of a stage, at the playhead `tick`; `moved`: a seek. */
+        ClockChangeView: {
+            /** @enum {string} */
+            what: "paused" | "resumed" | "speed" | "stepped" | "moved";
+            /** @description the name of the viewer or of the person whose token it was, `somebody`, or `a program` */
+            by: string;
+            /** @description the number of the viewer who did it; null: a program */
+            viewer: number | null;
+            tick: number;
+        };
         /** @description A collider in metres, in the joint's space (no joint: the root's). */
         ColliderView: {
             /** @enum {string} */
@@ -1702,6 +1736,12 @@ export interface components {
              */
             kind: "hold" | "release";
             event: string;
+        };
+        /** @description An input in words; it counts in `tick`. */
+        InputView: {
+            number: number;
+            tick: number;
+            text: string;
         };
         /** @description The joints that are one bone; `source` is empty where the spine turns as a whole. */
         JointPair: {
@@ -2133,6 +2173,15 @@ export interface components {
         NewExpressions: {
             text: string;
         };
+        /** @description A fork to open, at `tick` (null: the playhead). */
+        NewFork: {
+            tick?: number | null;
+            /**
+             * @description what people call it
+             * @default
+             */
+            name?: string;
+        };
         /** @description A key: `time` in seconds, angles about X, then Y, then Z in degrees, and its weight in a NURBS. */
         NewKey: {
             time: number;
@@ -2304,6 +2353,11 @@ export interface components {
              * @default false
              */
             keep_running?: boolean;
+            /**
+             * @description what people call it
+             * @default
+             */
+            name?: string;
         };
         /** @description The whole text of a machine file. */
         NewText: {
@@ -2312,6 +2366,12 @@ export interface components {
         /** @description The state to which an actor travels. */
         NewTravel: {
             state: string;
+        };
+        /** @description Where a fork began; `is_there` is false once the stage that it left is deleted. */
+        OriginView: {
+            stage: string;
+            tick: number;
+            is_there: boolean;
         };
         /**
          * @description A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
@@ -2537,12 +2597,34 @@ export interface components {
         Speed: {
             speed: number;
         };
+        /** @description What people call a stage; empty: nothing. */
+        StageNameBody: {
+            name: string;
+        };
         /**
          * @description A stage: `tick` is its playhead, `head` the newest tick, `first` the oldest tick that you
          *     can seek to.
          */
         StageView: {
             id: string;
+            /** @description what people call it; empty: nothing */
+            name: string;
+            /** @description with which it, or the stage that it left, was opened */
+            scene: string | null;
+            /** @description that it plays, or played */
+            machines: string[];
+            /** @description seconds since 1970; null: an older version made it */
+            made: number | null;
+            /** @description null: it is no fork */
+            origin: components["schemas"]["OriginView"] | null;
+            /** @description of its own: those that came after it was forked */
+            inputs: number;
+            /** @description of its own; null: there is none */
+            newest_input: components["schemas"]["InputView"] | null;
+            /** @description an input in the past made it, and no request has named it yet: it is deleted after a minute */
+            unclaimed: boolean;
+            /** @description null: nobody has touched the clock since the stage was opened or came back */
+            changed: components["schemas"]["ClockChangeView"] | null;
             /** @enum {string} */
             clock: "real" | "manual";
             rate: number;
@@ -2683,6 +2765,22 @@ export interface components {
             what: string;
             before: number;
         };
+        /** @description A viewer: its number, and what it may do. */
+        ViewerView: {
+            id: number;
+            /** @description as the viewer says; empty: it has not said */
+            name: string;
+            /** @description whose token it has; empty without tokens, and for the viewers of a link */
+            person: string;
+            /** @enum {string} */
+            role: "view" | "drive" | "admin";
+            /** @description that it looks at; null: it has not said */
+            actor: number | null;
+            /** @description that it looks at; null: the present */
+            tick: number | null;
+            /** @description the viewer whose camera it gets */
+            follows: number | null;
+        };
         /**
          * @description Why an event did not fire, and single changes that make it fire; `remedies` is empty if the event
          *     fired, or if no single change helps. `cut`: the trials that the budget ended, in words; empty if all were
@@ -2752,6 +2850,25 @@ export interface components {
         ActorName: {
             id: number;
             name: string;
+        };
+        /** @description The newest camera of the viewer that this viewer follows. */
+        CameraMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "camera";
+            viewer: number;
+            position: [
+                number,
+                number,
+                number
+            ];
+            target: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description A collider in metres, in the space of joint number `joint` (-1: the root's). */
         CastCollider: {
@@ -2838,6 +2955,8 @@ export interface components {
             type: "hello";
             version: string;
             stage: string;
+            /** @description your number among the viewers of the stage */
+            viewer: number;
             epoch: number;
             rate: number;
             /** @enum {string} */
@@ -2858,6 +2977,8 @@ export interface components {
             pace: number;
             /** @description why nothing can be kept now, such as a full disk; empty while everything is kept */
             trouble: string;
+            /** @description null: nobody has touched the clock since the stage was opened or came back */
+            changed: components["schemas"]["ClockChangeView"] | null;
             casts: components["schemas"]["CastView"][];
         };
         /** @description The answer to a ping. */
@@ -2889,6 +3010,8 @@ export interface components {
             pace: number;
             /** @description why nothing can be kept now, such as a full disk; empty while everything is kept */
             trouble: string;
+            /** @description null: nobody has touched the clock since the stage was opened or came back */
+            changed: components["schemas"]["ClockChangeView"] | null;
         };
         /**
          * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
@@ -2921,7 +3044,16 @@ export interface components {
             };
             other: number;
         };
-        ServerMessage: components["schemas"]["Hello"] | components["schemas"]["StatusMessage"] | components["schemas"]["ActionMessage"] | components["schemas"]["VerdictMessage"] | components["schemas"]["AcceptedMessage"] | components["schemas"]["ErrorMessage"] | components["schemas"]["Forked"] | components["schemas"]["Pong"];
+        /** @description Who watches the stage, in the order in which they came: sent when it changes, at most once a second. */
+        ViewersMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "viewers";
+            viewers: components["schemas"]["ViewerView"][];
+        };
+        ServerMessage: components["schemas"]["Hello"] | components["schemas"]["StatusMessage"] | components["schemas"]["ViewersMessage"] | components["schemas"]["CameraMessage"] | components["schemas"]["ActionMessage"] | components["schemas"]["VerdictMessage"] | components["schemas"]["AcceptedMessage"] | components["schemas"]["ErrorMessage"] | components["schemas"]["Forked"] | components["schemas"]["Pong"];
         /** @description Acknowledges the frame of a tick. */
         Ack: {
             /**
@@ -2946,6 +3078,24 @@ export interface components {
             /** @default null */
             skinning?: ("linear" | "dual-quaternion" | "rigid" | "parts") | null;
         };
+        /** @description Asks for the camera of another viewer from now on; null: of none. */
+        Follow: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "follow";
+            viewer: number | null;
+        };
+        /** @description Says what this viewer calls itself; empty: nothing. */
+        GiveName: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "name";
+            name: string;
+        };
         /** @description Returns this viewer to the present. */
         Live: {
             /**
@@ -2962,6 +3112,24 @@ export interface components {
              * @enum {string}
              */
             type: "look";
+        };
+        /** @description Says where this viewer looks from, and at what, for those that follow it. */
+        MoveCamera: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "camera";
+            position: [
+                number,
+                number,
+                number
+            ];
+            target: [
+                number,
+                number,
+                number
+            ];
         };
         /** @description Asks for a pong, to measure the round trip. */
         Ping: {
@@ -3011,7 +3179,16 @@ export interface components {
             /** @default  */
             key?: string;
         };
-        ViewerMessage: components["schemas"]["Ack"] | components["schemas"]["PostEvent"] | components["schemas"]["PostParameter"] | components["schemas"]["Look"] | components["schemas"]["Live"] | components["schemas"]["ChooseFrames"] | components["schemas"]["Ping"];
+        /** @description Says which actor this viewer looks at; null: none. */
+        Watch: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "watch";
+            actor: number | null;
+        };
+        ViewerMessage: components["schemas"]["Ack"] | components["schemas"]["PostEvent"] | components["schemas"]["PostParameter"] | components["schemas"]["Look"] | components["schemas"]["Live"] | components["schemas"]["ChooseFrames"] | components["schemas"]["GiveName"] | components["schemas"]["Watch"] | components["schemas"]["MoveCamera"] | components["schemas"]["Follow"] | components["schemas"]["Ping"];
         /** @description The first line: which stage the commands make, and how far it went. */
         LogHeader: {
             /** @constant */
@@ -3284,6 +3461,7 @@ export type CharacterView = components['schemas']['CharacterView'];
 export type ClampedView = components['schemas']['ClampedView'];
 export type ClipContactsView = components['schemas']['ClipContactsView'];
 export type ClipView = components['schemas']['ClipView'];
+export type ClockChangeView = components['schemas']['ClockChangeView'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type CurveView = components['schemas']['CurveView'];
 export type CurvesView = components['schemas']['CurvesView'];
@@ -3308,6 +3486,7 @@ export type GroundView = components['schemas']['GroundView'];
 export type HealthView = components['schemas']['HealthView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
+export type InputView = components['schemas']['InputView'];
 export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
@@ -3336,6 +3515,7 @@ export type NewDeduction = components['schemas']['NewDeduction'];
 export type NewDetail = components['schemas']['NewDetail'];
 export type NewEvent = components['schemas']['NewEvent'];
 export type NewExpressions = components['schemas']['NewExpressions'];
+export type NewFork = components['schemas']['NewFork'];
 export type NewKey = components['schemas']['NewKey'];
 export type NewLink = components['schemas']['NewLink'];
 export type NewMachine = components['schemas']['NewMachine'];
@@ -3345,6 +3525,7 @@ export type NewSolve = components['schemas']['NewSolve'];
 export type NewStage = components['schemas']['NewStage'];
 export type NewText = components['schemas']['NewText'];
 export type NewTravel = components['schemas']['NewTravel'];
+export type OriginView = components['schemas']['OriginView'];
 export type ParameterView = components['schemas']['ParameterView'];
 export type PartView = components['schemas']['PartView'];
 export type PauseBody = components['schemas']['PauseBody'];
@@ -3365,6 +3546,7 @@ export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
 export type SolverView = components['schemas']['SolverView'];
 export type Speed = components['schemas']['Speed'];
+export type StageNameBody = components['schemas']['StageNameBody'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];
 export type StateView = components['schemas']['StateView'];
@@ -3377,12 +3559,14 @@ export type TwinningView = components['schemas']['TwinningView'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
 export type VersionView = components['schemas']['VersionView'];
+export type ViewerView = components['schemas']['ViewerView'];
 export type WhyNotView = components['schemas']['WhyNotView'];
 export type WhyView = components['schemas']['WhyView'];
 export type ProblemView = components['schemas']['ProblemView'];
 export type AcceptedMessage = components['schemas']['AcceptedMessage'];
 export type ActionMessage = components['schemas']['ActionMessage'];
 export type ActorName = components['schemas']['ActorName'];
+export type CameraMessage = components['schemas']['CameraMessage'];
 export type CastCollider = components['schemas']['CastCollider'];
 export type CastView = components['schemas']['CastView'];
 export type ErrorMessage = components['schemas']['ErrorMessage'];
@@ -3391,14 +3575,19 @@ export type Hello = components['schemas']['Hello'];
 export type Pong = components['schemas']['Pong'];
 export type StatusMessage = components['schemas']['StatusMessage'];
 export type VerdictMessage = components['schemas']['VerdictMessage'];
+export type ViewersMessage = components['schemas']['ViewersMessage'];
 export type ServerMessage = components['schemas']['ServerMessage'];
 export type Ack = components['schemas']['Ack'];
 export type ChooseFrames = components['schemas']['ChooseFrames'];
+export type Follow = components['schemas']['Follow'];
+export type GiveName = components['schemas']['GiveName'];
 export type Live = components['schemas']['Live'];
 export type Look = components['schemas']['Look'];
+export type MoveCamera = components['schemas']['MoveCamera'];
 export type Ping = components['schemas']['Ping'];
 export type PostEvent = components['schemas']['PostEvent'];
 export type PostParameter = components['schemas']['PostParameter'];
+export type Watch = components['schemas']['Watch'];
 export type ViewerMessage = components['schemas']['ViewerMessage'];
 export type LogHeader = components['schemas']['LogHeader'];
 export type AddLine = components['schemas']['AddLine'];
@@ -4380,10 +4569,50 @@ export interface operations {
             507: components["responses"]["507"];
         };
     };
-    step_api_stages__stage_id__step_post: {
+    rename_stage_api_stages__stage_id__patch: {
         parameters: {
             query?: never;
             header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["StageNameBody"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StageView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    step_api_stages__stage_id__step_post: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description your number in the hello of the socket */
+                "Statwalk-Viewer"?: number | null;
+            };
             path: {
                 stage_id: string;
             };
@@ -4421,7 +4650,10 @@ export interface operations {
     seek_api_stages__stage_id__seek_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description your number in the hello of the socket */
+                "Statwalk-Viewer"?: number | null;
+            };
             path: {
                 stage_id: string;
             };
@@ -4459,7 +4691,10 @@ export interface operations {
     pause_api_stages__stage_id__pause_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description your number in the hello of the socket */
+                "Statwalk-Viewer"?: number | null;
+            };
             path: {
                 stage_id: string;
             };
@@ -4497,7 +4732,10 @@ export interface operations {
     speed_api_stages__stage_id__speed_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description your number in the hello of the socket */
+                "Statwalk-Viewer"?: number | null;
+            };
             path: {
                 stage_id: string;
             };
@@ -4541,7 +4779,11 @@ export interface operations {
             };
             cookie?: never;
         };
-        requestBody?: never;
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["NewFork"] | null;
+            };
+        };
         responses: {
             /** @description Successful Response */
             201: {
@@ -4552,6 +4794,7 @@ export interface operations {
                     "application/json": components["schemas"]["StageView"];
                 };
             };
+            400: components["responses"]["400"];
             401: components["responses"]["401"];
             403: components["responses"]["403"];
             404: components["responses"]["404"];
@@ -4559,6 +4802,7 @@ export interface operations {
             413: components["responses"]["413"];
             415: components["responses"]["415"];
             421: components["responses"]["421"];
+            422: components["responses"]["422"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
             507: components["responses"]["507"];
@@ -4832,6 +5076,34 @@ export interface operations {
             429: components["responses"]["429"];
             503: components["responses"]["503"];
             507: components["responses"]["507"];
+        };
+    };
+    list_viewers_api_stages__stage_id__viewers_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ViewerView"][];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     list_actors_api_stages__stage_id__actors_get: {

@@ -6,6 +6,7 @@
 import "./deduce.css";
 import { deduce } from "../../net/api";
 import type { DeducedBone } from "../../net/protocol";
+import { reasonOf } from "../../net/reason";
 import { el, say, svg } from "../../ui/dom";
 import { segments } from "./skeletonDrawing";
 
@@ -19,7 +20,7 @@ known:
 `;
 const SIZE = 360;
 
-export class DeduceDialog {
+class DeduceDialog {
   private readonly text = el(
     "textarea",
     { "aria-label": "bones and known values", spellcheck: "false" },
@@ -67,7 +68,7 @@ export class DeduceDialog {
       this.bones = (await deduce(this.text.value)).bones;
       say(this.problem, "");
     } catch (error) {
-      say(this.problem, error instanceof Error ? error.message : String(error));
+      say(this.problem, reasonOf(error));
       return;
     }
     this.draw();
@@ -109,4 +110,10 @@ export class DeduceDialog {
     );
     return [...found, ...unknown];
   }
+}
+
+/** The button `host` opens the dialog. */
+export function deducePanel(host: HTMLElement): void {
+  const dialog = new DeduceDialog();
+  host.addEventListener("click", () => dialog.open());
 }

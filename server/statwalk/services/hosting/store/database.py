@@ -16,7 +16,7 @@ from statwalk.services.hosting.store.records import row_digest
 from statwalk.services.hosting.store.upgrades import UPGRADES
 
 FILE_NAME = "statwalk.db"
-FORMAT = 3
+FORMAT = 4
 APPLICATION = 0x5374576B
 """the number by which `file` and SQLite tell whose database it is: "StWk" """
 LARGEST_WAL_BYTES = 16 << 20
@@ -24,7 +24,10 @@ STAGES = "stages"
 PARTS = ("beginnings", "roles", "commands", "ends", "snapshots", "keys")
 """the tables with rows of stages"""
 SEALED = {
-    STAGES: "id, opened, seed, rate, clock, tick, head, hash, paused, speed, keep_running",
+    STAGES: (
+        "id, opened, seed, rate, clock, tick, head, hash, paused, speed, keep_running, "
+        "name, parent, forked_tick, forked_number, made"
+    ),
     "beginnings": "stage, tick, number",
     "roles": "stage, role, text, model",
     "ends": "stage, entries, chain",
@@ -41,7 +44,9 @@ TABLES = """
 CREATE TABLE stages (
     id TEXT PRIMARY KEY, opened TEXT NOT NULL, seed INTEGER NOT NULL, rate INTEGER NOT NULL,
     clock TEXT NOT NULL, tick INTEGER NOT NULL, head INTEGER NOT NULL, hash TEXT NOT NULL,
-    paused INTEGER NOT NULL, speed REAL NOT NULL, keep_running INTEGER NOT NULL, digest BLOB NOT NULL
+    paused INTEGER NOT NULL, speed REAL NOT NULL, keep_running INTEGER NOT NULL, name TEXT NOT NULL,
+    parent TEXT NOT NULL, forked_tick INTEGER NOT NULL, forked_number INTEGER NOT NULL, made REAL NOT NULL,
+    digest BLOB NOT NULL
 ) STRICT;
 CREATE TABLE beginnings (
     stage TEXT PRIMARY KEY, tick INTEGER NOT NULL, number INTEGER NOT NULL, digest BLOB NOT NULL
@@ -90,6 +95,16 @@ def renaming(table: str) -> str:
     key, _, rest = columns.partition(", ")
     digest = f"CASE digest WHEN row_digest({columns}) THEN row_digest(?1, {rest}) ELSE digest END"
     return f"UPDATE {table} SET {key} = ?1, digest = {digest} WHERE {key} = ?2"  # noqa: S608 - our own names
+
+
+def renaming_parent() -> str:
+    """Returns the statement that gives the forks of a stage the stage's new id (the first value, the old one
+    is the second).
+    """
+    columns = SEALED[STAGES]
+    renamed = columns.replace(" parent,", " ?1,")
+    digest = f"CASE digest WHEN row_digest({columns}) THEN row_digest({renamed}) ELSE digest END"
+    return f"UPDATE {STAGES} SET parent = ?1, digest = {digest} WHERE parent = ?2"  # noqa: S608 - our own names
 
 
 def opened(path: Path) -> sqlite3.Connection:

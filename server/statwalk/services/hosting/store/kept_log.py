@@ -91,6 +91,11 @@ class KeptLog:
         return self._log.newest
 
     @property
+    def last(self) -> LogEntry | None:
+        """The newest entry that came to this log itself."""
+        return self._log.last
+
+    @property
     def held(self) -> int:
         """The number of entries that the log holds, or more: what is shared with another log may count."""
         return self._log.held

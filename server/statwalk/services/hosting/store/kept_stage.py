@@ -10,6 +10,7 @@ from functools import partial
 from statwalk.character.role import Role
 from statwalk.services.hosting.commands import AddActor, RemoveActor
 from statwalk.services.hosting.stage_messages import Post
+from statwalk.services.hosting.store.database import SEALED, STAGES
 from statwalk.services.hosting.store.kept_keys import KeptKeys
 from statwalk.services.hosting.store.kept_log import KeptLog
 from statwalk.services.hosting.store.records import (
@@ -25,8 +26,11 @@ from statwalk.stage.clock import Clock
 from statwalk.stage.history.log import Log
 from statwalk.stage.stage import Stage
 
-INSERT = "INSERT INTO stages VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"
-NOTE = "UPDATE stages SET tick = ?, head = ?, hash = ?, paused = ?, speed = ?, digest = ? WHERE id = ?"
+COLUMNS = f"{SEALED[STAGES]}, digest"
+INSERT = f"INSERT INTO stages ({COLUMNS}) VALUES ({', '.join('?' for _ in COLUMNS.split())})"  # noqa: S608 - our own names
+NOTE = (
+    "UPDATE stages SET tick = ?, head = ?, hash = ?, paused = ?, speed = ?, name = ?, digest = ? WHERE id = ?"
+)
 AT_ONCE = AddActor, RemoveActor
 """commands that change the state of the tick that is shown"""
 SNAPSHOT_TICKS = 960
@@ -49,6 +53,8 @@ class KeptStage:
         self.identity, self._writer, self._text_of = identity, writer, text_of
         self.durable_head = 0
         """a crash leaves at least this tick: nothing that happened up to it can happen otherwise"""
+        self.name = ""
+        """what people call the stage"""
         self._noted: Note | None = None
         self._is_noting = False
         self._snapshots: set[int] = set()
@@ -58,7 +64,7 @@ class KeptStage:
 
     def begin(self, stage: Stage, clock: Clock, also: Sequence[Statement] = ()) -> None:
         """Writes the whole stage, and other statements, in one commit; its log is kept from now on."""
-        note, entries = _note_of(stage, clock), stage.log
+        note, entries = self._note_of(stage, clock), stage.log
         first = Statement(INSERT, [stage_row(self.identity, note)])
         log = self._follow(stage)
         newest, self._noted = stage.newest, note
@@ -88,7 +94,7 @@ class KeptStage:
         """Goes on with a stage that was read from the database."""
         log = self._follow(stage, len(kept.lines), kept.chain)
         log.written(log.newest)
-        self.durable_head = kept.note.head
+        self.durable_head, self.name = kept.note.head, kept.note.name
         self._snapshots, self._roles = set(kept.snapshots), set(kept.roles)
         self.keys.answers |= kept.keys
 
@@ -143,8 +149,11 @@ class KeptStage:
         row = sealed(self.identity.id, *KeptBeginning(stage.first, stage.forgotten_number))
         return [Statement("INSERT OR REPLACE INTO beginnings VALUES (?, ?, ?, ?)", [row])]
 
+    def _note_of(self, stage: Stage, clock: Clock) -> Note:
+        return Note(stage.tick, stage.head, stage.hash, clock.paused, clock.speed, self.name)
+
     def _new_note(self, stage: Stage, clock: Clock) -> list[Statement]:
-        note = _note_of(stage, clock)
+        note = self._note_of(stage, clock)
         if note == self._noted:
             return []
         self._noted = note
@@ -178,7 +187,3 @@ class KeptStage:
         if gone:
             statements.append(Statement("DELETE FROM snapshots WHERE stage = ? AND tick = ?", gone))
         return statements
-
-
-def _note_of(stage: Stage, clock: Clock) -> Note:
-    return Note(stage.tick, stage.head, stage.hash, clock.paused, clock.speed)

@@ -8,12 +8,14 @@ from pathlib import Path
 from typing import Any
 
 from statwalk.errors import StorageError
+from statwalk.services.hosting.store.database import SEALED, STAGES
 from statwalk.services.hosting.store.records import (
     KeptBeginning,
     KeptKey,
     KeptRole,
     MachineVersion,
     Note,
+    Origin,
     StageIdentity,
     StageRecord,
     chained,
@@ -56,12 +58,15 @@ class KeptRecords:
         )
 
     def _stage(self, stage: str) -> tuple[StageIdentity, Note]:
-        row = next(self._rows("SELECT * FROM stages WHERE id = ?", stage), None)
+        columns = f"{SEALED[STAGES]}, digest"
+        row = next(self._rows(f"SELECT {columns} FROM stages WHERE id = ?", stage), None)  # noqa: S608 - our own names
         if row is None:
             raise StorageError("the row that says what it is is missing")
-        _, opened, seed, rate, clock, tick, head, state, paused, speed, keep_running, digest = row
-        identity = StageIdentity(stage, opened, seed, rate, clock, bool(keep_running))
-        found = identity, Note(tick, head, state, bool(paused), speed)
+        _, opened, seed, rate, clock, tick, head, state, paused, speed, keep_running, *rest, digest = row
+        name, parent, forked_tick, forked_number, made = rest
+        origin = Origin(parent, forked_tick, forked_number) if parent else None
+        identity = StageIdentity(stage, opened, seed, rate, clock, bool(keep_running), made, origin)
+        found = identity, Note(tick, head, state, bool(paused), speed, name)
         if stage_row(*found)[-1] != digest:
             raise StorageError("the row that says what it is is damaged")
         return found

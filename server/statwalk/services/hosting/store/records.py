@@ -13,8 +13,21 @@ MAIN = "main"
 
 
 @dataclass(frozen=True)
+class Origin:
+    """Where a fork began: the stage that it left, the tick, and the number of the newest input before its
+    own.
+    """
+
+    stage: str
+    tick: int
+    number: int
+
+
+@dataclass(frozen=True)
 class StageIdentity:
-    """What never changes of a stage; `opened`: the scene or machine that the server opened it with."""
+    """What never changes of a stage; `opened`: the scene or machine that it, or the stage that it left, was
+    opened with; `made`: in seconds since 1970, 0 by a version that did not note it.
+    """
 
     id: str
     opened: str
@@ -23,6 +36,16 @@ class StageIdentity:
     clock: ClockKind
     keep_running: bool = False
     """it goes on though nobody watches it"""
+    made: float = 0.0
+    origin: Origin | None = None
+    """None: it is no fork"""
+
+    def forked(self, stage_id: str, tick: int, number: int, made: float) -> StageIdentity:
+        """Returns what a fork at a tick is; `number`: of the newest input before its own."""
+        origin = Origin(self.id, tick, number)
+        return StageIdentity(
+            stage_id, self.opened, self.seed, self.rate, self.clock, made=made, origin=origin
+        )
 
     @property
     def stays_awake(self) -> bool:
@@ -43,6 +66,8 @@ class Note(NamedTuple):
     hash: str
     paused: bool
     speed: float
+    name: str = ""
+    """what people call the stage"""
 
 
 class KeptBeginning(NamedTuple):
@@ -123,6 +148,7 @@ def sealed(*values: Value) -> tuple[Value, ...]:
 
 def stage_row(identity: StageIdentity, note: Note) -> tuple[Value, ...]:
     """Returns the row of a stage, with its hash; the values are those that SQLite gives back."""
+    origin = identity.origin or Origin("", 0, 0)
     return sealed(
         identity.id,
         identity.opened,
@@ -135,6 +161,11 @@ def stage_row(identity: StageIdentity, note: Note) -> tuple[Value, ...]:
         int(note.paused),
         float(note.speed),
         int(identity.keep_running),
+        note.name,
+        origin.stage,
+        origin.tick,
+        origin.number,
+        float(identity.made),
     )
 
 

@@ -69,9 +69,10 @@ class Store:
         self.writer.put([Statement("DELETE FROM stages WHERE id = ?", [(stage,)]), *deleted])
 
     def rename(self, stage: str, name: str) -> None:
-        """Gives a stage another id."""
+        """Gives a stage another id, also where its forks name it."""
         tables = database.STAGES, *database.PARTS
-        self.writer.put([Statement(database.renaming(table), [(name, stage)]) for table in tables])
+        renamings = [*map(database.renaming, tables), database.renaming_parent()]
+        self.writer.put([Statement(sql, [(name, stage)]) for sql in renamings])
 
     # --- versions of machines
 

@@ -43,6 +43,26 @@ def _to_3(database: sqlite3.Connection) -> None:
         database.execute("INSERT INTO ends VALUES (?, ?, ?, ?)", sealed(stage, entries, chain))
 
 
+def _to_4(database: sqlite3.Connection) -> None:
+    """Stages have names, the time when they were made, and forks know where they began; rows that were
+    damaged before stay so.
+    """
+    new = {
+        "name": "TEXT",
+        "parent": "TEXT",
+        "forked_tick": "INTEGER",
+        "forked_number": "INTEGER",
+        "made": "REAL",
+    }
+    for name, kind in new.items():
+        default = "''" if kind == "TEXT" else "0"
+        database.execute(f"ALTER TABLE stages ADD COLUMN {name} {kind} NOT NULL DEFAULT {default}")
+    old, _ = SEALED_IN_3["stages"]
+    digest = f"row_digest({old}, {', '.join(new)})"
+    whole = f"CASE digest WHEN row_digest({old}) THEN {digest} ELSE x'' END"
+    database.execute(f"UPDATE stages SET digest = {whole}")  # noqa: S608 - our own names
+
+
 def _joined(*parts: bytes) -> bytes:
     """The hash of format 2."""
     return hashlib.blake2b(b"\0".join(parts), digest_size=16).digest()
@@ -82,5 +102,5 @@ SEALED_IN_3: dict[str, tuple[str, Callable[..., bool]]] = {
     "versions": ("machine, number, at, what, text, before", _version_was_whole),
 }
 """by table, the columns under the hash of a row, and whether a row was whole"""
-UPGRADES: dict[int, Callable[[sqlite3.Connection], None]] = {1: _to_2, 2: _to_3}
+UPGRADES: dict[int, Callable[[sqlite3.Connection], None]] = {1: _to_2, 2: _to_3, 3: _to_4}
 """by format, what brings a database to the next format; the connection has the function `row_digest`"""

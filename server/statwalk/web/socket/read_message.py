@@ -1,0 +1,32 @@
+"""Reads the messages of a viewer from JSON values."""
+
+from __future__ import annotations
+
+from pydantic import TypeAdapter, ValidationError
+
+from statwalk.web.errors import Problem, field_name
+from statwalk.web.schemas.base import Ref
+from statwalk.web.schemas.viewer_messages import ViewerMessage
+
+MESSAGES: TypeAdapter[ViewerMessage] = TypeAdapter(ViewerMessage)
+REFS: TypeAdapter[Ref] = TypeAdapter(Ref)
+
+
+def ref_of(raw: object) -> Ref:
+    """Returns the `ref` of a message, or None if it has none that the answer can repeat."""
+    try:
+        return REFS.validate_python(raw.get("ref") if isinstance(raw, dict) else None, strict=True)
+    except ValidationError:
+        return None
+
+
+def read(raw: object) -> ViewerMessage:
+    """Returns the message that a JSON value describes.
+
+    :raises Problem: 422, naming the field, when the value is no message.
+    """
+    try:
+        return MESSAGES.validate_python(raw)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_context=False, include_input=False)[0]
+        raise Problem(422, first["msg"], field=field_name(("message", *first["loc"]))) from None
