@@ -8,7 +8,7 @@ import zipfile
 import pytest
 from statwalk.errors import ModelError
 from statwalk.files import archive
-from statwalk.services.library.load import load_character_file
+from statwalk.files.character_file import load_character_file
 from zipped import MODEL, packed
 
 
@@ -150,7 +150,7 @@ def test_no_model_and_two_models(tmp_path):
         (tmp_path / folder).mkdir()
     assert (
         refused(packed({"a.bin": b"x"}), tmp_path / "none").message
-        == "the zip holds no model; add one .gltf or .glb file"
+        == "the zip holds no model; add one .gltf or .glb file, or a character file (.yaml)"
     )
     assert refused(packed({"a.glb": b"x", "b.gltf": b"x"}), tmp_path / "two").message.endswith(
         "keep only one: a.glb, b.gltf"

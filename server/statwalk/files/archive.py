@@ -1,5 +1,5 @@
-"""Unpacks a model and the files that it needs from a zip; names and sizes are checked before any byte is
-unpacked.
+"""Unpacks a model, or a character file, and the files that it needs from a zip; names and sizes are checked
+before any byte is unpacked.
 """
 
 from __future__ import annotations
@@ -14,9 +14,13 @@ from pathlib import Path, PurePosixPath
 
 from statwalk.errors import ModelError
 
+SUFFIX = ".zip"
 MODELS = (".gltf", ".glb")
 SUFFIXES = (*MODELS, ".bin", ".png", ".jpg", ".jpeg", ".webp", ".ktx2")
 """files that a model may need; all other files stay in the archive"""
+CHARACTER_FILES = (".yaml", ".yml")
+CHARACTER_SUFFIXES = (*SUFFIXES, *CHARACTER_FILES, ".txt", ".md2", ".x", ".chunk", ".bvh", ".trc")
+"""files that a character file may name"""
 MOST_ENTRIES = 1_000
 LARGEST_DIRECTORY_BYTES = 1 << 20
 LARGEST_UNPACKED_BYTES = 128 << 20
@@ -38,7 +42,8 @@ def is_zip(start: bytes) -> bool:
 
 
 def unpack(archive: Path, folder: Path) -> Path:
-    """Unpacks a zip into an empty folder and returns the path of the only model in it.
+    """Unpacks a zip into an empty folder and returns the path of its only character file, or else of its only
+    model.
 
     :raises ModelError: when the zip is damaged, too large or unsafe, or does not hold exactly one model;
         `place` is the entry's name or a byte offset.
@@ -47,14 +52,15 @@ def unpack(archive: Path, folder: Path) -> Path:
         bytes_left = LARGEST_UNPACKED_BYTES
         for entry in wanted:
             bytes_left -= _extract(opened, entry, folder, bytes_left)
-    return _model_in(folder)
+    return _main_file_in(folder)
 
 
 @contextmanager
 def checked_zip(
-    archive: Path, suffixes: Sequence[str] = SUFFIXES
+    archive: Path, suffixes: Sequence[str] = ()
 ) -> Iterator[tuple[zipfile.ZipFile, list[zipfile.ZipInfo]]]:
-    """Opens a zip; yields it with its checked entries of some suffixes.
+    """Opens a zip; yields it with its checked entries of some suffixes, by default those of a model or of a
+    character file.
 
     :raises ModelError: when the zip is damaged, too large or unsafe.
     """
@@ -109,7 +115,8 @@ def _checked(entries: Sequence[zipfile.ZipInfo], suffixes: Sequence[str]) -> lis
     for entry in entries:
         _check_entry(entry)
     files = [entry for entry in entries if not entry.is_dir()]
-    wanted = [entry for entry in files if _is_wanted(PurePosixPath(entry.filename), suffixes)]
+    chosen = suffixes or _model_suffixes(files)
+    wanted = [entry for entry in files if _is_wanted(PurePosixPath(entry.filename), chosen)]
     _check_different(entry.filename for entry in wanted)
     return wanted
 
@@ -148,6 +155,11 @@ def _check_name(name: str) -> None:
 def shown(name: str) -> str:
     """Returns an entry's name as an error shows it."""
     return ascii(name[:LONGEST_NAME])
+
+
+def _model_suffixes(files: Iterable[zipfile.ZipInfo]) -> Sequence[str]:
+    paths = (PurePosixPath(file.filename) for file in files)
+    return CHARACTER_SUFFIXES if any(_is_wanted(path, CHARACTER_FILES) for path in paths) else SUFFIXES
 
 
 def _is_wanted(path: PurePosixPath, suffixes: Sequence[str]) -> bool:
@@ -193,17 +205,20 @@ def _extract(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, folder: Path, most
     return written
 
 
-def _model_in(folder: Path) -> Path:
-    """Returns the only model of a folder: the .gltf or .glb nearest to the top.
+def _main_file_in(folder: Path) -> Path:
+    """Returns the only character file of a folder, the one nearest to the top; without one, the model.
 
-    :raises ModelError: when the folder has no model, or several at the same depth.
+    :raises ModelError: when the folder has neither, or several at the same depth.
     """
-    models = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in MODELS and path.is_file()]
+    files = [path for path in sorted(folder.rglob("*")) if path.is_file()]
+    texts = [path for path in files if path.suffix.lower() in CHARACTER_FILES]
+    models = texts or [path for path in files if path.suffix.lower() in MODELS]
+    kind = "character file" if texts else "model"
     if not models:
-        raise ModelError("the zip holds no model; add one .gltf or .glb file")
+        raise ModelError("the zip holds no model; add one .gltf or .glb file, or a character file (.yaml)")
     depth = min(len(path.parts) for path in models)
     highest = [path for path in models if len(path.parts) == depth]
     if len(highest) > 1:
         names = ", ".join(path.name[:60] for path in highest[:5])
-        raise ModelError(f"the zip holds {len(highest)} models; keep only one: {names}")
+        raise ModelError(f"the zip holds {len(highest)} {kind}s; keep only one: {names}")
     return highest[0]
