@@ -8,8 +8,9 @@ import stat
 import struct
 import zipfile
 import zlib
-from collections.abc import Iterable, Sequence
-from pathlib import Path, PurePosixPath
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path, PurePath, PurePosixPath
 
 from statwalk.errors import ModelError
 
@@ -20,6 +21,8 @@ SUFFIXES = (*MODELS, ".bin", ".png", ".jpg", ".jpeg", ".webp", ".ktx2")
 CHARACTER_FILES = (".yaml", ".yml")
 CHARACTER_SUFFIXES = (*SUFFIXES, *CHARACTER_FILES, ".txt", ".md2", ".x", ".chunk", ".bvh", ".trc")
 """files that a character file may name"""
+OTHER_TEXTS = ("machine.yaml", "scene.yaml")
+"""a zip of a machine holds its model beside them"""
 MOST_ENTRIES = 1_000
 LARGEST_DIRECTORY_BYTES = 1 << 20
 LARGEST_UNPACKED_BYTES = 128 << 20
@@ -47,13 +50,28 @@ def unpack(archive: Path, folder: Path) -> Path:
     :raises ModelError: when the zip is damaged, too large or unsafe, or does not hold exactly one model;
         `place` is the entry's name or a byte offset.
     """
+    with checked_zip(archive, CHARACTER_SUFFIXES) as (opened, entries):
+        has_character_file = any(_is_character_file(PurePosixPath(entry.filename)) for entry in entries)
+        suffixes = CHARACTER_SUFFIXES if has_character_file else SUFFIXES
+        bytes_left = LARGEST_UNPACKED_BYTES
+        for entry in entries:
+            if _is_wanted(PurePosixPath(entry.filename), suffixes):
+                bytes_left -= _extract(opened, entry, folder, bytes_left)
+    return _main_file_in(folder)
+
+
+@contextmanager
+def checked_zip(
+    archive: Path, suffixes: Sequence[str]
+) -> Iterator[tuple[zipfile.ZipFile, list[zipfile.ZipInfo]]]:
+    """Opens a zip; yields it with its checked entries of some suffixes.
+
+    :raises ModelError: when the zip is damaged, too large or unsafe.
+    """
     _check_directory(archive)
     try:
         with zipfile.ZipFile(archive) as opened:
-            wanted = _checked(opened.infolist())
-            bytes_left = LARGEST_UNPACKED_BYTES
-            for entry in wanted:
-                bytes_left -= _extract(opened, entry, folder, bytes_left)
+            yield opened, _checked(opened.infolist(), suffixes)
     except (
         zipfile.BadZipFile,
         zlib.error,
@@ -63,7 +81,6 @@ def unpack(archive: Path, folder: Path) -> Path:
         struct.error,
     ) as error:
         raise ModelError(f"the zip cannot be read: {str(error)[:200]}", place="byte 0") from None
-    return _main_file_in(folder)
 
 
 def _check_directory(archive: Path) -> None:
@@ -90,10 +107,8 @@ def _check_directory(archive: Path) -> None:
         )
 
 
-def _checked(entries: Sequence[zipfile.ZipInfo]) -> list[zipfile.ZipInfo]:
-    """Checks the names, kinds and declared sizes of all entries; returns the entries that a model may
-    need.
-    """
+def _checked(entries: Sequence[zipfile.ZipInfo], suffixes: Sequence[str]) -> list[zipfile.ZipInfo]:
+    """Checks the names, kinds and declared sizes of all entries; returns the entries of some suffixes."""
     if len(entries) > MOST_ENTRIES:
         raise ModelError(f"the zip holds {len(entries)} entries; at most {MOST_ENTRIES} are read")
     total = sum(entry.file_size for entry in entries)
@@ -103,14 +118,8 @@ def _checked(entries: Sequence[zipfile.ZipInfo]) -> list[zipfile.ZipInfo]:
         )
     for entry in entries:
         _check_entry(entry)
-    paths = [PurePosixPath(entry.filename) for entry in entries]
-    has_character_file = any(_is_wanted(path, CHARACTER_FILES) for path in paths)
-    suffixes = CHARACTER_SUFFIXES if has_character_file else SUFFIXES
-    wanted = [
-        entry
-        for entry, path in zip(entries, paths, strict=True)
-        if not entry.is_dir() and _is_wanted(path, suffixes)
-    ]
+    files = [entry for entry in entries if not entry.is_dir()]
+    wanted = [entry for entry in files if _is_wanted(PurePosixPath(entry.filename), suffixes)]
     _check_different(entry.filename for entry in wanted)
     return wanted
 
@@ -151,10 +160,14 @@ def shown(name: str) -> str:
     return ascii(name[:LONGEST_NAME])
 
 
-def _is_wanted(path: PurePosixPath, suffixes: tuple[str, ...]) -> bool:
+def _is_wanted(path: PurePosixPath, suffixes: Sequence[str]) -> bool:
     """Returns whether a file has one of the suffixes; hidden files, which some systems add, are skipped."""
     hidden = any(part.startswith(".") or part == "__MACOSX" for part in path.parts)
     return path.suffix.lower() in suffixes and not hidden
+
+
+def _is_character_file(path: PurePath) -> bool:
+    return path.suffix.lower() in CHARACTER_FILES and path.name not in OTHER_TEXTS
 
 
 def _check_different(names: Iterable[str]) -> None:
@@ -200,7 +213,7 @@ def _main_file_in(folder: Path) -> Path:
     :raises ModelError: when the folder has neither, or several at the same depth.
     """
     files = [path for path in sorted(folder.rglob("*")) if path.is_file()]
-    texts = [path for path in files if path.suffix.lower() in CHARACTER_FILES]
+    texts = [path for path in files if _is_character_file(path)]
     models = texts or [path for path in files if path.suffix.lower() in MODELS]
     kind = "character file" if texts else "model"
     if not models:

@@ -11,7 +11,19 @@ export interface CellRequest {
   text: string | null;
 }
 
+/** A state that you have chosen, or one of its cells: the arrow of an event. */
+export interface Selected {
+  layer: string;
+  state: string;
+  event: string | null;
+}
+
+/** What the drawer beside the panels shows; null: it is closed. */
+export type Drawer = "cell" | "machine" | "versions" | "text" | null;
+
 export class Inspection {
+  readonly selected = signal<Selected | null>(null);
+  readonly drawer = signal<Drawer>(null);
   /** The tick that is explained, or null. */
   readonly why = signal<number | null>(null);
   /** Emitted if a cell of the table shall be shown. */

@@ -158,7 +158,9 @@ class Machines(Message[tuple[str, ...]]):
 
 @dataclass(frozen=True)
 class Effects(Message[replies.EffectsSince]):
-    """Asks for the actions and verdicts after the tick `since` that the stage still holds."""
+    """Asks for the actions and verdicts after the tick `since`; the reply waits until a crash can take none
+    of them back, as viewers do.
+    """
 
     since: int
 
@@ -221,6 +223,14 @@ class Recording(Message[bytes]):
 
     first: int
     last: int | None = None
+
+
+@dataclass(frozen=True)
+class Joints(Message[replies.JointTracks]):
+    """Asks for the joints of all actors at the ticks `first` … `last`."""
+
+    first: int
+    last: int
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,10 @@ from functools import partial
 from itertools import islice
 from typing import Any, TypeVar
 
+from statwalk.errors import StageError
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.actor_facts import ActorColumns, columns_of, facts_in
+from statwalk.services.hosting.joint_tracks import joint_tracks
 from statwalk.services.hosting.live_stage import LiveStage
 from statwalk.services.hosting.place_in_tree import place_of
 from statwalk.services.hosting.recorder import recorded
@@ -16,11 +18,12 @@ from statwalk.services.hosting.stage_replies import (
     ActorFacts,
     ActorPose,
     EffectsSince,
+    JointTracks,
     StageFacts,
     StageSnapshot,
     StateHistory,
 )
-from statwalk.services.hosting.state_history import MOST_CHANGES, state_changes
+from statwalk.services.hosting.state_history import MOST_CHANGES, oldest_facts, state_changes
 from statwalk.services.hosting.stick_figures import stick_figures
 from statwalk.services.publish.gltf_frames import whole
 from statwalk.stage.explain.why import Why, why
@@ -34,8 +37,6 @@ Pieces = Generator[None, None, Reply]
 """work that yields every few milliseconds, and returns a reply"""
 PIECE = 256
 """items that take one or two milliseconds together"""
-LOOK_SECONDS = 0.1
-"""between two looks at the token while a log makes commands durable"""
 
 
 def finished(work: Pieces[Reply], check: Callable[[], None]) -> Reply:
@@ -100,14 +101,19 @@ def _pose(live: LiveStage, message: ask.PoseOf) -> Pieces[ActorPose]:
 
 
 def _effects(live: LiveStage, message: ask.Effects) -> Pieces[EffectsSince]:
-    """Waits until the commands before the effects are durable, as viewers do."""
-    stage, head, number = live.stage, live.stage.head, live.stage.newest
+    """:raises StageError: when the stage has forgotten some of them.
+
+    :raises StorageError: when the disk refuses to keep how far the stage is.
+    """
+    stage, head, oldest = live.stage, live.stage.head, oldest_facts(live.stage)
+    if message.since < oldest:
+        raise StageError(f"the stage holds the actions and verdicts after tick {oldest}; ask since {oldest}")
     actions, verdicts = stage.actions.copy(), stage.verdicts.after(message.since)
+    live.save()
     yield
     recent = tuple(action for action in actions if action.tick > message.since)
     effects = EffectsSince(head, recent, (yield from _listed(verdicts)))
-    while not stage.durable(number, LOOK_SECONDS):
-        yield
+    live.services.flush()
     return effects
 
 
@@ -148,6 +154,10 @@ def _recording(stage: Stage, message: ask.Recording) -> bytes:
     return recorded(stage, message.first, stage.tick if message.last is None else message.last)
 
 
+def _joints(stage: Stage, message: ask.Joints) -> JointTracks:
+    return JointTracks(tuple(joint_tracks(stage, message.first, message.last)))
+
+
 def _why(stage: Stage, message: ask.Why) -> Why:
     _check_actor(stage, message.actor)
     return why(stage, message.actor, message.tick)
@@ -184,6 +194,7 @@ ON_A_COPY: Mapping[type[ask.Message[Any]], Callable[[Stage, Any], Any]] = {
     ask.FrameFile: _frame_file,
     ask.Recording: _recording,
     ask.StickFigures: _stick_figures,
+    ask.Joints: _joints,
     ask.Why: _why,
     ask.WhyNot: _whynot,
 }

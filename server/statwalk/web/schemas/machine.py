@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from statwalk.files.machine_yaml.cell_text import LONGEST_CELL
+from statwalk.files.machine_yaml.edit.cell_edits import LONGEST_CELL
 from statwalk.machine.definition.machine_definition import BASE
 from statwalk.web.schemas.base import FileName, Name, RequestModel, ResponseModel
 from statwalk.web.schemas.finding import FindingView
@@ -24,24 +24,40 @@ from statwalk.web.schemas.table import (
 )
 
 LONGEST_TEXT = 1 << 18
+MOST_TABLES = 32
+FileTable = Annotated[str, StringConstraints(max_length=104, pattern=r"^[^/\\\n]+\.[Cc][Ss][Vv]$")]
+Table = Annotated[str, StringConstraints(max_length=LONGEST_TEXT)]
 NewState = Annotated[str, StringConstraints(max_length=80)]
 
 
+class NewName(RequestModel):
+    """Another name for a machine."""
+
+    to: FileName
+
+
 class NewMachine(RequestModel):
-    """A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-    left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
+    """A machine to make: a copy of the machine `copy_of`, or from a character, or from nothing: then it has
+    a simple skeleton. `mapping` gives a state for each clip (a clip without a state is left out), by default
+    the proposed mapping; `empty`: one state only. `root`: the joint that moves the character through the
+    world.
     """
 
     name: FileName
-    character: Name
+    character: Name | None = None
+    copy_of: Name | None = None
+    empty: bool = False
     mapping: Annotated[dict[str, NewState | None], Field(max_length=1_000)] | None = None
     root: Annotated[str, StringConstraints(max_length=200)] = ""
 
 
 class NewText(RequestModel):
-    """The whole text of a machine file."""
+    """The whole text of a machine file; `tables`: its .csv tables by the names of their files, if they change
+    too.
+    """
 
     text: Annotated[str, StringConstraints(min_length=1, max_length=LONGEST_TEXT)]
+    tables: Annotated[dict[FileTable, Table], Field(max_length=MOST_TABLES)] | None = None
 
 
 class NewCell(RequestModel):
@@ -166,6 +182,14 @@ class MachineView(ResponseModel):
     """the machine's own expressions as the file has them, with comments"""
     text: str
     """the machine file"""
+    tables: dict[str, str]
+    """its .csv tables, by the names of their files"""
+    view: dict[str, dict[str, tuple[float, float]]]
+    """by layer, where states stand in the graph, if the file says so"""
+    undo: int
+    """the version that an undo brings back; 0: none"""
+    redo: int
+    """the version that a redo brings back; 0: none"""
 
 
 class EditedMachine(MachineView):
@@ -184,14 +208,3 @@ class RefusedTrial(ResponseModel):
     detail: str
     errors: list[FieldError]
     findings: list[FindingView]
-
-
-class VersionView(ResponseModel):
-    """A version of a machine; `at` in seconds since 1970; `what` says in a few words what the edit changed;
-    `before` is the version that an undo brings back, 0: none.
-    """
-
-    version: int
-    at: float
-    what: str
-    before: int

@@ -225,6 +225,169 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/machines/{name}/undo": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Undo
+         * @description Makes a new version with the text of the version before the newest; again: the one before that.
+         */
+        post: operations["undo_api_machines__name__undo_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/redo": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Redo
+         * @description Takes an undo back; 409 if nothing was undone, or an edit came after it.
+         */
+        post: operations["redo_api_machines__name__redo_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Versions
+         * @description Lists the newest versions of a machine, at most 200, oldest first.
+         */
+        get: operations["list_versions_api_machines__name__versions_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions/{number}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Version
+         * @description Returns a version with its text and its tables.
+         */
+        get: operations["get_version_api_machines__name__versions__number__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions/{number}/differences": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Differences
+         * @description Returns what a version says otherwise than an older one: cells, states, events, other parts by name.
+         */
+        get: operations["get_differences_api_machines__name__versions__number__differences_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions/{number}/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Restore
+         * @description Makes a new version with the text of an older one; an undo takes it back.
+         */
+        post: operations["restore_api_machines__name__versions__number__restore_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/export.zip": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Machine
+         * @description Returns the newest version of a machine with its tables and its character, as a zip; `statwalk serve`
+         *     plays the unpacked folder.
+         */
+        get: operations["export_machine_api_machines__name__export_zip_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/import.zip": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Import Machine
+         * @description Makes a machine of a zip, as `export.zip` gives it, or of a folder with a machine.yaml and a model.
+         *
+         *     409 if the name is taken.
+         */
+        put: operations["import_machine_api_machines__name__import_zip_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/machines": {
         parameters: {
             query?: never;
@@ -240,8 +403,9 @@ export interface paths {
         put?: never;
         /**
          * Make Machine
-         * @description Makes a machine from a character: a state for each clip, a complete table, an event on a key for each
-         *     state. A character without clips gets one state, its pose at rest.
+         * @description Makes a machine: a copy of another (`copy_of`); from a character, with a state for each clip, a
+         *     complete table, an event on a key for each state, or (`empty`) with one state; or, with neither, from
+         *     nothing: a simple skeleton at rest, in one state.
          *
          *     You can play it at once.
          */
@@ -281,7 +445,15 @@ export interface paths {
         delete: operations["delete_machine_api_machines__name__delete"];
         options?: never;
         head?: never;
-        patch?: never;
+        /**
+         * Patch Machine
+         * @description Applies operations in their order, as one version; the rest of the file stays as it is. Like PUT
+         *     otherwise, but the version in If-Match may be older: 412 only if another editor has changed what the
+         *     operations touch.
+         *
+         *     `dry`: only verifies, and changes nothing.
+         */
+        patch: operations["patch_machine_api_machines__name__patch"];
         trace?: never;
     };
     "/api/machines/{name}/verify": {
@@ -348,6 +520,28 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/machines/{name}/rename": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rename Machine
+         * @description Gives a machine that POST made another name; its versions come along.
+         *
+         *     409 for other machines, and while a stage plays the machine or has it in its past.
+         */
+        post: operations["rename_machine_api_machines__name__rename_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/machines/{name}/cells": {
         parameters: {
             query?: never;
@@ -363,7 +557,7 @@ export interface paths {
         head?: never;
         /**
          * Patch Cell
-         * @description Changes one cell of a table, and leaves the rest of the file as it is; like PUT otherwise.
+         * @description Changes the text of one cell: the operation `set_cell`.
          *
          *     `dry`: only verifies, and changes nothing.
          */
@@ -385,51 +579,11 @@ export interface paths {
         head?: never;
         /**
          * Patch Expressions
-         * @description Replaces the machine's expressions, and leaves the rest of the file as it is; like PUT otherwise.
+         * @description Replaces the machine's expressions: the operation `set_expressions`.
          *
          *     `dry`: only verifies, and changes nothing.
          */
         patch: operations["patch_expressions_api_machines__name__expressions_patch"];
-        trace?: never;
-    };
-    "/api/machines/{name}/undo": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /**
-         * Undo
-         * @description Makes a new version with the text of the version before the newest.
-         */
-        post: operations["undo_api_machines__name__undo_post"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/machines/{name}/versions": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * List Versions
-         * @description Lists the newest versions of a machine, at most 200, oldest first.
-         */
-        get: operations["list_versions_api_machines__name__versions_get"];
-        put?: never;
-        post?: never;
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
         trace?: never;
     };
     "/api/schemas/machine.json": {
@@ -686,6 +840,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/stages/{stage_id}/facts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Facts
+         * @description Lists the actions and verdicts after tick `since`; 409 if the stage has forgotten some of them.
+         */
+        get: operations["get_facts_api_stages__stage_id__facts_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/stages/{stage_id}/history": {
         parameters: {
             query?: never;
@@ -698,6 +872,28 @@ export interface paths {
          * @description Lists the newest changes of state, at most 10,000; the first of each actor is its state on arrival.
          */
         get: operations["get_history_api_stages__stage_id__history_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/stages/{stage_id}/differences": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Differences
+         * @description Compares the ticks `from` … `to` of two stages, by default the newest 600 that both have.
+         *
+         *     Actors are matched by id, their joints by name.
+         */
+        get: operations["get_differences_api_stages__stage_id__differences_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1263,6 +1459,49 @@ export interface components {
             role: "view" | "drive" | "admin";
             stage: string | null;
         };
+        /** @description An action of a machine; `seq` numbers all actions of a stage from 1. */
+        ActionMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "action";
+            seq: number;
+            tick: number;
+            actor: number;
+            name: string;
+            arguments: (string | number)[];
+            /** @description the actor that was touched, or that raised the event; -1: none */
+            other: number;
+        };
+        /**
+         * @description How far an actor is from the actor with its id on the other stage. A list has a number for each tick of
+         *     `ticks`, or for each joint of `joints`.
+         */
+        ActorDifferenceView: {
+            id: number;
+            name: string;
+            /** @description that both have */
+            joints: string[];
+            /** @description at which both stages have the actor */
+            ticks: number[];
+            /** @description by tick: of the places of the actor */
+            root_distance: number[];
+            /** @description by tick: of its headings */
+            root_angle_deg: number[];
+            /** @description by tick: of the joint that is farthest apart */
+            distance: number[];
+            /** @description by tick: which one that is, an index into `joints` */
+            distance_joint: number[];
+            /** @description by tick: of the joint whose rotation to its parent differs most */
+            angle_deg: number[];
+            angle_joint: number[];
+            /** @description by joint: the largest of all ticks */
+            joint_distance: number[];
+            joint_angle_deg: number[];
+            /** @description null in a summary */
+            by_tick: components["schemas"]["JointDifferences"] | null;
+        };
         /** @description An actor at the stage's playhead; `time` in seconds, `position` in metres, `heading_deg` about +Y. */
         ActorView: {
             id: number;
@@ -1289,6 +1528,124 @@ export interface components {
             clamped: components["schemas"]["ClampedView"][];
             reached: components["schemas"]["ReachedView"][];
         };
+        /** @description Adds a collider. */
+        AddColliderOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_collider";
+            name: string;
+            fields: components["schemas"]["ColliderFields"];
+            before?: string | null;
+        };
+        /**
+         * @description Adds an event: a column of blank cells in the table of a layer, or of a `composite` state; `buffer` in
+         *     seconds.
+         */
+        AddEventOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_event";
+            event: string;
+            /** @default base */
+            layer?: string;
+            /** @default  */
+            composite?: string;
+            before?: string | null;
+            buffer?: number | null;
+        };
+        /** @description Gives a key events, or parameters that it moves; `name` as the browser names it, but `Space`. */
+        AddKeyOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_key";
+            name: string;
+            fields: components["schemas"]["KeyFields"];
+            before?: string | null;
+        };
+        /** @description Adds a layer with one state, which leaves the pose as it is, below the layer `before` or on top. */
+        AddLayerOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_layer";
+            layer: string;
+            /** @default {} */
+            fields?: components["schemas"]["LayerFields"];
+            /** @default OFF */
+            state?: string;
+            before?: string | null;
+        };
+        /** @description Adds a parameter. */
+        AddParameterOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_parameter";
+            name: string;
+            fields: components["schemas"]["ParameterFields"];
+            before?: string | null;
+        };
+        /** @description Adds a property: `JUMP only after WALK`. */
+        AddPropertyOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_property";
+            text: string;
+        };
+        /** @description Adds a sense; `name` is the event that it raises. */
+        AddSenseOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_sense";
+            name: string;
+            fields: components["schemas"]["SenseFields"];
+            before?: string | null;
+        };
+        /**
+         * @description Adds a state with a row of blank cells, before the state `before` or last; without a `motion` its
+         *     character is at rest.
+         */
+        AddStateOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_state";
+            /**
+             * @default {
+             *       "motion": ""
+             *     }
+             */
+            fields?: components["schemas"]["StateFields"];
+            before?: string | null;
+        };
+        /** @description An alternative of a cell: `to` if the condition `if` is true; without `if` always. */
+        AlternativeField: {
+            /** @default  */
+            if?: string;
+            to: string;
+            /** @default 0 */
+            blend?: number | components["schemas"]["BlendTime"];
+            /** @default 0 */
+            enter?: number | "match";
+            /** @default  */
+            action?: string;
+        };
         /**
          * @description An alternative of a cell; `blend` in seconds, `enter` is the phase 0…1 at which the motion begins, or
          *     `match`.
@@ -1303,6 +1660,24 @@ export interface components {
             enter: number | "match";
             restart: boolean;
             action: string | null;
+        };
+        /** @description A motion that blends clips over one parameter or two: the point of each clip. */
+        BlendMotion: {
+            over: string | string[];
+            clips: {
+                [key: string]: number | number[];
+            };
+            markers?: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            };
+        };
+        /** @description How long a transition blends (seconds), and along which curve. */
+        BlendTime: {
+            seconds: number;
+            /** @enum {string} */
+            curve: "cubic" | "quintic";
         };
         /** @description A bone; a missing length or direction is not known. */
         BoneBody: {
@@ -1350,6 +1725,25 @@ export interface components {
             restart: boolean;
             text: string;
         };
+        /** @description A cell in both versions, as in the table and with its fields; null: it is blank. */
+        CellDifferenceView: {
+            layer: string;
+            state: string;
+            event: string;
+            before: string | null;
+            after: string | null;
+        };
+        /** @description What a cell says beyond its text: `alternatives` are a list, or weights by state. */
+        CellFields: {
+            when?: string | null;
+            blend?: number | components["schemas"]["BlendTime"] | null;
+            enter?: number | "match" | null;
+            action?: string | null;
+            off?: boolean | null;
+            alternatives?: components["schemas"]["AlternativeField"][] | {
+                [key: string]: number;
+            } | null;
+        };
         /**
          * @description A cell of the full table with its defaults resolved; `to` is null if the cell does nothing; `source`
          *     says which row the cell comes from.
@@ -1388,6 +1782,11 @@ export interface components {
             clips: components["schemas"]["ClipView"][];
             skins: number;
             parts: components["schemas"]["PartView"][];
+            vertices: number;
+            triangles: number;
+            materials: components["schemas"]["MaterialView"][];
+            textures: components["schemas"]["TextureView"][];
+            /** @description what the server repaired or left out when it read the file */
             notes: string[];
             /** @description the names of its morph targets, which expressions set: `NAME.weight` */
             targets: string[];
@@ -1437,6 +1836,14 @@ export interface components {
             /** @description the number of the viewer who did it; null: a program */
             viewer: number | null;
             tick: number;
+        };
+        /** @description A sphere with its radius, or a plane with its normal; metres, in the joint's space. */
+        ColliderFields: {
+            sphere?: number | null;
+            plane?: number[] | null;
+            joint?: string | null;
+            at?: number[] | null;
+            radius?: number | null;
         };
         /** @description A collider in metres, in the joint's space (no joint: the root's). */
         ColliderView: {
@@ -1511,6 +1918,83 @@ export interface components {
                 [key: string]: number;
             };
         };
+        /** @description What cells take that say nothing; `buffer` in seconds. */
+        DefaultsFields: {
+            when?: string | null;
+            blend?: number | components["schemas"]["BlendTime"] | null;
+            buffer?: number | null;
+        };
+        /** @description Takes a clip out of a state's blend, with its markers. */
+        DeleteBlendClipOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_blend_clip";
+            clip: string;
+        };
+        /** @description Deletes a parameter, a sense (its event), a key or a collider; refused while something names it. */
+        DeleteEntryOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_entry";
+            /** @enum {string} */
+            section: "parameters" | "senses" | "keys" | "colliders";
+            name: string;
+        };
+        /** @description Deletes an event; refused while cells or keys have it, unless `also_cells` deletes these too. */
+        DeleteEventOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_event";
+            event: string;
+            /** @default false */
+            also_cells?: boolean;
+        };
+        /** @description Deletes a layer with its table. */
+        DeleteLayerOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_layer";
+            layer: string;
+        };
+        /** @description Deletes a state with its row; refused while cells lead to it, unless `also_cells` makes them blank. */
+        DeleteStateOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_state";
+            /** @default false */
+            also_cells?: boolean;
+        };
+        /** @description The differences of two stages in the ticks `from` to `to`. */
+        DifferencesView: {
+            stage: string;
+            other: string;
+            from: number;
+            to: number;
+            /** @description the first of these ticks at which an actor differs; null: none does */
+            first_difference: number | null;
+            /** @description why nothing is compared; empty if something is */
+            note: string;
+            /** @description actors that only the stage has in these ticks */
+            only_here: number[];
+            only_there: number[];
+            actors: components["schemas"]["ActorDifferenceView"][];
+        };
         /** @description An edge of the state graph, and the events that take it. */
         EdgeView: {
             from: string;
@@ -1564,6 +2048,23 @@ export interface components {
             expression_text: string;
             /** @description the machine file */
             text: string;
+            /** @description its .csv tables, by the names of their files */
+            tables: {
+                [key: string]: string;
+            };
+            /** @description by layer, where states stand in the graph, if the file says so */
+            view: {
+                [key: string]: {
+                    [key: string]: [
+                        number,
+                        number
+                    ];
+                };
+            };
+            /** @description the version that an undo brings back; 0: none */
+            undo: number;
+            /** @description the version that a redo brings back; 0: none */
+            redo: number;
             /**
              * @default accepted
              * @constant
@@ -1604,6 +2105,16 @@ export interface components {
             formula: string;
             /** @enum {string} */
             source: "machine" | "character";
+        };
+        /** @description A motion that expressions drive, a line each; "": the pose at rest. */
+        ExpressionsMotion: {
+            expressions: string;
+        };
+        /** @description All actions and verdicts after the tick that was asked for, up to `tick`; oldest first. */
+        FactsView: {
+            tick: number;
+            actions: components["schemas"]["ActionMessage"][];
+            verdicts: components["schemas"]["VerdictMessage"][];
         };
         /** @description The feet of a character and their contacts in its clips. */
         FeetView: {
@@ -1714,6 +2225,13 @@ export interface components {
             opposite: number[];
             heights: number[];
         };
+        /** @description The degree of freedom of a joint at which the page has a handle for a parameter. */
+        HandleField: {
+            joint: string;
+            freedom: string;
+            /** @default  */
+            event?: string;
+        };
         /** @description The process answers; `version` is the server's. */
         HealthView: {
             /**
@@ -1743,6 +2261,11 @@ export interface components {
             tick: number;
             text: string;
         };
+        /** @description Of each tick, of each joint. */
+        JointDifferences: {
+            distance: number[][];
+            angle_deg: number[][];
+        };
         /** @description The joints that are one bone; `source` is empty where the spine turns as a whole. */
         JointPair: {
             source: string;
@@ -1753,6 +2276,17 @@ export interface components {
             name: string;
             parent: number;
             node: number;
+        };
+        /** @description What a key sends: `press` or `hold` when it goes down, `release` when it comes up; or what it moves. */
+        KeyFields: {
+            press?: string | null;
+            hold?: string | null;
+            release?: string | null;
+            change?: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            } | null;
         };
         /**
          * @description The events of a key: `press` when it goes down (`hold`: held until it comes up), `release` when it
@@ -1840,6 +2374,12 @@ export interface components {
                 number
             ] | null;
         };
+        /** @description What a layer moves, how, and how much. */
+        LayerFields: {
+            mask?: string[] | null;
+            mode?: ("override" | "additive") | null;
+            weight?: number | string | null;
+        };
         /**
          * @description A layer and its table; `weight` is a number or a parameter's name; `rows` is the table as it is
          *     written: the head, then a row for each state.
@@ -1904,6 +2444,15 @@ export interface components {
             names: string[];
             instead: string;
         };
+        /** @description What a machine says of itself; `idle` is an event, `fallback` a state, `root` a joint. */
+        MachineFields: {
+            title?: string | null;
+            description?: string | null;
+            root?: string | null;
+            idle?: string | null;
+            fallback?: string | null;
+            foot_lock?: boolean | number | string | null;
+        };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
         MachineSummary: {
             name: string;
@@ -1961,6 +2510,23 @@ export interface components {
             expression_text: string;
             /** @description the machine file */
             text: string;
+            /** @description its .csv tables, by the names of their files */
+            tables: {
+                [key: string]: string;
+            };
+            /** @description by layer, where states stand in the graph, if the file says so */
+            view: {
+                [key: string]: {
+                    [key: string]: [
+                        number,
+                        number
+                    ];
+                };
+            };
+            /** @description the version that an undo brings back; 0: none */
+            undo: number;
+            /** @description the version that a redo brings back; 0: none */
+            redo: number;
         };
         /** @description A new link; `url` is shown once, who has it has the role. */
         MadeLink: {
@@ -1988,6 +2554,17 @@ export interface components {
         MarkerView: {
             name: string;
             phase: number;
+        };
+        /** @description A material of the model. */
+        MaterialView: {
+            name: string;
+            /** @description by their places in glTF (`baseColorTexture`, …), indices into the character's textures */
+            textures: {
+                [key: string]: number;
+            };
+            /** @description `OPAQUE`, `MASK` or `BLEND` */
+            alpha: string;
+            double_sided: boolean;
         };
         /** @description The figures of a cell, or of a state's motion by itself (`event` empty). */
         MeasuredView: {
@@ -2034,11 +2611,80 @@ export interface components {
                 number
             ][];
         };
+        /** @description Moves a parameter, a sense, a key or a collider before another, or (null) to the end. */
+        MoveEntryOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_entry";
+            /** @enum {string} */
+            section: "parameters" | "senses" | "keys" | "colliders";
+            name: string;
+            before?: string | null;
+        };
+        /** @description Moves a column before another, or (null) to the end. */
+        MoveEventOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_event";
+            event: string;
+            /** @default base */
+            layer?: string;
+            /** @default  */
+            composite?: string;
+            before?: string | null;
+        };
+        /** @description Moves a layer below the layer `before`, or (null) on top. */
+        MoveLayerOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_layer";
+            layer: string;
+            before?: string | null;
+        };
+        /** @description Moves a property before another, or (null) to the end. */
+        MovePropertyOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_property";
+            property: string;
+            before?: string | null;
+        };
+        /** @description Moves a state and its row before another state, or (null) to the end. */
+        MoveStateOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_state";
+            before?: string | null;
+        };
         /** @description A joint, and how far a transition moves it. */
         MovedView: {
             joint: string;
             degrees: number;
             millimetres: number;
+        };
+        /**
+         * @description A state of a layer, or an event (its layer is empty); `before` null: it is new; `after` null: it is
+         *     gone; both: it was renamed.
+         */
+        NameDifferenceView: {
+            /** @enum {string} */
+            kind: "state" | "event";
+            layer: string;
+            before: string | null;
+            after: string | null;
         };
         /** @description An actor to add; `position` in metres, `heading_deg` in degrees about +Y. */
         NewActor: {
@@ -2202,17 +2848,30 @@ export interface components {
             seconds?: number;
         };
         /**
-         * @description A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-         *     left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
+         * @description A machine to make: a copy of the machine `copy_of`, or from a character, or from nothing: then it has
+         *     a simple skeleton. `mapping` gives a state for each clip (a clip without a state is left out), by default
+         *     the proposed mapping; `empty`: one state only. `root`: the joint that moves the character through the
+         *     world.
          */
         NewMachine: {
             name: string;
-            character: string;
+            character?: string | null;
+            copy_of?: string | null;
+            /** @default false */
+            empty?: boolean;
             mapping?: {
                 [key: string]: string | null;
             } | null;
             /** @default  */
             root?: string;
+        };
+        /** @description Another name for a machine. */
+        NewName: {
+            to: string;
+        };
+        /** @description Operations on a machine, applied in their order; together they make one version. */
+        NewOperations: {
+            operations: (components["schemas"]["SetCellOperation"] | components["schemas"]["AddStateOperation"] | components["schemas"]["SetStateOperation"] | components["schemas"]["RenameStateOperation"] | components["schemas"]["DeleteStateOperation"] | components["schemas"]["MoveStateOperation"] | components["schemas"]["SetInitialOperation"] | components["schemas"]["SetBlendClipOperation"] | components["schemas"]["DeleteBlendClipOperation"] | components["schemas"]["SetMarkerOperation"] | components["schemas"]["AddEventOperation"] | components["schemas"]["SetEventOperation"] | components["schemas"]["RenameEventOperation"] | components["schemas"]["DeleteEventOperation"] | components["schemas"]["MoveEventOperation"] | components["schemas"]["AddParameterOperation"] | components["schemas"]["SetParameterOperation"] | components["schemas"]["RenameParameterOperation"] | components["schemas"]["AddSenseOperation"] | components["schemas"]["SetSenseOperation"] | components["schemas"]["AddKeyOperation"] | components["schemas"]["SetKeyOperation"] | components["schemas"]["AddColliderOperation"] | components["schemas"]["SetColliderOperation"] | components["schemas"]["RenameColliderOperation"] | components["schemas"]["DeleteEntryOperation"] | components["schemas"]["MoveEntryOperation"] | components["schemas"]["AddLayerOperation"] | components["schemas"]["SetLayerOperation"] | components["schemas"]["RenameLayerOperation"] | components["schemas"]["DeleteLayerOperation"] | components["schemas"]["MoveLayerOperation"] | components["schemas"]["SetMachineOperation"] | components["schemas"]["SetDefaultsOperation"] | components["schemas"]["AddPropertyOperation"] | components["schemas"]["SetPropertyOperation"] | components["schemas"]["MovePropertyOperation"] | components["schemas"]["SetExpressionsOperation"] | components["schemas"]["SetViewOperation"])[];
         };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
@@ -2359,9 +3018,15 @@ export interface components {
              */
             name?: string;
         };
-        /** @description The whole text of a machine file. */
+        /**
+         * @description The whole text of a machine file; `tables`: its .csv tables by the names of their files, if they change
+         *     too.
+         */
         NewText: {
             text: string;
+            tables?: {
+                [key: string]: string;
+            } | null;
         };
         /** @description The state to which an actor travels. */
         NewTravel: {
@@ -2372,6 +3037,15 @@ export interface components {
             stage: string;
             tick: number;
             is_there: boolean;
+        };
+        /** @description A parameter; `smooth` in seconds. */
+        ParameterFields: {
+            kind?: ("number" | "flag" | "point" | "direction" | "rotation") | null;
+            default?: number | number[] | null;
+            min?: number | null;
+            max?: number | null;
+            smooth?: number | null;
+            handle?: components["schemas"]["HandleField"] | null;
         };
         /**
          * @description A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
@@ -2392,12 +3066,27 @@ export interface components {
             event: string;
             driven: boolean;
         };
-        /** @description A mesh primitive of the model; `vertices` is their number. */
+        /** @description Another part of the machine: `["parameter", "pace", "max"]`; null: it is not there. */
+        PartDifferenceView: {
+            part: string[];
+            before: string | null;
+            after: string | null;
+        };
+        /** @description A mesh primitive of the model, with its numbers of vertices and triangles. */
         PartView: {
             node: number;
             mesh: number;
             primitive: number;
+            /** @description of its mesh, or of its node */
+            name: string;
             vertices: number;
+            triangles: number;
+            /** @description an index into the character's materials */
+            material: number | null;
+            /** @description joints bend it */
+            skinned: boolean;
+            /** @description the names of its morph targets */
+            targets: string[];
         };
         /** @description Whether the clock is paused. */
         PauseBody: {
@@ -2495,6 +3184,58 @@ export interface components {
             change: components["schemas"]["SendChange"] | components["schemas"]["MomentChange"] | components["schemas"]["HoldChange"] | components["schemas"]["BufferChange"] | components["schemas"]["SetChange"] | components["schemas"]["GoChange"] | components["schemas"]["CellChange"];
             fires: number;
         };
+        /** @description Renames a collider, also in touches of this machine. */
+        RenameColliderOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_collider";
+            name: string;
+            to: string;
+        };
+        /** @description Renames an event, or a marker, everywhere; keys follow. */
+        RenameEventOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_event";
+            event: string;
+            to: string;
+        };
+        /** @description Renames a layer. */
+        RenameLayerOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_layer";
+            layer: string;
+            to: string;
+        };
+        /** @description Renames a parameter everywhere. */
+        RenameParameterOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_parameter";
+            name: string;
+            to: string;
+        };
+        /** @description Renames a state everywhere; `to` is the name without the composite state around it. */
+        RenameStateOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_state";
+            to: string;
+        };
         /** @description An actor's root: `position` in metres, `heading` in radians about +Y. */
         RootView: {
             position: number[];
@@ -2521,6 +3262,44 @@ export interface components {
             event: string;
             tick: number;
         };
+        /** @description A sense: a condition with its `release`, or a `touch` of two colliders. */
+        SenseFields: {
+            when?: string | null;
+            release?: string | null;
+            touch?: string[] | null;
+            on?: ("enter" | "stay" | "leave") | null;
+        };
+        /** @description Puts a clip at a point of a state's blend: a number, or two. */
+        SetBlendClipOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_blend_clip";
+            clip: string;
+            at: number | number[];
+        };
+        /**
+         * @description Changes a cell: `text` as in the table (empty: blank), and `fields`. `*` as `state` or `event`: the
+         *     default of a column, or of a row.
+         */
+        SetCellOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_cell";
+            state: string;
+            event: string;
+            /** @default base */
+            layer?: string;
+            text?: string | null;
+            /** @default {} */
+            fields?: components["schemas"]["CellFields"];
+        };
         /** @description The parameter has the value `value` from `tick` on. */
         SetChange: {
             /**
@@ -2531,6 +3310,154 @@ export interface components {
             parameter: string;
             value: number;
             tick: number;
+        };
+        /** @description Changes members of a collider. */
+        SetColliderOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_collider";
+            name: string;
+            fields: components["schemas"]["ColliderFields"];
+        };
+        /** @description Changes what cells take that say nothing. */
+        SetDefaultsOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_defaults";
+            fields: components["schemas"]["DefaultsFields"];
+        };
+        /** @description Changes the buffer of an event, seconds; null: as the defaults say. */
+        SetEventOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_event";
+            event: string;
+            buffer: number | null;
+        };
+        /** @description Replaces the machine's expressions, a line each; blank: none. */
+        SetExpressionsOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_expressions";
+            text: string;
+        };
+        /** @description Makes a state the initial one of its layer, or of the machine around it. */
+        SetInitialOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_initial";
+        };
+        /** @description Changes members of a key. */
+        SetKeyOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_key";
+            name: string;
+            fields: components["schemas"]["KeyFields"];
+        };
+        /** @description Changes members of a layer. */
+        SetLayerOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_layer";
+            layer: string;
+            fields: components["schemas"]["LayerFields"];
+        };
+        /** @description Changes what a machine says of itself. */
+        SetMachineOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_machine";
+            fields: components["schemas"]["MachineFields"];
+        };
+        /** @description Puts a marker at a phase of a state's motion, or of one `clip` of its blend; null takes it away. */
+        SetMarkerOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_marker";
+            marker: string;
+            phase: number | null;
+            /** @default  */
+            clip?: string;
+        };
+        /** @description Changes members of a parameter. */
+        SetParameterOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_parameter";
+            name: string;
+            fields: components["schemas"]["ParameterFields"];
+        };
+        /** @description Replaces a property, named by its text; null deletes it. */
+        SetPropertyOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_property";
+            property: string;
+            text: string | null;
+        };
+        /** @description Changes members of a sense. */
+        SetSenseOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_sense";
+            name: string;
+            fields: components["schemas"]["SenseFields"];
+        };
+        /** @description Changes members of a state. */
+        SetStateOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_state";
+            fields: components["schemas"]["StateFields"];
+        };
+        /** @description Keeps where states of a layer stand in the graph, x and y; null: where the page puts them. */
+        SetViewOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_view";
+            /** @default base */
+            layer?: string;
+            positions: {
+                [key: string]: number[] | null;
+            };
         };
         /** @description A character of a machine folder in the list. */
         ShippedCharacterView: {
@@ -2655,6 +3582,21 @@ export interface components {
             state: string;
         };
         /**
+         * @description A state: `motion` is a clip, `none` (in layers), a blend, or expressions; `speed` a factor or a
+         *     parameter.
+         */
+        StateFields: {
+            /** @default  */
+            motion?: string | components["schemas"]["BlendMotion"] | components["schemas"]["ExpressionsMotion"];
+            loop?: boolean | null;
+            speed?: number | string | null;
+            final?: boolean | null;
+            resume?: boolean | null;
+            markers?: {
+                [key: string]: number;
+            } | null;
+        };
+        /**
          * @description A state and its motion (null: none); `over`: the parameters of a blend; `duration` in seconds; `outer`:
          *     the composite state that contains it, or empty.
          */
@@ -2684,6 +3626,15 @@ export interface components {
             state: string;
             event: string;
             seconds: number;
+        };
+        /** @description An image of the model. */
+        TextureView: {
+            name: string;
+            type: string;
+            bytes: number;
+            /** @description pixels; null: neither PNG nor JPEG */
+            width: number | null;
+            height: number | null;
         };
         /** @description An event that a condition raises; it raises the event again only after `release` was true. */
         ThresholdView: {
@@ -2756,14 +3707,72 @@ export interface components {
             machines: string[];
         };
         /**
-         * @description A version of a machine; `at` in seconds since 1970; `what` says in a few words what the edit changed;
-         *     `before` is the version that an undo brings back, 0: none.
+         * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
+         *     the event has no cell.
+         */
+        VerdictMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "verdict";
+            tick: number;
+            actor: number;
+            layer: number;
+            event: string;
+            /** @enum {string} */
+            verdict: "taken" | "waits" | "dropped";
+            reason: string;
+            from: string;
+            to: string;
+            cell: [
+                string,
+                string
+            ] | null;
+            source: string;
+            line: number;
+            /** @description the values that the cell's condition read */
+            values: {
+                [key: string]: number;
+            };
+            other: number;
+        };
+        /** @description What differs between two versions; states and events by their names in the newer one. */
+        VersionDifferencesView: {
+            version: number;
+            since: number;
+            names: components["schemas"]["NameDifferenceView"][];
+            cells: components["schemas"]["CellDifferenceView"][];
+            parts: components["schemas"]["PartDifferenceView"][];
+        };
+        /** @description A version with its text: the machine file, and its .csv tables by the names of their files. */
+        VersionText: {
+            version: number;
+            at: number;
+            what: string;
+            /** @description the version that an undo brings back; 0: none */
+            before: number;
+            /** @description the version that a redo brings back; 0: none */
+            after: number;
+            author: string;
+            text: string;
+            tables: {
+                [key: string]: string;
+            };
+        };
+        /**
+         * @description A version of a machine; `at` in seconds since 1970; `what` says in a few words what the edit changed,
+         *     and `author` who made it, if the server asks for tokens.
          */
         VersionView: {
             version: number;
             at: number;
             what: string;
+            /** @description the version that an undo brings back; 0: none */
             before: number;
+            /** @description the version that a redo brings back; 0: none */
+            after: number;
+            author: string;
         };
         /** @description A viewer: its number, and what it may do. */
         ViewerView: {
@@ -2830,21 +3839,6 @@ export interface components {
              */
             type: "accepted";
             ref: string | number | null;
-        };
-        /** @description An action of a machine; `seq` numbers all actions of a stage from 1. */
-        ActionMessage: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "action";
-            seq: number;
-            tick: number;
-            actor: number;
-            name: string;
-            arguments: (string | number)[];
-            /** @description the actor that was touched, or that raised the event; -1: none */
-            other: number;
         };
         /** @description An actor of a cast. */
         ActorName: {
@@ -3012,37 +4006,6 @@ export interface components {
             trouble: string;
             /** @description null: nobody has touched the clock since the stage was opened or came back */
             changed: components["schemas"]["ClockChangeView"] | null;
-        };
-        /**
-         * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
-         *     the event has no cell.
-         */
-        VerdictMessage: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "verdict";
-            tick: number;
-            actor: number;
-            layer: number;
-            event: string;
-            /** @enum {string} */
-            verdict: "taken" | "waits" | "dropped";
-            reason: string;
-            from: string;
-            to: string;
-            cell: [
-                string,
-                string
-            ] | null;
-            source: string;
-            line: number;
-            /** @description the values that the cell's condition read */
-            values: {
-                [key: string]: number;
-            };
-            other: number;
         };
         /** @description Who watches the stage, in the order in which they came: sent when it changes, at most once a second. */
         ViewersMessage: {
@@ -3449,12 +4412,27 @@ export interface components {
 }
 export type Accepted = components['schemas']['Accepted'];
 export type AccessView = components['schemas']['AccessView'];
+export type ActionMessage = components['schemas']['ActionMessage'];
+export type ActorDifferenceView = components['schemas']['ActorDifferenceView'];
 export type ActorView = components['schemas']['ActorView'];
+export type AddColliderOperation = components['schemas']['AddColliderOperation'];
+export type AddEventOperation = components['schemas']['AddEventOperation'];
+export type AddKeyOperation = components['schemas']['AddKeyOperation'];
+export type AddLayerOperation = components['schemas']['AddLayerOperation'];
+export type AddParameterOperation = components['schemas']['AddParameterOperation'];
+export type AddPropertyOperation = components['schemas']['AddPropertyOperation'];
+export type AddSenseOperation = components['schemas']['AddSenseOperation'];
+export type AddStateOperation = components['schemas']['AddStateOperation'];
+export type AlternativeField = components['schemas']['AlternativeField'];
 export type AlternativeView = components['schemas']['AlternativeView'];
+export type BlendMotion = components['schemas']['BlendMotion'];
+export type BlendTime = components['schemas']['BlendTime'];
 export type BoneBody = components['schemas']['BoneBody'];
 export type BonesView = components['schemas']['BonesView'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
+export type CellDifferenceView = components['schemas']['CellDifferenceView'];
+export type CellFields = components['schemas']['CellFields'];
 export type CellView = components['schemas']['CellView'];
 export type ChainView = components['schemas']['ChainView'];
 export type CharacterView = components['schemas']['CharacterView'];
@@ -3462,15 +4440,25 @@ export type ClampedView = components['schemas']['ClampedView'];
 export type ClipContactsView = components['schemas']['ClipContactsView'];
 export type ClipView = components['schemas']['ClipView'];
 export type ClockChangeView = components['schemas']['ClockChangeView'];
+export type ColliderFields = components['schemas']['ColliderFields'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type CurveView = components['schemas']['CurveView'];
 export type CurvesView = components['schemas']['CurvesView'];
 export type DeducedBoneView = components['schemas']['DeducedBoneView'];
 export type DeductionView = components['schemas']['DeductionView'];
+export type DefaultsFields = components['schemas']['DefaultsFields'];
+export type DeleteBlendClipOperation = components['schemas']['DeleteBlendClipOperation'];
+export type DeleteEntryOperation = components['schemas']['DeleteEntryOperation'];
+export type DeleteEventOperation = components['schemas']['DeleteEventOperation'];
+export type DeleteLayerOperation = components['schemas']['DeleteLayerOperation'];
+export type DeleteStateOperation = components['schemas']['DeleteStateOperation'];
+export type DifferencesView = components['schemas']['DifferencesView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
 export type ExpressionView = components['schemas']['ExpressionView'];
+export type ExpressionsMotion = components['schemas']['ExpressionsMotion'];
+export type FactsView = components['schemas']['FactsView'];
 export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FigureView = components['schemas']['FigureView'];
@@ -3483,29 +4471,41 @@ export type FoundView = components['schemas']['FoundView'];
 export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
 export type GroundView = components['schemas']['GroundView'];
+export type HandleField = components['schemas']['HandleField'];
 export type HealthView = components['schemas']['HealthView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
 export type InputView = components['schemas']['InputView'];
+export type JointDifferences = components['schemas']['JointDifferences'];
 export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
+export type KeyFields = components['schemas']['KeyFields'];
 export type KeyView = components['schemas']['KeyView'];
 export type KnownBody = components['schemas']['KnownBody'];
+export type LayerFields = components['schemas']['LayerFields'];
 export type LayerView = components['schemas']['LayerView'];
 export type LevelView = components['schemas']['LevelView'];
 export type LimitView = components['schemas']['LimitView'];
 export type LinkView = components['schemas']['LinkView'];
 export type LossView = components['schemas']['LossView'];
+export type MachineFields = components['schemas']['MachineFields'];
 export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
 export type MadeLink = components['schemas']['MadeLink'];
 export type MappingView = components['schemas']['MappingView'];
 export type MarkerView = components['schemas']['MarkerView'];
+export type MaterialView = components['schemas']['MaterialView'];
 export type MeasuredView = components['schemas']['MeasuredView'];
 export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
 export type MotionPathView = components['schemas']['MotionPathView'];
+export type MoveEntryOperation = components['schemas']['MoveEntryOperation'];
+export type MoveEventOperation = components['schemas']['MoveEventOperation'];
+export type MoveLayerOperation = components['schemas']['MoveLayerOperation'];
+export type MovePropertyOperation = components['schemas']['MovePropertyOperation'];
+export type MoveStateOperation = components['schemas']['MoveStateOperation'];
 export type MovedView = components['schemas']['MovedView'];
+export type NameDifferenceView = components['schemas']['NameDifferenceView'];
 export type NewActor = components['schemas']['NewActor'];
 export type NewCell = components['schemas']['NewCell'];
 export type NewClip = components['schemas']['NewClip'];
@@ -3519,6 +4519,8 @@ export type NewFork = components['schemas']['NewFork'];
 export type NewKey = components['schemas']['NewKey'];
 export type NewLink = components['schemas']['NewLink'];
 export type NewMachine = components['schemas']['NewMachine'];
+export type NewName = components['schemas']['NewName'];
+export type NewOperations = components['schemas']['NewOperations'];
 export type NewParameter = components['schemas']['NewParameter'];
 export type NewRig = components['schemas']['NewRig'];
 export type NewSolve = components['schemas']['NewSolve'];
@@ -3526,7 +4528,9 @@ export type NewStage = components['schemas']['NewStage'];
 export type NewText = components['schemas']['NewText'];
 export type NewTravel = components['schemas']['NewTravel'];
 export type OriginView = components['schemas']['OriginView'];
+export type ParameterFields = components['schemas']['ParameterFields'];
 export type ParameterView = components['schemas']['ParameterView'];
+export type PartDifferenceView = components['schemas']['PartDifferenceView'];
 export type PartView = components['schemas']['PartView'];
 export type PauseBody = components['schemas']['PauseBody'];
 export type PlanView = components['schemas']['PlanView'];
@@ -3536,11 +4540,33 @@ export type ReachedView = components['schemas']['ReachedView'];
 export type ReadyView = components['schemas']['ReadyView'];
 export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
+export type RenameColliderOperation = components['schemas']['RenameColliderOperation'];
+export type RenameEventOperation = components['schemas']['RenameEventOperation'];
+export type RenameLayerOperation = components['schemas']['RenameLayerOperation'];
+export type RenameParameterOperation = components['schemas']['RenameParameterOperation'];
+export type RenameStateOperation = components['schemas']['RenameStateOperation'];
 export type RootView = components['schemas']['RootView'];
 export type SceneView = components['schemas']['SceneView'];
 export type SeekBody = components['schemas']['SeekBody'];
 export type SendChange = components['schemas']['SendChange'];
+export type SenseFields = components['schemas']['SenseFields'];
+export type SetBlendClipOperation = components['schemas']['SetBlendClipOperation'];
+export type SetCellOperation = components['schemas']['SetCellOperation'];
 export type SetChange = components['schemas']['SetChange'];
+export type SetColliderOperation = components['schemas']['SetColliderOperation'];
+export type SetDefaultsOperation = components['schemas']['SetDefaultsOperation'];
+export type SetEventOperation = components['schemas']['SetEventOperation'];
+export type SetExpressionsOperation = components['schemas']['SetExpressionsOperation'];
+export type SetInitialOperation = components['schemas']['SetInitialOperation'];
+export type SetKeyOperation = components['schemas']['SetKeyOperation'];
+export type SetLayerOperation = components['schemas']['SetLayerOperation'];
+export type SetMachineOperation = components['schemas']['SetMachineOperation'];
+export type SetMarkerOperation = components['schemas']['SetMarkerOperation'];
+export type SetParameterOperation = components['schemas']['SetParameterOperation'];
+export type SetPropertyOperation = components['schemas']['SetPropertyOperation'];
+export type SetSenseOperation = components['schemas']['SetSenseOperation'];
+export type SetStateOperation = components['schemas']['SetStateOperation'];
+export type SetViewOperation = components['schemas']['SetViewOperation'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
 export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
@@ -3549,22 +4575,26 @@ export type Speed = components['schemas']['Speed'];
 export type StageNameBody = components['schemas']['StageNameBody'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];
+export type StateFields = components['schemas']['StateFields'];
 export type StateView = components['schemas']['StateView'];
 export type StepBody = components['schemas']['StepBody'];
 export type StepView = components['schemas']['StepView'];
+export type TextureView = components['schemas']['TextureView'];
 export type ThresholdView = components['schemas']['ThresholdView'];
 export type TouchView = components['schemas']['TouchView'];
 export type TwinView = components['schemas']['TwinView'];
 export type TwinningView = components['schemas']['TwinningView'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
+export type VerdictMessage = components['schemas']['VerdictMessage'];
+export type VersionDifferencesView = components['schemas']['VersionDifferencesView'];
+export type VersionText = components['schemas']['VersionText'];
 export type VersionView = components['schemas']['VersionView'];
 export type ViewerView = components['schemas']['ViewerView'];
 export type WhyNotView = components['schemas']['WhyNotView'];
 export type WhyView = components['schemas']['WhyView'];
 export type ProblemView = components['schemas']['ProblemView'];
 export type AcceptedMessage = components['schemas']['AcceptedMessage'];
-export type ActionMessage = components['schemas']['ActionMessage'];
 export type ActorName = components['schemas']['ActorName'];
 export type CameraMessage = components['schemas']['CameraMessage'];
 export type CastCollider = components['schemas']['CastCollider'];
@@ -3574,7 +4604,6 @@ export type Forked = components['schemas']['Forked'];
 export type Hello = components['schemas']['Hello'];
 export type Pong = components['schemas']['Pong'];
 export type StatusMessage = components['schemas']['StatusMessage'];
-export type VerdictMessage = components['schemas']['VerdictMessage'];
 export type ViewersMessage = components['schemas']['ViewersMessage'];
 export type ServerMessage = components['schemas']['ServerMessage'];
 export type Ack = components['schemas']['Ack'];
@@ -4019,6 +5048,276 @@ export interface operations {
             507: components["responses"]["507"];
         };
     };
+    undo_api_machines__name__undo_post: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    redo_api_machines__name__redo_post: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    list_versions_api_machines__name__versions_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionView"][];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_version_api_machines__name__versions__number__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+                number: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionText"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_differences_api_machines__name__versions__number__differences_get: {
+        parameters: {
+            query: {
+                since: number;
+            };
+            header?: never;
+            path: {
+                name: string;
+                number: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionDifferencesView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    restore_api_machines__name__versions__number__restore_post: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                number: number;
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    export_machine_api_machines__name__export_zip_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": unknown;
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    import_machine_api_machines__name__import_zip_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/zip": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            408: components["responses"]["408"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     list_machines_api_machines_get: {
         parameters: {
             query?: never;
@@ -4183,6 +5482,50 @@ export interface operations {
             507: components["responses"]["507"];
         };
     };
+    patch_machine_api_machines__name__patch: {
+        parameters: {
+            query?: {
+                dry?: boolean;
+            };
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewOperations"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"] | components["schemas"]["RefusedTrial"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     verify_machine_api_machines__name__verify_get: {
         parameters: {
             query?: never;
@@ -4272,6 +5615,44 @@ export interface operations {
             503: components["responses"]["503"];
         };
     };
+    rename_machine_api_machines__name__rename_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewName"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     patch_cell_api_machines__name__cells_patch: {
         parameters: {
             query?: {
@@ -4358,72 +5739,6 @@ export interface operations {
             429: components["responses"]["429"];
             503: components["responses"]["503"];
             507: components["responses"]["507"];
-        };
-    };
-    undo_api_machines__name__undo_post: {
-        parameters: {
-            query?: never;
-            header: {
-                "If-Match": string;
-            };
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["EditedMachine"];
-                };
-            };
-            401: components["responses"]["401"];
-            403: components["responses"]["403"];
-            404: components["responses"]["404"];
-            409: components["responses"]["409"];
-            412: components["responses"]["412"];
-            413: components["responses"]["413"];
-            415: components["responses"]["415"];
-            421: components["responses"]["421"];
-            422: components["responses"]["422"];
-            428: components["responses"]["428"];
-            429: components["responses"]["429"];
-            503: components["responses"]["503"];
-            507: components["responses"]["507"];
-        };
-    };
-    list_versions_api_machines__name__versions_get: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["VersionView"][];
-                };
-            };
-            401: components["responses"]["401"];
-            403: components["responses"]["403"];
-            404: components["responses"]["404"];
-            421: components["responses"]["421"];
-            422: components["responses"]["422"];
-            429: components["responses"]["429"];
-            503: components["responses"]["503"];
         };
     };
     get_schema_api_schemas_machine_json_get: {
@@ -4610,8 +5925,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -4651,8 +5966,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -4692,8 +6007,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -4733,8 +6048,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -4927,6 +6242,39 @@ export interface operations {
             503: components["responses"]["503"];
         };
     };
+    get_facts_api_stages__stage_id__facts_get: {
+        parameters: {
+            query?: {
+                since?: number;
+            };
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FactsView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     get_history_api_stages__stage_id__history_get: {
         parameters: {
             query?: never;
@@ -4951,6 +6299,41 @@ export interface operations {
             403: components["responses"]["403"];
             404: components["responses"]["404"];
             421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_differences_api_stages__stage_id__differences_get: {
+        parameters: {
+            query: {
+                with: string;
+                from?: number | null;
+                to?: number | null;
+                detail?: "summary" | "joints";
+            };
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DifferencesView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
         };

@@ -16,5 +16,11 @@ export type {
   SolveView as Solved,
   ParameterView as Parameter,
   StateView as StateInfo,
+  VersionDifferencesView as VersionDifferences,
   VersionView as MachineVersion,
 } from "./api.generated";
+
+import type { NewOperations } from "./api.generated";
+
+/** One change of a machine; several together make one version. */
+export type Operation = NewOperations["operations"][number];

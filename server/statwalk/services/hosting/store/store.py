@@ -84,8 +84,22 @@ class Store:
         rows = [version_row(machine, version) for version in versions]
         self.writer.put(
             [
-                Statement("INSERT OR REPLACE INTO versions VALUES (?, ?, ?, ?, ?, ?, ?)", rows),
+                Statement("INSERT OR REPLACE INTO versions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows),
                 Statement("DELETE FROM versions WHERE machine = ? AND number <= ?", [(machine, old)]),
+            ]
+        )
+        self.flush()
+
+    def rename_versions(self, machine: str, new: str, versions: Iterable[MachineVersion]) -> None:
+        """Keeps the versions of a machine under another name, and waits until that is durable.
+
+        :raises StorageError: when the disk refuses.
+        """
+        rows = [version_row(new, version) for version in versions]
+        self.writer.put(
+            [
+                Statement("DELETE FROM versions WHERE machine = ?", [(machine,), (new,)]),
+                Statement("INSERT INTO versions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows),
             ]
         )
         self.flush()
