@@ -6,6 +6,7 @@ import struct
 import zipfile
 
 import pytest
+import tiny_model
 from statwalk.errors import ModelError
 from statwalk.files import archive
 from statwalk.files.character_file import load_character_file
@@ -49,6 +50,11 @@ def test_other_files_are_left_in_the_zip(tmp_path):
         tmp_path,
     )
     assert sorted(path.name for path in (tmp_path / "out").rglob("*.*")) == ["robot.bin", "robot.gltf"]
+
+
+def test_the_model_of_a_machine_is_not_its_table(tmp_path):
+    model = unpacked(packed({"machine.yaml": b"initial: A", "character.glb": tiny_model.model()}), tmp_path)
+    assert model.name == "character.glb"
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import zipfile
 import zlib
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from pathlib import Path, PurePosixPath
+from pathlib import Path, PurePath, PurePosixPath
 
 from statwalk.errors import ModelError
 
@@ -21,6 +21,8 @@ SUFFIXES = (*MODELS, ".bin", ".png", ".jpg", ".jpeg", ".webp", ".ktx2")
 CHARACTER_FILES = (".yaml", ".yml")
 CHARACTER_SUFFIXES = (*SUFFIXES, *CHARACTER_FILES, ".txt", ".md2", ".x", ".chunk", ".bvh", ".trc")
 """files that a character file may name"""
+OTHER_TEXTS = ("machine.yaml", "scene.yaml")
+"""a zip of a machine holds its model beside them"""
 MOST_ENTRIES = 1_000
 LARGEST_DIRECTORY_BYTES = 1 << 20
 LARGEST_UNPACKED_BYTES = 128 << 20
@@ -48,19 +50,21 @@ def unpack(archive: Path, folder: Path) -> Path:
     :raises ModelError: when the zip is damaged, too large or unsafe, or does not hold exactly one model;
         `place` is the entry's name or a byte offset.
     """
-    with checked_zip(archive) as (opened, wanted):
+    with checked_zip(archive, CHARACTER_SUFFIXES) as (opened, entries):
+        has_character_file = any(_is_character_file(PurePosixPath(entry.filename)) for entry in entries)
+        suffixes = CHARACTER_SUFFIXES if has_character_file else SUFFIXES
         bytes_left = LARGEST_UNPACKED_BYTES
-        for entry in wanted:
-            bytes_left -= _extract(opened, entry, folder, bytes_left)
+        for entry in entries:
+            if _is_wanted(PurePosixPath(entry.filename), suffixes):
+                bytes_left -= _extract(opened, entry, folder, bytes_left)
     return _main_file_in(folder)
 
 
 @contextmanager
 def checked_zip(
-    archive: Path, suffixes: Sequence[str] = ()
+    archive: Path, suffixes: Sequence[str]
 ) -> Iterator[tuple[zipfile.ZipFile, list[zipfile.ZipInfo]]]:
-    """Opens a zip; yields it with its checked entries of some suffixes, by default those of a model or of a
-    character file.
+    """Opens a zip; yields it with its checked entries of some suffixes.
 
     :raises ModelError: when the zip is damaged, too large or unsafe.
     """
@@ -115,8 +119,7 @@ def _checked(entries: Sequence[zipfile.ZipInfo], suffixes: Sequence[str]) -> lis
     for entry in entries:
         _check_entry(entry)
     files = [entry for entry in entries if not entry.is_dir()]
-    chosen = suffixes or _model_suffixes(files)
-    wanted = [entry for entry in files if _is_wanted(PurePosixPath(entry.filename), chosen)]
+    wanted = [entry for entry in files if _is_wanted(PurePosixPath(entry.filename), suffixes)]
     _check_different(entry.filename for entry in wanted)
     return wanted
 
@@ -157,15 +160,14 @@ def shown(name: str) -> str:
     return ascii(name[:LONGEST_NAME])
 
 
-def _model_suffixes(files: Iterable[zipfile.ZipInfo]) -> Sequence[str]:
-    paths = (PurePosixPath(file.filename) for file in files)
-    return CHARACTER_SUFFIXES if any(_is_wanted(path, CHARACTER_FILES) for path in paths) else SUFFIXES
-
-
 def _is_wanted(path: PurePosixPath, suffixes: Sequence[str]) -> bool:
     """Returns whether a file has one of the suffixes; hidden files, which some systems add, are skipped."""
     hidden = any(part.startswith(".") or part == "__MACOSX" for part in path.parts)
     return path.suffix.lower() in suffixes and not hidden
+
+
+def _is_character_file(path: PurePath) -> bool:
+    return path.suffix.lower() in CHARACTER_FILES and path.name not in OTHER_TEXTS
 
 
 def _check_different(names: Iterable[str]) -> None:
@@ -211,7 +213,7 @@ def _main_file_in(folder: Path) -> Path:
     :raises ModelError: when the folder has neither, or several at the same depth.
     """
     files = [path for path in sorted(folder.rglob("*")) if path.is_file()]
-    texts = [path for path in files if path.suffix.lower() in CHARACTER_FILES]
+    texts = [path for path in files if _is_character_file(path)]
     models = texts or [path for path in files if path.suffix.lower() in MODELS]
     kind = "character file" if texts else "model"
     if not models:
