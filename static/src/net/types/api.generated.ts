@@ -5292,6 +5292,7 @@ export interface operations {
         requestBody: {
             content: {
                 "application/zip": string;
+                "application/octet-stream": string;
             };
         };
         responses: {
