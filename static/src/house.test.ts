@@ -72,6 +72,25 @@ test("every file stands on a floor", () => {
   expect([...importsOf(SOURCES).keys()].filter((file) => floor(file) < 0)).toEqual([]);
 });
 
+/** The panels that each folder of `panels` exports; `curves` belongs to a page of its own. */
+function panelsByFolder(): Map<string, string[]> {
+  const found = new Map<string, string[]>();
+  for (const [file, text] of Object.entries(SOURCES)) {
+    const name = /^\.\/panels\/(?!curves\/)([^/]+)\//.exec(file)?.[1];
+    const panels = [...text.matchAll(/^export function (\w+Panel)\(/gm)].map(([, panel]) => panel!);
+    if (name) found.set(name, [...(found.get(name) ?? []), ...panels]);
+  }
+  return found;
+}
+
+test("each folder of panels exports one panel, which main.ts lists", () => {
+  const listed = SOURCES["./main.ts"]!;
+  for (const [name, panels] of panelsByFolder()) {
+    expect(panels, name).toHaveLength(1);
+    expect(listed).toContain(`", ${panels[0]!}],`);
+  }
+});
+
 test("an import that points up, one between panels and a circle are seen", () => {
   const wrong = importsOf({
     "./view/model.ts": 'import type { A } from "../panels/table/table";',

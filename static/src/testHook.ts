@@ -33,8 +33,8 @@
 
 import * as THREE from "three";
 import { laneKey } from "./state/history";
-import type { Meter } from "./net/meter";
-import type { Session } from "./state/session";
+import type { State } from "./state/state";
+import type { App } from "./view/app";
 import { drawAlone } from "./view/bodiesAlone";
 import type { CrowdMesh } from "./view/crowdMesh";
 import { PoseTexture } from "./view/poseTexture";
@@ -124,36 +124,38 @@ function circleAt(stageView: StageView, name: string): [number, number] {
 }
 
 /** Counts messages for `seconds`, looking once per animation frame, as the page does. */
-async function listen(session: Session, seconds: number): Promise<object> {
-  const [start, before] = [performance.now(), session.received.total];
+async function listen(state: State, seconds: number): Promise<object> {
+  const [start, before] = [performance.now(), state.frames.received.total];
   const ticks = new Set<number>();
   const gaps: number[] = [];
   let [last, total] = [start, before];
   while (performance.now() - start < seconds * 1000) {
     await new Promise(requestAnimationFrame);
     const now = performance.now();
-    if (session.received.total > total) gaps.push(now - last);
-    if (session.received.total > total) [last, total] = [now, session.received.total];
-    ticks.add(session.tick);
+    if (state.frames.received.total > total) gaps.push(now - last);
+    if (state.frames.received.total > total) [last, total] = [now, state.frames.received.total];
+    ticks.add(state.stage.tick);
   }
   gaps.sort((a, b) => a - b);
   const elapsed = (performance.now() - start) / 1000;
   return {
-    perSecond: (session.received.total - before) / elapsed,
+    perSecond: (state.frames.received.total - before) / elapsed,
     gapP99Ms: gaps[Math.floor(gaps.length * 0.99)] ?? null,
     ticks: ticks.size,
   };
 }
 
-export function exposeForTests(
-  session: Session,
-  stageView: StageView,
-  drawn: Meter,
-  handles: () => Record<string, [number, number]>,
-): void {
+/** Where each handle is drawn. */
+const handlesOf = ({ scene }: StageView): Record<string, [number, number]> =>
+  Object.assign({}, ...scene.handles.map((handles) => handles.places()));
+
+export function exposeForTests(app: App): void {
+  const { view: stageView, ...state } = app;
+  const { drawn } = stageView;
   const stats = (): object => {
     const now = performance.now();
-    const { received, trip } = session;
+    const { received } = state.frames;
+    const { trip } = state.session;
     const rates = {
       hz: received.perSecond(now),
       fps: drawn.perSecond(now),
@@ -164,21 +166,21 @@ export function exposeForTests(
   };
   const hook = {
     get ready(): boolean {
-      const known = session.machine.value !== null && session.machine.value.name === session.cast?.machine;
-      return stageView.watched.ready.value && known && session.stage === session.hello.value?.stage;
+      const known = state.machine.isActors;
+      return stageView.watched.ready.value && known && state.stage.id === state.stage.hello.value?.stage;
     },
-    stage: () => session.stage,
-    tick: () => session.tick,
-    head: () => session.head,
-    hash: () => session.hash,
-    state: () => session.stateName(session.state.value),
-    layerStates: () => session.layerStates.value,
-    version: () => session.machine.value?.version ?? 0,
-    played: () => session.cast?.version ?? 0,
-    looking: () => session.looking.value,
-    viewers: () => session.status.value.viewers,
-    link: () => session.link.value.state,
-    frames: () => session.frames.value,
+    stage: () => state.stage.id,
+    tick: () => state.stage.tick,
+    head: () => state.stage.head,
+    hash: () => state.stage.hash,
+    state: () => state.selection.stateName(state.selection.state.value),
+    layerStates: () => state.selection.layerStates.value,
+    version: () => state.machine.info.value?.version ?? 0,
+    played: () => state.selection.cast?.version ?? 0,
+    looking: () => state.playback.looking.value,
+    viewers: () => state.stage.status.value.viewers,
+    link: () => state.line.link.value.state,
+    frames: () => state.frames.kind.value,
     posed: () => stageView.posed,
     shown: () => stageView.stream,
     overlays: () => stageView.overlays,
@@ -198,17 +200,17 @@ export function exposeForTests(
     proved: () => ({ difference: stageView.proof.difference.value, ...stageView.proof.measured }),
     quality: () => stageView.scene.quality,
     lanes: () =>
-      session.history
-        .between(laneKey(session.actor.value ?? -1), 0, Infinity)
+      state.past.runs
+        .between(laneKey(state.selection.actor.value ?? -1), 0, Infinity)
         .map(({ start, end, state }) => [start, end, state]),
     stats,
     weights: () => weightsByName(stageView),
     joints: () => jointsByName(stageView),
-    handles,
+    handles: () => handlesOf(stageView),
     joint: () => stageView.watched.joint.value,
     circle: (name: string) => circleAt(stageView, name),
     pixels: () => measure(drawBodies(stageView)),
-    listen: (seconds: number) => listen(session, seconds),
+    listen: (seconds: number) => listen(state, seconds),
   };
   Object.defineProperty(window, "__viewer", { value: hook });
 }

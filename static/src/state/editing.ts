@@ -2,10 +2,11 @@
  * Edits the machine: tries and keeps cells, goes back one version, holds the newest version and its findings.
  */
 
+import { signal } from "@preact/signals-core";
 import * as api from "../net/api";
 import type { Edited, MachineVersion, Finding, MachineInfo, NewCell } from "../net/protocol";
-import type { Session } from "./session";
-import { Signal } from "./signal";
+import type { Event } from "./event";
+import type { WatchedMachine } from "./watchedMachine";
 
 /** The answer to an edit. `stale`: another editor was first, and the machine was read again. */
 export interface Answer {
@@ -31,13 +32,18 @@ export function refusal(words: string, findings: readonly Finding[], place: Cell
 
 export class Editing {
   /** The newest version of the machine that is shown. */
-  readonly newest = new Signal<MachineVersion | null>(null);
+  readonly newest = signal<MachineVersion | null>(null);
   /** The verifier's findings about that version. */
-  readonly findings = new Signal<readonly Finding[]>([]);
+  readonly findings = signal<readonly Finding[]>([]);
   private checked = "";
 
-  constructor(private readonly session: Session) {
-    session.machine.on((machine) => machine && void this.look(machine));
+  constructor(
+    private readonly machine: WatchedMachine,
+    private readonly notices: Event<string>,
+  ) {
+    machine.info.subscribe((info) => {
+      if (info) void this.look(info);
+    });
   }
 
   private async look({ name, version }: MachineInfo): Promise<void> {
@@ -49,18 +55,18 @@ export class Editing {
       api.verify(name).catch(() => null),
     ]);
     if (wanted !== this.checked) return;
-    this.newest.set(machineVersions.at(-1) ?? null);
-    this.findings.set(verified?.findings ?? []);
+    this.newest.value = machineVersions.at(-1) ?? null;
+    this.findings.value = verified?.findings ?? [];
   }
 
   /** Plays every transition; adds what is over the machine's budgets to the findings. Returns it in words. */
   async measure(): Promise<string> {
-    const machine = this.session.machine.value;
+    const machine = this.machine.info.value;
     if (!machine) return "the machine is not known yet";
     const { findings, measured, budgets } = await api.measure(machine.name);
-    if (this.session.machine.value?.version === machine.version) {
+    if (this.machine.info.value?.version === machine.version) {
       const others = this.findings.value.filter(({ kind }) => kind !== "budget");
-      this.findings.set([...others, ...findings]);
+      this.findings.value = [...others, ...findings];
     }
     const limits = Object.keys(budgets).length ? `${findings.length} over budget` : "the file has no budgets";
     return `${measured.length} transitions and motions measured, ${limits}`;
@@ -68,7 +74,7 @@ export class Editing {
 
   /** Keeps an edit, or only verifies it (`dry`). Throws errors other than a refusal or a conflict. */
   async cell(place: CellPlace, text: string, dry: boolean): Promise<Answer> {
-    const machine = this.session.machine.value;
+    const machine = this.machine.info.value;
     if (!machine) return { kind: "refused", words: "the machine is not known yet", findings: [] };
     try {
       const edited = await api.patchCell(machine.name, machine.version, { ...place, text }, dry);
@@ -85,7 +91,7 @@ export class Editing {
 
   /** Replaces the machine's expressions. Throws if they are refused, or the machine is newer. */
   async expressions(text: string): Promise<void> {
-    const machine = this.session.machine.value;
+    const machine = this.machine.info.value;
     if (!machine) return;
     const edited = await api.patchExpressions(machine.name, machine.version, text);
     if (edited.result === "refused") throw new api.ApiError(422, edited.detail);
@@ -94,22 +100,22 @@ export class Editing {
 
   /** Goes back to the version before; a refusal is shown as a notice. */
   async undo(): Promise<void> {
-    const machine = this.session.machine.value;
+    const machine = this.machine.info.value;
     if (!machine) return;
     await api.undo(machine.name, machine.version).then(
       (edited) => this.take(edited),
       async (error: Error) => {
-        this.session.notices.emit(error.message);
+        this.notices.emit(error.message);
         if (error instanceof api.ApiError && error.status === 412) await this.reload(machine.name);
       },
     );
   }
 
   private take(edited: Edited): void {
-    this.session.takeMachine(edited);
+    this.machine.take(edited);
   }
 
   private async reload(name: string): Promise<void> {
-    this.session.takeMachine(await api.machine(name));
+    this.machine.take(await api.machine(name));
   }
 }

@@ -2,6 +2,7 @@
 
 import * as api from "../net/api";
 import type { Session } from "./session";
+import type { WatchedStage } from "./watchedStage";
 
 /** What a stage begins with: one actor of a machine, or a scene. */
 export type Opening = { machine: string } | { scene: string };
@@ -13,10 +14,15 @@ export class OwnStages {
   private left: string[] = [];
   private choices = 0;
 
-  constructor(private readonly session: Session) {
+  constructor(
+    private readonly session: Session,
+    private readonly stage: WatchedStage,
+  ) {
     session.forked.on((stage) => this.made.set(stage, null));
     session.leaving.on(() => this.leave());
-    session.hello.on((hello) => hello && this.close());
+    stage.hello.subscribe((hello) => {
+      if (hello) this.close();
+    });
   }
 
   /**
@@ -48,11 +54,11 @@ export class OwnStages {
 
   /** Notes that the page leaves its stage, unless somebody else watches it too. */
   private leave(): void {
-    if (this.session.status.value.viewers <= 1) this.left.push(this.session.stage);
+    if (this.stage.status.value.viewers <= 1) this.left.push(this.stage.id);
   }
 
   private close(): void {
-    const left = this.left.filter((stage) => stage !== this.session.stage);
+    const left = this.left.filter((stage) => stage !== this.stage.id);
     this.left = [];
     for (const stage of left) void this.remove(stage);
   }

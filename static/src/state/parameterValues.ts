@@ -4,8 +4,11 @@ import { actorFacts } from "../net/actors";
 import { Latest } from "../net/latest";
 import type { MachineInfo, Parameter } from "../net/protocol";
 import type { Point } from "./points";
-import { Event } from "./signal";
-import type { Session } from "./session";
+import { Event } from "./event";
+import type { Line } from "./line";
+import type { Selection } from "./selection";
+import type { WatchedMachine } from "./watchedMachine";
+import type { WatchedStage } from "./watchedStage";
 
 const PER_SECOND = 30;
 
@@ -22,10 +25,15 @@ export class ParameterValues {
   private machine: MachineInfo | null = null;
   private turn = 0;
 
-  constructor(private readonly session: Session) {
-    session.machine.on((machine) => this.learn(machine));
-    session.actor.on(() => void this.read());
-    session.hello.on(() => void this.read());
+  constructor(
+    private readonly line: Line,
+    private readonly stage: WatchedStage,
+    private readonly selection: Selection,
+    machine: WatchedMachine,
+  ) {
+    machine.info.subscribe((info) => this.learn(info));
+    selection.actor.subscribe(() => void this.read());
+    stage.hello.subscribe(() => void this.read());
   }
 
   /** Returns the value of a number, or of a component of a point as `target.x`. */
@@ -65,9 +73,9 @@ export class ParameterValues {
   /** Takes what the server says. */
   private async read(): Promise<void> {
     const turn = ++this.turn;
-    const { actor, stage } = this.session;
-    if (actor.value === null || !this.machine?.parameters.length) return;
-    const facts = await actorFacts(stage, actor.value).catch(() => null);
+    const actor = this.selection.actor.value;
+    if (actor === null || !this.machine?.parameters.length) return;
+    const facts = await actorFacts(this.stage.id, actor).catch(() => null);
     if (!facts || turn !== this.turn || facts.machine !== this.machine.name) return;
     const known = Object.entries(facts.parameters).flatMap(([name, value]): [string, number][] =>
       Array.isArray(value)
@@ -83,10 +91,10 @@ export class ParameterValues {
   }
 
   private send(whole: string, value: () => number | Point): void {
-    const actor = this.session.actor.value;
+    const actor = this.selection.actor.value;
     if (actor === null) return;
     let sender = this.senders.get(whole);
     if (!sender) this.senders.set(whole, (sender = new Latest<() => void>((now) => now(), PER_SECOND)));
-    sender.put(() => this.session.connection.send({ type: "set", parameter: whole, value: value(), actor }));
+    sender.put(() => this.line.send({ type: "set", parameter: whole, value: value(), actor }));
   }
 }

@@ -1,17 +1,17 @@
 /** Holds the past tick that this page shows. One request is sent at a time; the newest wanted tick wins. */
 
+import { signal } from "@preact/signals-core";
 import type { ClientMessage } from "../net/protocol";
-import { Signal } from "./signal";
 
 export class Scrubber {
   /** The wanted tick, or null while the page follows the stage. */
-  readonly looking = new Signal<number | null>(null);
+  readonly looking = signal<number | null>(null);
   private requested: number | null = null;
 
   constructor(private readonly send: (message: ClientMessage) => boolean) {}
 
   look(tick: number): void {
-    this.looking.set(tick);
+    this.looking.value = tick;
     if (this.requested === null) this.request(tick);
   }
 
@@ -23,7 +23,7 @@ export class Scrubber {
   /** Follows the stage again, without waiting for an answer. */
   forget(): void {
     this.requested = null;
-    this.looking.set(null);
+    this.looking.value = null;
   }
 
   /** Sends the request again after a reconnection. */

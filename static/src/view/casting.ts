@@ -1,8 +1,9 @@
 /** The casts of the stage that is shown: their models are loaded, and their actors stand on it. */
 
 import type { CastHello, Hello } from "../net/protocol";
-import type { Session } from "../state/session";
-import { Event, Signal } from "../state/signal";
+import type { State } from "../state/state";
+import { signal } from "@preact/signals-core";
+import { Event } from "../state/event";
 import { CastView } from "./castView";
 import type { DetailChoice } from "./detailChoice";
 import { missingModel } from "./missing";
@@ -15,7 +16,7 @@ const reason = (error: unknown): string => (error instanceof Error ? error.messa
 export class Casting {
   casts: readonly CastView[] = [];
   readonly actors = new Map<number, PosedModel>();
-  readonly loading = new Signal<string>("");
+  readonly loading = signal<string>("");
   /** The actors of the stage before have left. */
   readonly cleared = new Event<void>();
   /** All actors stand on the stage. */
@@ -27,7 +28,7 @@ export class Casting {
 
   constructor(
     private readonly scene: Scene,
-    private readonly session: Session,
+    private readonly state: State,
     private readonly detail: DetailChoice,
   ) {}
 
@@ -39,19 +40,19 @@ export class Casting {
     this.shown = wanted;
     const generation = ++this.generation;
     this.clear();
-    this.loading.set("loading the character");
+    this.loading.value = "loading the character";
     try {
       const models = await Promise.all(hello.casts.map((cast) => this.modelOf(cast)));
       if (generation !== this.generation) return;
       this.build(hello, models);
       const wrong = models.find((model) => model.wrong)?.wrong;
-      this.loading.set("");
-      if (wrong) this.session.notices.emit(wrong);
+      this.loading.value = "";
+      if (wrong) this.state.notices.emit(wrong);
       if (wrong) this.shown = ""; // the next hello tries again
     } catch (error) {
       if (generation !== this.generation) return;
       this.shown = "";
-      this.loading.set(`The stage cannot be shown: ${reason(error)}`);
+      this.loading.value = `The stage cannot be shown: ${reason(error)}`;
     }
   }
 

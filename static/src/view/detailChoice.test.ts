@@ -22,8 +22,8 @@ it("a hand has its way, as far as the model goes", () => {
   const choice = new DetailChoice();
   const camera = new THREE.PerspectiveCamera(90);
   expect(choice.levelAt(levels, 1e6, camera, 600)).toBe(4);
-  choice.byHand.set(1);
+  choice.byHand.value = 1;
   expect(choice.levelAt(levels, 1e6, camera, 600)).toBe(1);
-  choice.byHand.set(9);
+  choice.byHand.value = 9;
   expect(choice.levelAt(levels, 0.1, camera, 600)).toBe(4);
 });

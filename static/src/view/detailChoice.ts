@@ -1,7 +1,7 @@
 /** Chooses a level of detail: by the size on screen, or by hand. */
 
 import * as THREE from "three";
-import { Signal } from "../state/signal";
+import { signal } from "@preact/signals-core";
 import type { DetailLevel } from "./collapses";
 
 /** The largest error on screen. */
@@ -25,7 +25,7 @@ export function levelBySize(levels: readonly DetailLevel[], pixels_per_m: number
 
 export class DetailChoice {
   /** The level that is drawn, 0 for the full skin; null: by the size on screen. */
-  readonly byHand = new Signal<number | null>(null);
+  readonly byHand = signal<number | null>(null);
 
   /** Returns the level of an actor at a distance from the camera, metres. */
   levelAt(

@@ -59,6 +59,7 @@ export class JointHandles {
     private readonly moved: (handle: Handle, values: readonly number[]) => void,
   ) {
     const { canvas } = scene;
+    scene.handles.push(this);
     canvas.addEventListener("pointerdown", (event) => this.grab(event), { capture: true });
     canvas.addEventListener("pointermove", (event) => this.drag(event));
     for (const end of ["pointerup", "pointercancel"] as const)

@@ -35,6 +35,7 @@ export class PointHandles {
     private readonly held: (name: string, isHeld: boolean) => void = () => undefined,
   ) {
     const { canvas } = scene;
+    scene.handles.push(this);
     canvas.addEventListener("pointerdown", (event) => this.grab(event), { capture: true });
     canvas.addEventListener("pointermove", (event) => this.drag(event));
     for (const end of ["pointerup", "pointercancel"] as const)

@@ -5,9 +5,14 @@ import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment
 import { FollowCamera } from "./camera";
 import { Ground } from "./ground";
 import type { Quality } from "./quality";
-import { Event } from "../state/signal";
+import { Event } from "../state/event";
 
 const SHADOW_PIXELS = 2048;
+
+/** Handles in the picture, by name: where each is drawn, in pixels of the page. */
+export interface Handles {
+  places(): Record<string, [number, number]>;
+}
 
 export class Scene {
   readonly renderer: THREE.WebGLRenderer;
@@ -23,6 +28,8 @@ export class Scene {
   );
   /** Emitted before each drawing. */
   readonly drawing = new Event<THREE.PerspectiveCamera>();
+  /** The handles that you can drag. */
+  readonly handles: Handles[] = [];
   /** Draw calls of the last drawing. */
   calls = 0;
   /** Controls over the lower end of the picture. */

@@ -4,8 +4,8 @@ import * as THREE from "three";
 import { chunksOf, layoutOf, view } from "../net/glb";
 import { frameFile } from "../net/api";
 import type { Skinning } from "../net/protocol";
-import type { Session } from "../state/session";
-import { Signal } from "../state/signal";
+import type { State } from "../state/state";
+import { signal } from "@preact/signals-core";
 import type { Crowd } from "./crowd";
 import { worldOf } from "./glbStage";
 import { readVertices } from "./skinReadback";
@@ -26,9 +26,9 @@ function primitivesOf(file: ArrayBuffer): ServerPrimitive[] {
 }
 
 export class SkinProof {
-  readonly on = new Signal(false);
+  readonly on = signal(false);
   /** The largest distance of the last compared frame, metres; or why there is none. */
-  readonly difference = new Signal<number | string>("");
+  readonly difference = signal<number | string>("");
   /** Which actor, tick and way of skinning were compared for `difference`. */
   measured: { actor: number; tick: number; way: Skinning } | null = null;
   private busy = false;
@@ -37,17 +37,17 @@ export class SkinProof {
 
   constructor(
     private readonly renderer: THREE.WebGLRenderer,
-    private readonly session: Session,
+    private readonly state: State,
   ) {
-    this.on.on(() => {
+    this.on.subscribe(() => {
       this.compared = "";
-      this.difference.set("");
+      this.difference.value = "";
     });
   }
 
   /** Compares an actor of the drawn frame, if the last comparison is done and the frame is another one. */
   compare(crowds: readonly Crowd[], crowd: Crowd, row: number, tick: number): void {
-    const wanted = [this.session.stage, tick, crowd.way, crowds.indexOf(crowd), row].join();
+    const wanted = [this.state.stage.id, tick, crowd.way, crowds.indexOf(crowd), row].join();
     if (!this.on.value || this.busy || wanted === this.compared) return;
     this.compared = wanted;
     const before = crowds.slice(0, crowds.indexOf(crowd));
@@ -56,7 +56,7 @@ export class SkinProof {
     const { parts, primitives } = crowd.parts;
     const gpu = parts.map((part) => readVertices(this.renderer, crowd, row, part));
     this.busy = true;
-    void frameFile(this.session.stage, tick, this.session.skinning.value)
+    void frameFile(this.state.stage.id, tick, this.state.frames.skinning.value)
       .then((file) => {
         const from = first + row * primitives;
         const server = primitivesOf(file).slice(from, from + primitives);
@@ -74,6 +74,6 @@ export class SkinProof {
   }
 
   private tell(difference: number | string): void {
-    if (this.on.value) this.difference.set(difference);
+    if (this.on.value) this.difference.value = difference;
   }
 }

@@ -1,9 +1,10 @@
 /** Draws the session's frames: actors of the pose stream, or the server's skin of the glb stream. */
 
 import * as THREE from "three";
+import { Meter } from "../net/meter";
 import type { FrameKind } from "../net/protocol";
-import type { Session } from "../state/session";
-import { Signal } from "../state/signal";
+import type { State } from "../state/state";
+import { type Signal, signal } from "@preact/signals-core";
 import { token } from "../ui/dom";
 import { Casting } from "./casting";
 import type { CastView } from "./castView";
@@ -31,11 +32,14 @@ export interface Modes {
   limits: boolean;
 }
 
+/** Seconds: after a pause of the page the camera moves on by no more. */
+const LONGEST_STEP_S = 0.1;
+
 /** Limits of more joints hide the body: they are drawn on request. */
 const FEW_LIMITS = 6;
 
 export class StageView {
-  readonly modes = new Signal<Modes>({ skin: true, wire: false, bones: false, tetra: false, limits: true });
+  readonly modes = signal<Modes>({ skin: true, wire: false, bones: false, tetra: false, limits: true });
   readonly looks = new Looks();
   /** The level of detail. */
   readonly detail = new DetailChoice();
@@ -44,40 +48,42 @@ export class StageView {
   private readonly glb: GlbStage;
   private readonly terrain = new Terrain();
   private readonly casting: Casting;
+  /** Counts drawings. */
+  readonly drawn = new Meter();
   /** Tick and stream of the drawn frame. */
   posed = -1;
   stream: FrameKind = "pose";
 
   constructor(
     readonly scene: Scene,
-    private readonly session: Session,
+    private readonly state: State,
   ) {
-    this.casting = new Casting(scene, session, this.detail);
+    this.casting = new Casting(scene, state, this.detail);
     this.casting.cleared.on(() => this.clear());
     this.casting.built.on(() => this.dress());
-    this.watched = new WatchedActor(scene, session, this.casting, this.modes);
+    this.watched = new WatchedActor(scene, state, this.casting, this.modes);
     this.glb = new GlbStage(scene.quality === "high", (index, name) =>
       materialOf(new Set(this.crowds.map(({ model }) => model)), index, name),
     );
-    this.proof = new SkinProof(scene.renderer, session);
+    this.proof = new SkinProof(scene.renderer, state);
     scene.world.add(this.glb.root);
-    session.hello.on((hello) => hello && void this.casting.take(hello));
-    session.frames.on(() => this.switchStream());
-    this.modes.on(() => this.restyle());
-    session.skinning.on(() => this.restyle());
+    state.stage.hello.subscribe((hello) => hello && void this.casting.take(hello));
+    state.frames.kind.subscribe(() => this.switchStream());
+    this.modes.subscribe(() => this.restyle());
+    state.frames.skinning.subscribe(() => this.restyle());
     scene.world.add(this.terrain.mesh);
-    session.machine.on((machine) => {
-      this.modes.set({ ...this.modes.value, limits: (machine?.limits.length ?? 0) <= FEW_LIMITS });
+    state.machine.info.subscribe((machine) => {
+      this.modes.value = { ...this.modes.value, limits: (machine?.limits.length ?? 0) <= FEW_LIMITS };
       this.watched.drawLimits();
       this.terrain.show(machine?.ground ?? []);
       scene.invalidate();
     });
-    this.watched.joint.on((joint) => {
-      if (joint) this.looks.bone.set(joint);
+    this.watched.joint.subscribe((joint) => {
+      if (joint) this.looks.bone.value = joint;
     });
-    for (const look of Object.values(this.looks)) (look as Signal<string>).on(() => this.restyle());
+    for (const look of Object.values(this.looks)) (look as Signal<string>).subscribe(() => this.restyle());
     scene.drawing.on((camera) => this.crowds.forEach((crowd) => crowd.arrange(camera)));
-    this.detail.byHand.on(() => scene.invalidate());
+    this.detail.byHand.subscribe(() => scene.invalidate());
   }
 
   private get casts(): readonly CastView[] {
@@ -108,17 +114,22 @@ export class StageView {
 
   /** The one thing that the pose stream cannot express: a vertex with more bones than the GPU blends. */
   private leaveSkinToServer(): void {
-    this.session.notices.emit(
+    this.state.notices.emit(
       `A vertex follows more than ${MOST_INFLUENCES} bones, which the GPU does not blend: the server skins.`,
     );
-    this.session.stream("glb");
+    this.state.frames.stream("glb");
+  }
+
+  /** Draws if something changed; `now`: the browser's time, milliseconds. */
+  draw(now: number, dt: number): void {
+    if (this.scene.draw(Math.min(LONGEST_STEP_S, dt))) this.drawn.add(now);
   }
 
   /** Shows the newest frame, if the models are loaded. */
   update(): void {
     if (!this.casting.actors.size) return;
-    if (this.session.pose) this.showPose();
-    if (this.session.glb) this.showGlb();
+    if (this.state.frames.pose) this.showPose();
+    if (this.state.frames.glb) this.showGlb();
     this.prove();
   }
 
@@ -130,19 +141,19 @@ export class StageView {
   }
 
   private showPose(): void {
-    const frame = this.session.pose!;
-    const hello = this.session.hello.value;
+    const frame = this.state.frames.pose!;
+    const hello = this.state.stage.hello.value;
     if (frame.epoch !== hello?.epoch) return;
-    this.session.pose = null;
+    this.state.frames.pose = null;
     Object.assign(this, { posed: frame.tick, stream: "pose" });
     this.casts.forEach((cast, c) => cast.take(frame.casts[c]!));
     this.watched.follow(this.posed);
   }
 
   private showGlb(): void {
-    const fresh = this.glb.apply(this.session.glb!, [...this.casting.actors.keys()]);
-    Object.assign(this, { posed: this.session.tick, stream: "glb" });
-    this.session.glb = null;
+    const fresh = this.glb.apply(this.state.frames.glb!, [...this.casting.actors.keys()]);
+    Object.assign(this, { posed: this.state.stage.tick, stream: "glb" });
+    this.state.frames.glb = null;
     if (fresh) this.restyle();
     let first = 0;
     for (const view of this.casts)
@@ -151,7 +162,7 @@ export class StageView {
   }
 
   private switchStream(): void {
-    const pose = this.session.frames.value === "pose";
+    const pose = this.state.frames.kind.value === "pose";
     this.glb.root.visible = !pose;
     this.glb.clear();
     this.scene.invalidate();
@@ -161,7 +172,7 @@ export class StageView {
     const { skin, wire, bones, tetra } = this.modes.value;
     const look = { skin, wire, ghost: skin && tetra };
     const solid = tetra ? this.looks.solid.value : null;
-    for (const cast of this.casts) cast.skin(this.session.skinning.value);
+    for (const cast of this.casts) cast.skin(this.state.frames.skinning.value);
     paintSkins(this.crowds, this.glb.meshes, this.looks);
     for (const cast of this.casts) cast.show(look, bones, solid);
     showSkin(this.glb.meshes, look);
@@ -202,13 +213,13 @@ export class StageView {
 
   /** What the characters are drawn with in the present stream, of each crowd its full skin. */
   meshes(): Body[] {
-    return this.session.frames.value === "glb"
+    return this.state.frames.kind.value === "glb"
       ? this.glb.meshes
       : this.crowds.flatMap(({ levels }) => levels[0]!.bodies);
   }
 
   /** The objects of the characters, without ground and overlays. */
   bodies(): THREE.Object3D[] {
-    return this.session.frames.value === "glb" ? [this.glb.root] : this.crowds.map(({ root }) => root);
+    return this.state.frames.kind.value === "glb" ? [this.glb.root] : this.crowds.map(({ root }) => root);
   }
 }

@@ -3,8 +3,8 @@
  * are drawn.
  */
 
-import type { Session } from "../state/session";
-import { Signal } from "../state/signal";
+import type { State } from "../state/state";
+import { type Signal, signal } from "@preact/signals-core";
 import type { Casting } from "./casting";
 import type { CastView } from "./castView";
 import { framed, type Framing, withCompany } from "./framing";
@@ -19,35 +19,35 @@ const keyOf = ({ id, model }: PosedModel): string => `${id} ${model.url}`;
 
 export class WatchedActor {
   /** True while the actor is drawn. */
-  readonly ready = new Signal(false);
+  readonly ready = signal(false);
   /** How much the camera shows. */
-  readonly framing = new Signal<Framing>("whole");
+  readonly framing = signal<Framing>("whole");
   /** Whether the view turns around the actor. */
-  readonly turning = new Signal(false);
+  readonly turning = signal(false);
   /** The joint whose path is drawn; empty: none. */
-  readonly traced = new Signal<string>("");
+  readonly traced = signal<string>("");
   /** The joint that was clicked; empty: none. */
-  readonly joint = new Signal<string>("");
+  readonly joint = signal<string>("");
   private readonly path = new MotionPath();
   private readonly limits: WatchedLimits;
   private framed = "";
 
   constructor(
     private readonly scene: Scene,
-    private readonly session: Session,
+    private readonly state: State,
     private readonly casting: Casting,
     private readonly modes: Pick<Signal<{ limits: boolean }>, "value">,
   ) {
     this.limits = new WatchedLimits(scene);
     scene.world.add(this.path.object);
-    session.actor.on(() => {
-      this.joint.set("");
+    state.selection.actor.subscribe(() => {
+      this.joint.value = "";
       this.drawLimits();
     });
-    this.joint.on(() => this.drawLimits());
-    this.framing.on(() => this.frame());
-    this.turning.on((turning) => scene.view.turn(turning));
-    this.traced.on(() => {
+    this.joint.subscribe(() => this.drawLimits());
+    this.framing.subscribe(() => this.frame());
+    this.turning.subscribe((turning) => scene.view.turn(turning));
+    this.traced.subscribe(() => {
       this.path.clear();
       scene.invalidate();
     });
@@ -55,7 +55,7 @@ export class WatchedActor {
 
   /** Null: no actor is watched, or its model is not loaded. */
   get model(): PosedModel | null {
-    return this.casting.actors.get(this.session.actor.value ?? -1) ?? null;
+    return this.casting.actors.get(this.state.selection.actor.value ?? -1) ?? null;
   }
 
   /** The cast of the actor. */
@@ -88,13 +88,13 @@ export class WatchedActor {
     if (actor && this.framed !== keyOf(actor)) this.frame();
     if (actor) this.trace(actor, tick);
     this.scene.invalidate();
-    this.ready.set(actor !== null);
+    this.ready.value = actor !== null;
   }
 
   /** Lets go of an actor that has left. */
   leave(): void {
     this.limits.drop();
-    this.ready.set(false);
+    this.ready.value = false;
   }
 
   /** Adds the place of the traced joint to its path. */
@@ -124,8 +124,8 @@ export class WatchedActor {
 
   /** Draws the limits of the joints. */
   drawLimits(): void {
-    const { machine, cast } = this.session;
-    const own = cast?.machine === machine.value?.name ? (machine.value?.limits ?? []) : [];
+    const { machine } = this.state;
+    const own = (machine.isActors && machine.info.value?.limits) || [];
     this.limits.draw(this.model, own, this.joint.value, this.modes.value.limits);
   }
 

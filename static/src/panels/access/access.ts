@@ -1,9 +1,10 @@
 /** Says what you may not do on a server that asks for tokens, and why it lets you in no more. */
 
 import "./access.css";
+import { effect } from "@preact/signals-core";
 import type { Access } from "../../net/protocol";
 import type { Link } from "../../net/connection";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { say } from "../../ui/dom";
 
 /** Returns the sentence about what you may do; empty if you may do everything here. */
@@ -15,14 +16,12 @@ export function accessWords(access: Access | null, link: { state: Link; detail: 
 }
 
 /** Shows the sentence in the header. */
-export function accessWord(host: HTMLElement, session: Session): void {
-  const show = (): void => {
+export function accessPanel(host: HTMLElement, { session, line }: App): void {
+  effect(() => {
     const access = session.access.value;
-    const words = accessWords(access, session.link.value);
+    const words = accessWords(access, line.link.value);
     say(host, words);
     host.hidden = !words;
     host.title = access?.name ? `${access.name}: role ${access.role}` : words;
-  };
-  session.access.on(show);
-  session.link.on(show);
+  });
 }

@@ -2,7 +2,7 @@
 
 import "./actionCounter.css";
 import type { Action } from "../../net/protocol";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el, flash, say } from "../../ui/dom";
 import { Sounds } from "./sounds";
 
@@ -16,7 +16,7 @@ interface Row {
   times: number;
 }
 
-export class ActionCounter {
+class ActionCounter {
   private rows = new Map<string, Row>();
   private readonly list = el("ul", { "aria-label": "actions" });
   private readonly mute = el("button", { type: "button", class: "plain", title: "sound of actions" });
@@ -24,15 +24,17 @@ export class ActionCounter {
 
   constructor(
     host: HTMLElement,
-    private readonly session: Session,
+    private readonly app: App,
     private readonly sounds = new Sounds(),
   ) {
     host.append(this.list, this.mute);
     this.mute.addEventListener("click", () => this.toggle());
     this.mute.hidden = true;
     this.label();
-    session.actions.on((action) => this.count(action));
-    session.hello.on((hello) => hello && this.at(hello.stage));
+    app.session.actions.on((action) => this.count(action));
+    app.stage.hello.subscribe((hello) => {
+      if (hello) this.at(hello.stage);
+    });
   }
 
   private toggle(): void {
@@ -61,7 +63,7 @@ export class ActionCounter {
     say(row.count, String(row.times));
     this.list.prepend(row.item);
     flash(row.item, "fired");
-    if (this.session.looking.value === null) this.sounds.play(name);
+    if (this.app.playback.looking.value === null) this.sounds.play(name);
   }
 
   private add(name: string): Row {
@@ -78,4 +80,8 @@ export class ActionCounter {
     }
     return row;
   }
+}
+
+export function actionCounterPanel(host: HTMLElement, app: App): void {
+  new ActionCounter(host, app);
 }

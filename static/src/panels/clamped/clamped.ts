@@ -3,7 +3,7 @@
 import "./clamped.css";
 import { actorFacts } from "../../net/actors";
 import type { ClampedJoint } from "../../net/protocol";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { say } from "../../ui/dom";
 
 const READ_MS = 400;
@@ -22,14 +22,14 @@ export function clampedWords(clamped: readonly ClampedJoint[]): string {
 }
 
 /** Reads the actor's facts now and then, while its machine has limits. */
-export function clampedPanel(host: HTMLElement, session: Session): void {
-  session.machine.on((machine) => (host.hidden = !machine?.limits.length));
+export function clampedPanel(host: HTMLElement, app: App): void {
+  app.machine.info.subscribe((machine) => (host.hidden = !machine?.limits.length));
   let reading = false;
   setInterval(() => {
-    const actor = session.actor.value;
+    const actor = app.selection.actor.value;
     if (host.hidden || reading || actor === null || document.hidden) return;
     reading = true;
-    void actorFacts(session.stage, actor)
+    void actorFacts(app.stage.id, actor)
       .then((facts) => say(host, clampedWords(facts.clamped)))
       .catch(() => undefined)
       .finally(() => (reading = false));

@@ -19,7 +19,7 @@ known:
 `;
 const SIZE = 360;
 
-export class DeduceDialog {
+class DeduceDialog {
   private readonly text = el(
     "textarea",
     { "aria-label": "bones and known values", spellcheck: "false" },
@@ -109,4 +109,10 @@ export class DeduceDialog {
     );
     return [...found, ...unknown];
   }
+}
+
+/** The button `host` opens the dialog. */
+export function deducePanel(host: HTMLElement): void {
+  const dialog = new DeduceDialog();
+  host.addEventListener("click", () => dialog.open());
 }

@@ -1,11 +1,12 @@
 /** The dialog that lists the watched character's file formats, each with what it cannot hold. */
 
 import "./download.css";
+import type { App } from "../../view/app";
 import { formats, character as known } from "../../net/api";
 import { el, say } from "../../ui/dom";
 import { lossText } from "./lossText";
 
-export class DownloadDialog {
+class DownloadDialog {
   private readonly title = el("h2", { id: "download-title" });
   private readonly clip = el("select", {});
   private readonly choice = el("label", { class: "clip" }, "first clip ", this.clip);
@@ -58,4 +59,10 @@ export class DownloadDialog {
     });
     return el("li", {}, link, el("span", { class: "lost" }, lossText(row.lost)));
   }
+}
+
+/** The button `host` opens the dialog. */
+export function downloadPanel(host: HTMLElement, { machine }: App): void {
+  const dialog = new DownloadDialog(() => machine.info.value?.character ?? null);
+  host.addEventListener("click", () => void dialog.open());
 }

@@ -6,8 +6,9 @@
 import "./events.css";
 import { HeldKeys, type Intent, cap, mainEvent } from "../../state/keyBindings";
 import type { KeyBinding, MachineInfo, Verdict } from "../../net/protocol";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el, flash } from "../../ui/dom";
+import { Keyboard } from "./keyboard";
 
 const LONG_PRESS_MS = 300;
 /** With more buttons than this they are drawn smaller. */
@@ -33,17 +34,19 @@ export function keysFor(event: string, keys: Record<string, KeyBinding>): Keyed[
     .map(([key, binding]) => ({ key, binding }));
 }
 
-export class EventsPanel {
+class EventsPanel {
   private buttons = new Map<string, HTMLButtonElement>();
   private readonly held: HeldKeys;
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly session: Session,
+    private readonly app: App,
   ) {
-    this.held = new HeldKeys(({ kind, event }: Intent) => session.event(kind, event));
-    session.machine.on((machine) => machine && this.draw(machine));
-    session.verdicts.on((verdict) => this.judge(verdict));
+    this.held = new HeldKeys(({ kind, event }: Intent) => app.session.event(kind, event));
+    app.machine.info.subscribe((machine) => {
+      if (machine) this.draw(machine);
+    });
+    app.session.verdicts.on((verdict) => this.judge(verdict));
     for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.held.releaseAll());
   }
 
@@ -70,7 +73,7 @@ export class EventsPanel {
     for (const end of ["pointerup", "pointercancel", "pointerleave"])
       made.addEventListener(end, () => this.up(made, event));
     // `detail` is 0 if the keyboard clicks.
-    made.addEventListener("click", (click) => click.detail === 0 && this.session.event("press", event));
+    made.addEventListener("click", (click) => click.detail === 0 && this.app.session.event("press", event));
     return made;
   }
 
@@ -97,4 +100,9 @@ export class EventsPanel {
     const button = this.buttons.get(event);
     if (button) flash(button, verdict);
   }
+}
+
+export function eventsPanel(host: HTMLElement, app: App): void {
+  const panel = new EventsPanel(host, app);
+  new Keyboard(app, (event, down) => panel.press(event, down));
 }

@@ -1,9 +1,7 @@
 /** Listens to the keyboard: the machine's keys first, then the viewer's shortcuts. */
 
 import { HeldKeys, bindingOf, mainEvent } from "../../state/keyBindings";
-import type { Shortcut } from "../../ui/shortcut";
-import type { KeyChanges } from "../../state/keyChanges";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 
 /** Returns whether the focused element uses this key itself. */
 function wanted(target: EventTarget | null, key: string): boolean {
@@ -18,55 +16,51 @@ export class Keyboard {
   private readonly held: HeldKeys;
 
   constructor(
-    private readonly session: Session,
-    private readonly shortcuts: readonly Shortcut[],
-    private readonly changes: KeyChanges,
+    private readonly app: App,
     private readonly shown: (event: string, down: boolean) => void,
   ) {
-    this.held = new HeldKeys(({ kind, event }) => session.event(kind, event));
+    this.held = new HeldKeys(({ kind, event }) => app.session.event(kind, event));
     window.addEventListener("keydown", (press) => this.down(press));
     window.addEventListener("keyup", (press) => this.up(press));
     for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.letGo());
     document.addEventListener("visibilitychange", () => document.hidden && this.letGo());
-    session.actor.on(() => this.letGo());
-    session.leaving.on(() => this.letGo());
+    app.selection.actor.subscribe(() => this.letGo());
+    app.session.leaving.on(() => this.letGo());
   }
 
   private down(press: KeyboardEvent): void {
     if (press.ctrlKey || press.metaKey || press.altKey || wanted(press.target, press.key)) return;
-    const keys = this.session.machine.value?.keys ?? {};
+    const keys = this.app.machine.info.value?.keys ?? {};
     const name = bindingOf(keys, press.key, press.code);
     if (name !== null) {
       press.preventDefault();
-      if (this.changes.press(name, keys[name]!)) return;
+      if (this.app.keyChanges.press(name, keys[name]!)) return;
       this.held.press(name, keys[name]!);
       this.show(name, true);
       return;
     }
-    const shortcut = press.repeat
-      ? undefined
-      : this.shortcuts.find(({ keys }) => keys.includes(press.key.toLowerCase()));
+    const shortcut = press.repeat ? undefined : this.app.shortcuts.of(press.key);
     if (shortcut) press.preventDefault();
     shortcut?.act();
   }
 
   private up(press: KeyboardEvent): void {
-    const name = bindingOf(this.session.machine.value?.keys ?? {}, press.key, press.code);
+    const name = bindingOf(this.app.machine.info.value?.keys ?? {}, press.key, press.code);
     if (name === null) return;
-    this.changes.release(name);
+    this.app.keyChanges.release(name);
     if (this.held.release(name)) this.show(name, false);
   }
 
   private show(name: string, down: boolean): void {
-    const binding = this.session.machine.value?.keys[name];
+    const binding = this.app.machine.info.value?.keys[name];
     const event = binding ? mainEvent(binding) : null;
     if (event !== null) this.shown(event, down);
   }
 
   private letGo(): void {
-    for (const name of Object.keys(this.session.machine.value?.keys ?? {}))
+    for (const name of Object.keys(this.app.machine.info.value?.keys ?? {}))
       if (this.held.has(name)) this.show(name, false);
     this.held.releaseAll();
-    this.changes.releaseAll();
+    this.app.keyChanges.releaseAll();
   }
 }

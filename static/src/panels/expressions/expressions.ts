@@ -8,8 +8,7 @@ import { actorFacts } from "../../net/actors";
 import { ApiError } from "../../net/api";
 import type { ActorView, ExpressionView } from "../../net/types/api.generated";
 import type { MachineInfo } from "../../net/protocol";
-import type { Editing } from "../../state/editing";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el, say } from "../../ui/dom";
 
 const READ_MS = 500;
@@ -44,7 +43,7 @@ export function fault(words: string, file: string): { line: number; words: strin
   return { line, words: `line ${line}: ${found[2] ?? ""}` };
 }
 
-export class ExpressionsPanel {
+class ExpressionsPanel {
   private readonly values = new Map<ExpressionView, HTMLElement>();
   private readonly list = el("div", {});
   private readonly text = el("textarea", { spellcheck: "false", "aria-label": "expressions" });
@@ -54,8 +53,7 @@ export class ExpressionsPanel {
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly session: Session,
-    private readonly editing: Editing,
+    private readonly app: App,
   ) {
     const keep = el("button", { type: "submit" }, "keep");
     const leave = el("button", { type: "button", class: "plain" }, "cancel");
@@ -68,9 +66,9 @@ export class ExpressionsPanel {
       void this.keep();
     });
     this.text.addEventListener("keydown", (press) => press.stopPropagation());
-    session.machine.on((machine) => this.draw(machine));
-    session.layerStates.on(() => this.draw(session.machine.value));
-    session.actor.on(() => void this.read());
+    app.machine.info.subscribe((machine) => this.draw(machine));
+    app.selection.layerStates.subscribe(() => this.draw(app.machine.info.value));
+    app.selection.actor.subscribe(() => void this.read());
     setInterval(() => void this.read(), READ_MS);
   }
 
@@ -78,7 +76,7 @@ export class ExpressionsPanel {
     const lines = machine?.expressions ?? [];
     const ofStates = (machine?.layers ?? []).flatMap(({ states }) =>
       states
-        .filter(({ name }) => this.session.layerStates.value.includes(name))
+        .filter(({ name }) => this.app.selection.layerStates.value.includes(name))
         .flatMap(({ name, expressions }) => expressions.map((line) => this.stateRow(line, name))),
     );
     this.values.clear();
@@ -106,7 +104,7 @@ export class ExpressionsPanel {
   }
 
   private open(): void {
-    this.text.value = this.session.machine.value?.expression_text ?? "";
+    this.text.value = this.app.machine.info.value?.expression_text ?? "";
     this.text.rows = Math.min(20, Math.max(3, this.text.value.split("\n").length + 1));
     say(this.refused, "");
     this.form.hidden = false;
@@ -120,9 +118,9 @@ export class ExpressionsPanel {
   }
 
   private async keep(): Promise<void> {
-    const file = this.session.machine.value?.text ?? "";
+    const file = this.app.machine.info.value?.text ?? "";
     try {
-      await this.editing.expressions(this.text.value);
+      await this.app.editing.expressions(this.text.value);
       this.close();
     } catch (error) {
       if (!(error instanceof ApiError)) throw error;
@@ -147,9 +145,13 @@ export class ExpressionsPanel {
 
   /** Reads the values that the lines set from the actor's facts. */
   private async read(): Promise<void> {
-    const actor = this.session.actor.value;
+    const actor = this.app.selection.actor.value;
     if (this.host.hidden || actor === null || document.hidden) return;
-    const facts = await actorFacts(this.session.stage, actor).catch(() => null);
+    const facts = await actorFacts(this.app.stage.id, actor).catch(() => null);
     for (const [line, output] of this.values) say(output, valueOf(line, facts));
   }
+}
+
+export function expressionsPanel(host: HTMLElement, app: App): void {
+  new ExpressionsPanel(host, app);
 }

@@ -3,7 +3,7 @@
 import "./feet.css";
 import * as api from "../../net/api";
 import type { FeetView } from "../../net/types/api.generated";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el } from "../../ui/dom";
 
 type Span = readonly [number, number];
@@ -16,7 +16,7 @@ export function bars(spans: readonly (readonly number[])[]): Span[] {
   });
 }
 
-export class FeetStrip {
+class FeetStrip {
   private readonly rows = el("div", { class: "feet-rows" });
   private readonly cursor = el("i", { class: "feet-cursor" });
   private readonly box = el("div", { class: "feet", title: "when each foot stands on the ground" });
@@ -25,13 +25,16 @@ export class FeetStrip {
 
   constructor(
     host: HTMLElement,
-    private readonly session: Session,
+    private readonly app: App,
   ) {
     this.box.hidden = true;
     this.box.append(this.rows, this.cursor);
     host.append(this.box);
-    session.machine.on((machine) => machine && void this.read(machine.name, machine.version));
-    session.state.on(() => this.show());
+    app.machine.info.subscribe((machine) => {
+      if (machine) void this.read(machine.name, machine.version);
+    });
+    app.selection.state.subscribe(() => this.show());
+    app.frame.on(() => this.point(app.frames.phase()));
   }
 
   private async read(name: string, version: number): Promise<void> {
@@ -45,7 +48,7 @@ export class FeetStrip {
   }
 
   private show(): void {
-    const state = this.session.machine.value?.states[this.session.state.value ?? -1];
+    const state = this.app.machine.info.value?.states[this.app.selection.state.value ?? -1];
     const clip =
       state && !state.over.length ? this.feet?.clips.find((one) => one.clip === state.motion) : null;
     this.box.hidden = !clip?.feet.length;
@@ -61,7 +64,7 @@ export class FeetStrip {
   }
 
   /** Moves the cursor to the phase of the motion, 0…1. */
-  update(phase: number | null): void {
+  private point(phase: number | null): void {
     if (!this.box.hidden) this.cursor.style.setProperty("--phase", String(phase ?? 0));
   }
 }
@@ -71,4 +74,8 @@ function bar(left: number, width: number): HTMLElement {
   mark.style.left = `${left}%`;
   mark.style.width = `${width}%`;
   return mark;
+}
+
+export function feetPanel(host: HTMLElement, app: App): void {
+  new FeetStrip(host, app);
 }

@@ -2,7 +2,7 @@
 
 import "./graph.css";
 import type { LayerInfo, Verdict } from "../../net/protocol";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el, flash, say, svg } from "../../ui/dom";
 import { layoutGraph } from "./layout";
 import { statesToDraw } from "./neighbours";
@@ -58,7 +58,7 @@ function drawState({ name, x, y, width }: PlacedState, machine: LayerInfo): SVGG
   );
 }
 
-export class GraphPanel {
+class GraphPanel {
   private readonly canvas = svg("svg", {
     role: "img",
     "aria-label": "state graph",
@@ -74,16 +74,15 @@ export class GraphPanel {
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly session: Session,
-    private readonly goTo: (state: string) => void,
+    private readonly app: App,
   ) {
     host.append(this.canvas, this.note);
     for (const kind of ["contextmenu", "dblclick"])
       this.canvas.addEventListener(kind, (click) => this.wished(click));
-    session.machine.on(() => this.draw());
-    session.layer.on(() => this.draw());
-    session.layerStates.on(() => this.mark());
-    session.verdicts.on((verdict) => this.fire(verdict));
+    app.machine.info.subscribe(() => this.draw());
+    app.selection.layer.subscribe(() => this.draw());
+    app.selection.layerStates.subscribe(() => this.mark());
+    app.session.verdicts.on((verdict) => this.fire(verdict));
     new ResizeObserver(() => this.fit()).observe(host);
   }
 
@@ -93,9 +92,9 @@ export class GraphPanel {
       click.target instanceof Element
         ? click.target.closest<SVGGElement>(".state")?.dataset["state"]
         : undefined;
-    if (state === undefined || this.session.layer.value !== 0) return;
+    if (state === undefined || this.app.selection.layer.value !== 0) return;
     click.preventDefault();
-    this.goTo(state);
+    void this.app.travel.go(state);
   }
 
   private fit(): void {
@@ -107,11 +106,11 @@ export class GraphPanel {
   }
 
   private draw(): void {
-    const machine = this.session.layerInfo;
+    const machine = this.app.machine.layerInfo;
     if (!machine || !this.aspect) return;
     const all = machine.states.map((state) => state.name);
-    const names = statesToDraw(all, machine.edges, this.session.shownState);
-    this.drawnFor = names.length < all.length ? this.session.shownState : null;
+    const names = statesToDraw(all, machine.edges, this.app.selection.shownState);
+    this.drawnFor = names.length < all.length ? this.app.selection.shownState : null;
     say(this.note, this.drawnFor === null ? "" : `${names.length} of ${all.length} states`);
     const shown = new Set(names);
     const layout = layoutGraph(
@@ -148,7 +147,7 @@ export class GraphPanel {
   }
 
   private mark(): void {
-    const live = this.session.shownState;
+    const live = this.app.selection.shownState;
     // Another state has other neighbours.
     if (this.drawnFor !== null && this.drawnFor !== live && live) return this.draw();
     for (const [name, group] of this.states) group.classList.toggle("live", name === live);
@@ -161,7 +160,7 @@ export class GraphPanel {
   }
 
   private fire({ verdict, event, layer, from, to }: Verdict): void {
-    if (verdict !== "taken" || !from || layer !== this.session.layer.value) return;
+    if (verdict !== "taken" || !from || layer !== this.app.selection.layer.value) return;
     const group = this.edges.get(edgeKey(from, to || from));
     if (!group) return;
     flash(group, "fired");
@@ -169,4 +168,8 @@ export class GraphPanel {
     group.parentElement?.querySelectorAll(".last").forEach((old) => old.classList.remove("last"));
     group.classList.add("last");
   }
+}
+
+export function graphPanel(host: HTMLElement, app: App): void {
+  new GraphPanel(host, app);
 }

@@ -1,11 +1,10 @@
 /** The help dialog: the machine's keys, the viewer's shortcuts, the pointer's gestures. */
 
 import "./help.css";
-import type { Shortcut } from "../../ui/shortcut";
 import { bindingOf, cap, onDown, onUp } from "../../state/keyBindings";
 import { changedBy } from "../../state/keyChanges";
 import type { KeyBinding } from "../../net/protocol";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el } from "../../ui/dom";
 
 /** Describes a key binding. */
@@ -42,15 +41,12 @@ const POINTER: [string, string][] = [
   ["timeline", "drag: the past; click: why?"],
 ];
 
-export class HelpDialog {
+class HelpDialog {
   private readonly dialog = el("dialog", { class: "help", "aria-label": "keys", tabindex: -1 });
 
-  constructor(
-    private readonly session: Session,
-    private readonly viewerKeys: readonly Shortcut[],
-  ) {
+  constructor(private readonly app: App) {
     document.body.append(this.dialog);
-    session.machine.on(() => this.dialog.open && this.fill());
+    app.machine.info.subscribe(() => this.dialog.open && this.fill());
     this.dialog.addEventListener("click", (click) => click.target === this.dialog && this.dialog.close());
   }
 
@@ -62,7 +58,7 @@ export class HelpDialog {
   }
 
   private fill(): void {
-    const machine = this.session.machine.value;
+    const machine = this.app.machine.info.value;
     const keys = Object.entries(machine?.keys ?? {}).map(([key, binding]) =>
       row([cap(key)], bindingWords(binding)),
     );
@@ -71,7 +67,7 @@ export class HelpDialog {
     const section = (title: string, rows: HTMLElement[]): HTMLElement =>
       el("section", {}, el("h2", {}, title), el("dl", {}, ...rows));
     // A key of the machine comes before the same key of the viewer.
-    const own = this.viewerKeys.flatMap(({ keys, words }) => {
+    const own = this.app.shortcuts.all.value.flatMap(({ keys, words }) => {
       const free = keys.filter((key) => bindingOf(machine?.keys ?? {}, key, key) === null);
       return free.length ? [row(free.map(cap), words)] : [];
     });
@@ -87,4 +83,11 @@ export class HelpDialog {
     );
     this.dialog.replaceChildren(...[close, about, sections].filter((part) => part !== null));
   }
+}
+
+/** The button `host` opens the dialog, as the key `?` does. */
+export function helpPanel(host: HTMLElement, app: App): void {
+  const dialog = new HelpDialog(app);
+  app.shortcuts.add({ keys: ["?"], words: "this help", act: () => dialog.toggle() });
+  host.addEventListener("click", () => dialog.toggle());
 }

@@ -6,13 +6,12 @@
 import "./joint.css";
 import * as THREE from "three";
 import type { JointLimit, MachineInfo } from "../../net/protocol";
-import type { ParameterValues } from "../../state/parameterValues";
-import type { Session } from "../../state/session";
-import { el, say } from "../../ui/dom";
+import type { App } from "../../view/app";
+import { byId, el, say } from "../../ui/dom";
 import { type Handle, handlesOf, JointHandles } from "../../view/jointHandles";
 import { freedomValues, type Local, valueWords } from "../../view/jointValues";
 import type { LimitMark } from "../../view/limitOverlay";
-import type { StageView } from "../../view/stageView";
+import { PoseTrial } from "./poseTrial";
 
 /** Pixels from a circle within which a click chooses its joint, and by which a click may move. */
 const [NEAR, STILL] = [14, 4];
@@ -25,20 +24,19 @@ export function freedomWords(freedom: JointLimit["freedoms"][number], value: num
   return `${name.replace("_", " ")} ${valueWords(value, is_angle)} (${range})`;
 }
 
-export class JointPanel {
+class JointPanel {
   private readonly handles: JointHandles;
   private readonly label = el("div", { class: "joint-value", hidden: true });
   private down: [number, number] | null = null;
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly session: Session,
-    private readonly stageView: StageView,
-    private readonly values: ParameterValues,
+    private readonly app: App,
   ) {
-    const { canvas } = stageView.scene;
+    const { scene } = app.view;
+    const { canvas } = scene;
     this.handles = new JointHandles(
-      stageView.scene,
+      scene,
       (handle) => this.take(handle),
       (handle, values) => this.move(handle, values),
     );
@@ -49,15 +47,15 @@ export class JointPanel {
     canvas.addEventListener("pointerup", (event) => this.click(event));
   }
 
-  /** Where each handle is drawn, in pixels; for tests. */
-  places(): Record<string, [number, number]> {
-    return this.handles.places();
+  /** Whether handles move the chosen joint. */
+  get hasHandles(): boolean {
+    return Object.keys(this.handles.places()).length > 0;
   }
 
   /** Follows the pose; called once per drawn frame. */
   update(): void {
-    const machine = this.session.machine.value;
-    const marks = this.stageView.watched.marks();
+    const machine = this.app.machine.info.value;
+    const marks = this.app.view.watched.marks();
     const wanted = marks.flatMap((mark) => this.wanted(mark, machine));
     this.handles.show(wanted);
     const values = wanted.flatMap(({ handle, values }) =>
@@ -84,7 +82,7 @@ export class JointPanel {
     held: ReadonlyMap<string, number>,
     machine: MachineInfo | null,
   ): void {
-    const chosen = this.stageView.watched.joint.value;
+    const chosen = this.app.view.watched.joint.value;
     const mark = marks.length === 1 ? marks[0] : undefined;
     this.host.hidden = !chosen && !mark;
     if (this.host.hidden) return this.hideLabel();
@@ -117,7 +115,7 @@ export class JointPanel {
     const held = this.handles.heldKey();
     const place = held === null ? undefined : this.handles.places()[held];
     if (!place) return this.hideLabel();
-    const box = this.stageView.scene.canvas.getBoundingClientRect();
+    const box = this.app.view.scene.canvas.getBoundingClientRect();
     const moved = this.handles.heldFreedoms();
     say(this.label, words.filter((part) => moved.some((name) => part.startsWith(`${name} `))).join(", "));
     this.label.hidden = false;
@@ -134,25 +132,24 @@ export class JointPanel {
     this.down = null;
     if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > STILL) return;
     const found = this.nearest(event);
-    if (found === null && !this.stageView.watched.joint.value) return this.chooseActor(event);
-    this.stageView.watched.joint.set(found === this.stageView.watched.joint.value ? "" : (found ?? ""));
+    if (found === null && !this.app.view.watched.joint.value) return this.chooseActor(event);
+    this.app.view.watched.joint.value = found === this.app.view.watched.joint.value ? "" : (found ?? "");
   }
 
   private chooseActor({ clientX, clientY }: PointerEvent): void {
-    const actor = this.stageView.actorAt(clientX, clientY);
-    if (actor === null || actor === this.session.actor.value) return;
-    this.session.actor.set(actor);
-    void this.session.loadMachine();
+    const actor = this.app.view.actorAt(clientX, clientY);
+    if (actor === null || actor === this.app.selection.actor.value) return;
+    void this.app.machine.choose(actor);
   }
 
   private nearest(event: PointerEvent): string | null {
-    const { scene } = this.stageView;
-    const actor = this.stageView.watched.model;
+    const { scene } = this.app.view;
+    const actor = this.app.view.watched.model;
     if (!actor) return null;
     const box = scene.canvas.getBoundingClientRect();
     const places = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
     let [best, away]: [string | null, number] = [null, NEAR];
-    for (const name of this.stageView.watched.circles()) {
+    for (const name of this.app.view.watched.circles()) {
       const joint = actor.cast.names.indexOf(name);
       const { x, y } = new THREE.Vector3().fromArray(places, joint * 3).project(scene.view.camera);
       const left = box.left + ((x + 1) / 2) * box.width - event.clientX;
@@ -164,10 +161,19 @@ export class JointPanel {
 
   private take({ parameters }: Handle): void {
     const events = new Set(parameters.map(({ event }) => event).filter(Boolean));
-    for (const event of events) this.session.event("press", event);
+    for (const event of events) this.app.session.event("press", event);
   }
 
   private move({ parameters }: Handle, values: readonly number[]): void {
-    parameters.forEach(({ name }, k) => this.values.set(name, values[k]!));
+    parameters.forEach(({ name }, k) => this.app.parameters.set(name, values[k]!));
   }
+}
+
+export function jointPanel(host: HTMLElement, app: App): void {
+  const joint = new JointPanel(host, app);
+  const trial = new PoseTrial(byId("trial"), app);
+  app.frame.on(() => {
+    joint.update();
+    trial.update(joint.hasHandles);
+  });
 }

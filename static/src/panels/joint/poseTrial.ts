@@ -8,13 +8,12 @@ import { solve } from "../../net/api";
 import { Latest } from "../../net/latest";
 import type { Solved } from "../../net/protocol";
 import type { Point } from "../../state/points";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { say } from "../../ui/dom";
 import { planBones } from "../../view/bones";
 import { limbOf } from "../../view/limb";
 import { PointHandles } from "../../view/pointHandles";
 import type { PosedModel } from "../../view/posedModel";
-import type { StageView } from "../../view/stageView";
 import { TrialLine } from "../../view/trialLine";
 
 const PER_SECOND = 20;
@@ -41,17 +40,12 @@ export class PoseTrial {
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly session: Session,
-    private readonly stageView: StageView,
+    private readonly app: App,
   ) {
-    this.handles = new PointHandles(stageView.scene, (_, point) => this.sender.put(point));
-    stageView.scene.world.add(this.line.object);
-    stageView.watched.joint.on(() => this.end());
-  }
-
-  /** Where the ball is drawn, in pixels; for tests. */
-  places(): Record<string, [number, number]> {
-    return this.handles.places();
+    const { scene, watched } = app.view;
+    this.handles = new PointHandles(scene, (_, point) => this.sender.put(point));
+    scene.world.add(this.line.object);
+    watched.joint.subscribe(() => this.end());
   }
 
   /** Shows the ball at the chosen joint, if nothing else moves it; called once per drawn frame. */
@@ -62,19 +56,19 @@ export class PoseTrial {
       return;
     }
     const { actor, joints } = limb;
-    if (this.shown !== this.stageView.watched.joint.value) {
+    if (this.shown !== this.app.view.watched.joint.value) {
       const box = actor.box();
       this.size = SIZE * Math.max(box.max.y - box.min.y, 0.1);
     }
-    this.shown = this.stageView.watched.joint.value;
+    this.shown = this.app.view.watched.joint.value;
     if (this.handles.dragging !== null || !this.host.hidden) return;
     const e = actor.jointWorld(joints.at(-1)!);
     this.handles.show(HANDLE, [e[12]!, e[13]!, e[14]!], this.size);
   }
 
   private limb(): { actor: PosedModel; joints: number[] } | null {
-    const actor = this.stageView.watched.model;
-    const joint = actor?.cast.names.indexOf(this.stageView.watched.joint.value) ?? -1;
+    const actor = this.app.view.watched.model;
+    const joint = actor?.cast.names.indexOf(this.app.view.watched.joint.value) ?? -1;
     if (!actor || joint < 0 || actor.cast.muscle_bones.includes(joint)) return null;
     const { joints } = planBones(actor.cast, actor.model.skinJoints);
     const bones = joints.filter((each) => !actor.cast.muscle_bones.includes(each));
@@ -85,7 +79,7 @@ export class PoseTrial {
   /** Asks the server where the limb goes. */
   private async ask(point: Point): Promise<void> {
     const found = this.limb();
-    const machine = this.session.machine.value;
+    const machine = this.app.machine.info.value;
     this.waiting = this.asking ? point : null;
     if (!found || !machine || this.asking) return;
     const { actor, joints } = found;
@@ -109,9 +103,9 @@ export class PoseTrial {
       );
       this.host.hidden = false;
       say(this.host, trialWords(names[joints.at(-1)!]!, answer));
-      this.stageView.scene.invalidate();
+      this.app.view.scene.invalidate();
     } catch (error) {
-      this.session.notices.emit(error instanceof Error ? error.message : String(error));
+      this.app.notices.emit(error instanceof Error ? error.message : String(error));
     } finally {
       this.asking = false;
       if (this.waiting !== null) void this.ask(this.waiting);
@@ -123,7 +117,7 @@ export class PoseTrial {
     this.host.hidden = true;
     this.handles.clear();
     this.line.show([]);
-    this.stageView.scene.invalidate();
+    this.app.view.scene.invalidate();
   }
 }
 

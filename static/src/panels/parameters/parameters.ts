@@ -5,10 +5,9 @@
 
 import "./parameters.css";
 import type { MachineInfo, Parameter } from "../../net/protocol";
-import type { ParameterValues } from "../../state/parameterValues";
 import { changedIn } from "../../state/keyChanges";
 import { canLook, gripsOf } from "../../state/points";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el, say } from "../../ui/dom";
 
 const STEPS = 200;
@@ -20,17 +19,16 @@ export function short(value: number): string {
   return String(Number(value.toPrecision(3)));
 }
 
-export class ParametersPanel {
+class ParametersPanel {
   private readonly sliders = new Map<string, (value: number) => void>();
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly session: Session,
-    private readonly values: ParameterValues,
+    private readonly app: App,
   ) {
-    session.machine.on((machine) => this.draw(machine));
-    session.layerStates.on(() => this.draw(session.machine.value));
-    values.changed.on((name) => this.follow(name));
+    app.machine.info.subscribe((machine) => this.draw(machine));
+    app.selection.layerStates.subscribe(() => this.draw(app.machine.info.value));
+    app.parameters.changed.on((name) => this.follow(name));
   }
 
   private draw(machine: MachineInfo | null): void {
@@ -40,7 +38,7 @@ export class ParametersPanel {
     if (canLook(machine)) others.add("look");
     const rows = (machine?.parameters ?? [])
       .filter(({ name, driven, kind }) => !driven && !others.has(name) && kind !== "point")
-      .filter(({ name }) => changedIn(machine?.keys ?? {}, name, this.session.layerStates.value))
+      .filter(({ name }) => changedIn(machine?.keys ?? {}, name, this.app.selection.layerStates.value))
       .map((parameter) => this.row(parameter));
     this.host.hidden = !rows.length;
     this.host.classList.toggle("many", rows.length > MANY);
@@ -50,7 +48,7 @@ export class ParametersPanel {
   /** Moves a slider, or all, to their values. */
   private follow(changed: string | null): void {
     for (const [name, show] of this.sliders)
-      if (changed === null || changed === name) show(this.values.get(name));
+      if (changed === null || changed === name) show(this.app.parameters.get(name));
   }
 
   private row({ name, minimum, maximum }: Parameter): HTMLElement {
@@ -61,9 +59,13 @@ export class ParametersPanel {
       slider.valueAsNumber = value;
       say(shown, short(value));
     };
-    show(this.values.get(name));
+    show(this.app.parameters.get(name));
     this.sliders.set(name, show);
-    slider.addEventListener("input", () => this.values.set(name, slider.valueAsNumber));
+    slider.addEventListener("input", () => this.app.parameters.set(name, slider.valueAsNumber));
     return el("label", {}, el("span", { title: name }, name), slider, shown);
   }
+}
+
+export function parametersPanel(host: HTMLElement, app: App): void {
+  new ParametersPanel(host, app);
 }

@@ -1,20 +1,20 @@
 /** Shows the route of a travel step by step over the stage view, with a button that cancels it. */
 
 import "./routeBar.css";
-import type { Session } from "../../state/session";
-import { type Travel, stepAt } from "../../state/travel";
+import type { App } from "../../view/app";
+import { stepAt } from "../../state/travel";
 import { el } from "../../ui/dom";
 
-export function routeBar(host: HTMLElement, session: Session, travel: Travel): void {
+export function routeBarPanel(host: HTMLElement, { travel, selection }: App): void {
   let steps: HTMLElement[] = [];
   let at = 0;
   const mark = (): void => {
     const plan = travel.plan.value;
     if (!plan) return;
-    at = stepAt(plan, session.stateName(session.state.value), at);
+    at = stepAt(plan, selection.stateName(selection.state.value), at);
     steps.forEach((step, i) => step.toggleAttribute("aria-current", i === at));
   };
-  travel.plan.on((plan) => {
+  travel.plan.subscribe((plan) => {
     host.hidden = plan === null;
     if (!plan) return;
     at = 0;
@@ -29,5 +29,5 @@ export function routeBar(host: HTMLElement, session: Session, travel: Travel): v
     host.replaceChildren(title, el("ol", {}, ...steps, el("li", { class: "goal" }, plan.goal)), cancel);
     mark();
   });
-  session.state.on(mark);
+  selection.state.subscribe(mark);
 }

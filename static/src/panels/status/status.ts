@@ -1,9 +1,11 @@
 /** Shows the state of the connection and its rates, in the header. */
 
 import "./status.css";
-import type { Session } from "../../state/session";
+import { effect } from "@preact/signals-core";
+import type { App } from "../../view/app";
 import { el, say } from "../../ui/dom";
 
+const READ_MS = 500;
 /** Three times as long as the server is ever silent if it has time. */
 const SILENT_MS = 3000;
 const SILENCE = "The line is open, but the server says nothing: it has no time, or the network is gone.";
@@ -17,7 +19,7 @@ function round(value: number): string {
   return value >= 100 ? value.toFixed(0) : value >= 10 ? value.toFixed(0) : value.toFixed(1);
 }
 
-export class StatusPanel {
+class StatusPanel {
   private readonly word = el("span", { class: "word" });
   private readonly dot = el(
     "button",
@@ -30,21 +32,22 @@ export class StatusPanel {
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly session: Session,
-    drawn: (now: number) => number,
+    private readonly app: App,
   ) {
-    const { received, trip } = session;
+    const { received } = app.frames;
+    const { trip } = app.session;
     this.readings = [
       this.reading("Hz", "frames received per second", (now) => round(received.perSecond(now))),
       this.reading("ms", "round trip to the server", () =>
         trip.milliseconds === null ? "–" : round(trip.milliseconds),
       ),
       this.reading("kB/s", "received", (now) => round(received.amountPerSecond(now) / 1000)),
-      this.reading("fps", "frames drawn per second", (now) => round(drawn(now))),
+      this.reading("fps", "frames drawn per second", (now) => round(app.view.drawn.perSecond(now))),
     ];
     this.host.prepend(this.dot);
-    this.dot.addEventListener("click", () => session.retry());
-    for (const signal of [session.link, session.status, session.looking]) signal.on(() => this.show());
+    this.dot.addEventListener("click", () => app.line.retry());
+    effect(() => this.show());
+    setInterval(() => this.update(performance.now()), READ_MS);
   }
 
   private reading(unit: string, title: string, read: Reading["read"]): Reading {
@@ -54,38 +57,42 @@ export class StatusPanel {
   }
 
   private show(): void {
-    const { state, detail } = this.session.link.value;
+    const { state, detail } = this.app.line.link.value;
     const word =
       state === "live"
         ? this.liveWord()
         : { connecting: "connecting", lost: "lost, trying again", refused: "refused" }[state];
     this.host.dataset["link"] = state === "live" ? word : state;
-    const { trouble } = this.session.status.value;
+    const { trouble } = this.app.stage.status.value;
     this.dot.title = { slow: this.slowness(), "not kept": trouble, "no answer": SILENCE }[word] ?? detail;
     say(this.word, word);
   }
 
   /** What matters most about a stage whose frames arrive. */
   private liveWord(): "no answer" | "not kept" | "past" | "paused" | "slow" | "live" {
-    const { trouble, paused, pace } = this.session.status.value;
+    const { trouble, paused, pace } = this.app.stage.status.value;
     if (this.silent) return "no answer";
     if (trouble) return "not kept";
-    if (this.session.looking.value !== null) return "past";
+    if (this.app.playback.looking.value !== null) return "past";
     return paused ? "paused" : pace < 1 ? "slow" : "live";
   }
 
   private slowness(): string {
-    const percent = Math.round(this.session.status.value.pace * 100);
+    const percent = Math.round(this.app.stage.status.value.pace * 100);
     return `The server runs this stage at ${percent} % of its speed: it takes more time than it may. Fewer actors help.`;
   }
 
   /** Updates the rates, and notices when the server says nothing any more. */
-  update(now: number): void {
-    const silent = now - this.session.heardAt > SILENT_MS;
+  private update(now: number): void {
+    const silent = now - this.app.session.heardAt > SILENT_MS;
     if (silent !== this.silent) {
       this.silent = silent;
       this.show();
     }
     for (const { value, read } of this.readings) say(value, read(now));
   }
+}
+
+export function statusPanel(host: HTMLElement, app: App): void {
+  new StatusPanel(host, app);
 }

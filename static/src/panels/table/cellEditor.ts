@@ -1,10 +1,10 @@
 /** Edits a cell: a field over it, completions, a trial of the text; Enter keeps it, Escape drops it. */
 
 import "./editor.css";
-import type { Answer, Editing, CellPlace } from "../../state/editing";
+import type { Answer, CellPlace } from "../../state/editing";
 import { EditQueue } from "../../state/editQueue";
 import type { LayerInfo } from "../../net/protocol";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el, flash } from "../../ui/dom";
 import { writtenText } from "./cellText";
 import { completions, markersOf, targets } from "./completion";
@@ -40,13 +40,12 @@ export class CellEditor {
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly session: Session,
-    editing: Editing,
+    private readonly app: App,
     private readonly inspector: CellInspector,
     private readonly cellAt: (state: string, event: string) => HTMLTableCellElement | null,
   ) {
     host.append(this.field);
-    this.queue = new EditQueue((place, text, dry) => editing.cell(place, text, dry));
+    this.queue = new EditQueue((place, text, dry) => app.editing.cell(place, text, dry));
     this.suggestions = new Suggestions(inspector.suggestions, (text) => this.complete(text));
     this.field.addEventListener("input", () => this.typed());
     this.field.addEventListener("keydown", (press) => this.pressed(press));
@@ -56,14 +55,14 @@ export class CellEditor {
     new ResizeObserver(
       () => this.place && this.field.scrollIntoView({ block: "nearest", inline: "nearest" }),
     ).observe(host);
-    for (const signal of [session.machine, session.layer]) signal.on(() => this.settle());
-    session.leaving.on(() => this.close(false));
+    for (const signal of [app.machine.info, app.selection.layer]) signal.subscribe(() => this.settle());
+    app.session.leaving.on(() => this.close(false));
   }
 
   /** Opens a cell at once; the changed text of the cell before is sent meanwhile. */
   open(cell: HTMLTableCellElement, typed: string | null): void {
     const { state, column: event } = cell.dataset;
-    const layer = this.session.layerInfo;
+    const layer = this.app.machine.layerInfo;
     if (!state || !event || !layer) return;
     if (this.place && cellOf(this.place) !== cellOf({ layer: layer.name, state, event })) this.leave();
     this.place = { layer: layer.name, state, event };
@@ -91,7 +90,7 @@ export class CellEditor {
   private settle(): void {
     if (!this.place) return;
     const { layer, state, event } = this.place;
-    const cell = this.session.layerInfo?.name === layer ? this.cellAt(state, event) : null;
+    const cell = this.app.machine.layerInfo?.name === layer ? this.cellAt(state, event) : null;
     if (!cell) return this.close(false);
     // No wider than its text needs, so that you can click the cells beside it.
     const wanted = Math.min(
@@ -110,7 +109,7 @@ export class CellEditor {
   }
 
   private typed(): void {
-    const layer = this.session.layerInfo;
+    const layer = this.app.machine.layerInfo;
     if (!this.place || !layer) return;
     this.settle();
     this.suggest(layer, this.place.state);
@@ -206,11 +205,11 @@ export class CellEditor {
 
   private tell({ state, event }: CellPlace, text: string, { words, findings }: Answer): void {
     const reason = findings[0]?.message ?? words;
-    this.session.notices.emit(`${state}, ${event}: “${text}” is not kept. ${reason}`);
+    this.app.notices.emit(`${state}, ${event}: “${text}” is not kept. ${reason}`);
   }
 
   private written({ layer, state, event }: CellPlace): string {
-    const info = this.session.machine.value?.layers.find(({ name }) => name === layer);
+    const info = this.app.machine.info.value?.layers.find(({ name }) => name === layer);
     return info ? writtenText(info, state, event) : "";
   }
 
@@ -219,7 +218,8 @@ export class CellEditor {
       if (text === this.field.value) this.close(true);
       else this.before = text;
     }
-    const cell = this.session.layerInfo?.name === place.layer ? this.cellAt(place.state, place.event) : null;
+    const cell =
+      this.app.machine.layerInfo?.name === place.layer ? this.cellAt(place.state, place.event) : null;
     if (cell) flash(cell, "shown");
   }
 

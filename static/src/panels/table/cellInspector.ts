@@ -30,7 +30,7 @@ export class CellInspector {
   ) {
     host.append(this.suggestions, this.cell, this.verdict, this.list);
     host.hidden = true;
-    editing.findings.on(() => !this.editing_ && !host.hidden && this.list_(editing.findings.value));
+    editing.findings.subscribe(() => !this.editing_ && !host.hidden && this.list_(editing.findings.value));
   }
 
   begin(state: string, event: string, cell: Cell | undefined): void {

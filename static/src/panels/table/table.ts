@@ -6,42 +6,39 @@
 import "./cells.css";
 import "./table.css";
 import type { Finding, Verdict } from "../../net/protocol";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el, flash, say } from "../../ui/dom";
 import { type Drawn, cellKey, drawTable } from "./drawTable";
 import { moved } from "./gridMoves";
 import { verdictLine } from "./verdictLine";
 
-/** Actions of the table: edit a cell, starting with its text or with a typed letter; travel to a state. */
-export interface TableActions {
-  edit(cell: HTMLTableCellElement, typed: string | null): void;
-  goTo(state: string): void;
-}
+/** Opens the editor of a cell, with its text or with a typed letter. */
+type Edit = (cell: HTMLTableCellElement, typed: string | null) => void;
 
 const EMPTY: Drawn = { head: el("tr"), body: [], rows: new Map(), cells: new Map() };
 
-export class TablePanel {
+export class Table {
   private readonly table = el("table", { "aria-label": "state table", role: "grid" });
   private drawn = EMPTY;
 
   constructor(
     private readonly host: HTMLElement,
     private readonly line: HTMLElement,
-    private readonly session: Session,
-    private readonly actions: TableActions,
+    private readonly app: App,
+    private readonly edit: Edit,
   ) {
     host.append(this.table);
-    session.machine.on(() => this.draw());
-    session.layer.on(() => this.draw());
-    session.layerStates.on(() => this.mark());
-    session.verdicts.on((verdict) => this.judge(verdict));
+    app.machine.info.subscribe(() => this.draw());
+    app.selection.layer.subscribe(() => this.draw());
+    app.selection.layerStates.subscribe(() => this.mark());
+    app.session.verdicts.on((verdict) => this.judge(verdict));
     this.table.addEventListener("click", (click) => this.clicked(click));
     this.table.addEventListener("contextmenu", (click) => this.travelTo(click));
     this.table.addEventListener("keydown", (press) => this.pressed(press));
   }
 
   private draw(): void {
-    const [layer, machine] = [this.session.layerInfo, this.session.machine.value];
+    const [layer, machine] = [this.app.machine.layerInfo, this.app.machine.info.value];
     if (!layer || !machine) return;
     const focused = this.table.contains(document.activeElement)
       ? (document.activeElement as HTMLElement).dataset
@@ -49,7 +46,7 @@ export class TablePanel {
     this.drawn = drawTable(
       layer,
       machine.events,
-      layer === machine.layers[0] ? (state) => this.actions.goTo(state) : null,
+      layer === machine.layers[0] ? (state) => void this.app.travel.go(state) : null,
     );
     this.table.replaceChildren(el("thead", {}, this.drawn.head), el("tbody", {}, ...this.drawn.body));
     this.drawn.cells.values().next().value?.setAttribute("tabindex", "0");
@@ -65,8 +62,8 @@ export class TablePanel {
   /** Shows the cell of a finding, or its row. */
   go({ state, event, layer }: Pick<Finding, "state" | "event" | "layer">): void {
     const index =
-      this.session.machine.value?.layers.findIndex(({ name }) => name === (layer || "base")) ?? -1;
-    if (index >= 0) this.session.layer.set(index);
+      this.app.machine.info.value?.layers.findIndex(({ name }) => name === (layer || "base")) ?? -1;
+    if (index >= 0) this.app.selection.layer.value = index;
     const row = state ? this.drawn.rows.get(state) : undefined;
     if (!row || !state) return;
     this.reveal(row);
@@ -85,7 +82,7 @@ export class TablePanel {
 
   private clicked({ target }: Event): void {
     const cell = target instanceof Element ? target.closest("td") : null;
-    if (cell) this.actions.edit(cell, null);
+    if (cell) this.edit(cell, null);
   }
 
   private travelTo(click: Event): void {
@@ -93,7 +90,7 @@ export class TablePanel {
       click.target instanceof Element ? click.target.closest<HTMLElement>("th[data-state][tabindex]") : null;
     if (!head) return;
     click.preventDefault();
-    this.actions.goTo(head.dataset["state"]!);
+    void this.app.travel.go(head.dataset["state"]!);
   }
 
   /** Handles the keys of the focused cell; they do not reach the character. */
@@ -133,18 +130,18 @@ export class TablePanel {
     const starts = key === "Enter" || key === "F2";
     const state = cell.dataset["state"] ?? "";
     if (cell.tagName === "TH") {
-      if (starts) this.actions.goTo(state);
+      if (starts) void this.app.travel.go(state);
       return starts;
     }
-    if (starts) this.actions.edit(cell, null);
-    else if (key === "Delete" || key === "Backspace") this.actions.edit(cell, "");
-    else if (key.length === 1 && key !== "?") this.actions.edit(cell, key);
+    if (starts) this.edit(cell, null);
+    else if (key === "Delete" || key === "Backspace") this.edit(cell, "");
+    else if (key.length === 1 && key !== "?") this.edit(cell, key);
     else return false;
     return true;
   }
 
   private mark(): void {
-    const live = this.session.shownState;
+    const live = this.app.selection.shownState;
     for (const [name, row] of this.drawn.rows) row.toggleAttribute("aria-current", name === live);
     const row = this.drawn.rows.get(live);
     // While you work in the table it does not scroll by itself.
@@ -173,7 +170,8 @@ export class TablePanel {
     say(this.line, verdictLine(verdict));
     this.line.dataset["verdict"] = verdict.verdict;
     this.line.dataset["tick"] = String(verdict.tick);
-    const cell = verdict.layer === this.session.layer.value ? this.cell(verdict.from, verdict.event) : null;
+    const cell =
+      verdict.layer === this.app.selection.layer.value ? this.cell(verdict.from, verdict.event) : null;
     if (!cell) return;
     if (verdict.verdict === "taken") {
       this.table.querySelector(".last")?.classList.remove("last");

@@ -1,7 +1,7 @@
 /** Shows the version, the last edit and the number of findings above the table, and a button to undo. */
 
-import type { Editing } from "../../state/editing";
-import type { Session } from "../../state/session";
+import { effect } from "@preact/signals-core";
+import type { App } from "../../view/app";
 import { el, say } from "../../ui/dom";
 import { countWords } from "./findings";
 
@@ -30,24 +30,22 @@ export class VersionBar {
 
   constructor(
     host: HTMLElement,
-    private readonly session: Session,
-    private readonly editing: Editing,
+    private readonly app: App,
     showFindings: () => void,
   ) {
     host.append(this.version, this.what, this.findings, this.measure, this.undo);
     this.findings.addEventListener("click", showFindings);
     this.measure.addEventListener("click", () => void this.measured());
-    this.undo.addEventListener("click", () => void editing.undo());
+    this.undo.addEventListener("click", () => void app.editing.undo());
     window.addEventListener("keydown", (press) => this.pressed(press));
-    session.machine.on(() => this.show());
-    for (const signal of [editing.newest, editing.findings]) signal.on(() => this.show());
+    effect(() => this.show());
   }
 
   private async measured(): Promise<void> {
     this.measure.disabled = true;
     say(this.measure, "measuring …");
-    const words = await this.editing.measure().catch((error: Error) => error.message);
-    this.session.notices.emit(words);
+    const words = await this.app.editing.measure().catch((error: Error) => error.message);
+    this.app.notices.emit(words);
     say(this.measure, "measure");
     this.measure.disabled = false;
   }
@@ -63,19 +61,19 @@ export class VersionBar {
     )
       return;
     press.preventDefault();
-    void this.editing.undo();
+    void this.app.editing.undo();
   }
 
   private show(): void {
-    const machine = this.session.machine.value;
-    const newest = this.editing.newest.value;
+    const machine = this.app.machine.info.value;
+    const newest = this.app.editing.newest.value;
     if (!machine) return;
     say(this.version, `v${machine.version}`);
     const kept = machine.saved === "file" ? "in machine.yaml" : "by the server, not in its file";
     const edited = machine.version > 1 && newest?.version === machine.version;
     say(this.what, edited ? `${newest.what}, kept ${kept}` : `edits are kept ${kept}`);
     this.what.title = this.what.textContent ?? "";
-    const words = countWords(this.editing.findings.value);
+    const words = countWords(this.app.editing.findings.value);
     say(this.findings, words === "nothing is wrong" ? "✓" : words);
     this.findings.setAttribute("aria-label", `findings: ${words}`);
     this.undo.disabled = machine.version < 2 || (edited && newest.before === 0);

@@ -7,19 +7,17 @@
 import "./targets.css";
 import * as THREE from "three";
 import type { MachineInfo } from "../../net/protocol";
-import type { ParameterValues } from "../../state/parameterValues";
 import { canLook, GAZE, type Grip, gripsOf, LOOK, type Point, pointsOf, reachedIn } from "../../state/points";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el } from "../../ui/dom";
 import { onFacingPlane, PointHandles } from "../../view/pointHandles";
-import type { StageView } from "../../view/stageView";
 
 /** Metres in front of the character at which the pointer's plane stands. */
 const IN_FRONT = 1.2;
 /** Metres: the size of a handle, as a part of the character's height. */
 const SIZE = 0.035;
 
-export class TargetsPanel {
+class TargetsPanel {
   private readonly handles: PointHandles;
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private shown = new Set<string>();
@@ -31,32 +29,27 @@ export class TargetsPanel {
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly session: Session,
-    private readonly stageView: StageView,
-    private readonly values: ParameterValues,
+    private readonly app: App,
   ) {
+    const { scene } = app.view;
     this.handles = new PointHandles(
-      stageView.scene,
-      (name, point) => values.setPoint(name, point),
+      scene,
+      (name, point) => app.parameters.setPoint(name, point),
       (name, isHeld) => this.hold(name, isHeld),
     );
-    const begin = (): void => this.begin(session.machine.value);
-    session.machine.on(begin);
-    session.actor.on(begin);
-    session.layerStates.on(([base]) => this.enter(base ?? ""));
-    values.changed.on(() => this.place());
-    stageView.scene.canvas.addEventListener("pointermove", (event) => this.follow(event));
+    const begin = (): void => this.begin(app.machine.info.value);
+    app.machine.info.subscribe(begin);
+    app.selection.actor.subscribe(begin);
+    app.selection.layerStates.subscribe(([base]) => this.enter(base ?? ""));
+    app.parameters.changed.on(() => this.place());
+    scene.canvas.addEventListener("pointermove", (event) => this.follow(event));
+    app.frame.on(() => this.update());
   }
 
-  /** Where each handle is drawn, in pixels; for tests. */
-  places(): Record<string, [number, number]> {
-    return this.handles.places();
-  }
-
-  /** Lets the handles of chains that nobody holds follow the chains' ends; called once per drawn frame. */
-  update(): void {
-    const actor = this.grips.size ? this.stageView.watched.model : null;
-    if (!actor || !this.stageView.watched.ready.value) return;
+  /** Lets the handles of chains that nobody holds follow the chains' ends. */
+  private update(): void {
+    const actor = this.grips.size ? this.app.view.watched.model : null;
+    if (!actor || !this.app.view.watched.ready.value) return;
     const places = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
     for (const [name, { joint }] of this.grips) {
       const row = actor.cast.names.indexOf(joint);
@@ -73,8 +66,8 @@ export class TargetsPanel {
     const grip = this.grips.get(name);
     if (!grip) return;
     const end = this.ends.get(name);
-    if (isHeld && end) this.values.setPoint(name, end);
-    this.values.set(grip.weight, isHeld ? 1 : 0);
+    if (isHeld && end) this.app.parameters.setPoint(name, end);
+    this.app.parameters.set(grip.weight, isHeld ? 1 : 0);
   }
 
   private begin(machine: MachineInfo | null): void {
@@ -85,7 +78,7 @@ export class TargetsPanel {
     this.reached = new Set();
     this.looks = false;
     this.draw(machine);
-    this.enter(this.session.layerStates.value[0] ?? "");
+    this.enter(this.app.selection.layerStates.value[0] ?? "");
   }
 
   private draw(machine: MachineInfo | null): void {
@@ -113,7 +106,7 @@ export class TargetsPanel {
 
   /** Shows the handles of the points that the base state begins to reach for, hides those it no longer does. */
   private enter(state: string): void {
-    const reached = reachedIn(this.session.machine.value, state);
+    const reached = reachedIn(this.app.machine.info.value, state);
     for (const name of this.buttons.keys())
       if (reached.has(name) !== this.reached.has(name)) {
         this.show(name, reached.has(name));
@@ -138,29 +131,33 @@ export class TargetsPanel {
   private place(): void {
     for (const name of this.shown)
       if (!this.grips.has(name) || this.handles.dragging === name)
-        this.handles.show(name, this.values.point(name), this.size());
+        this.handles.show(name, this.app.parameters.point(name), this.size());
   }
 
   private size(): number {
-    const box = this.stageView.watched.model?.box();
+    const box = this.app.view.watched.model?.box();
     return SIZE * (box ? Math.max(box.max.y - box.min.y, 0.1) : 1.8);
   }
 
   /** Makes the character look at the pointer, or no more; returns whether it does. */
   private stare(): boolean {
     this.looks = !this.looks;
-    this.values.set(LOOK, this.looks ? 1 : 0);
+    this.app.parameters.set(LOOK, this.looks ? 1 : 0);
     return this.looks;
   }
 
   /** Sends the place under the pointer on a plane in front of the character. */
   private follow(event: PointerEvent): void {
-    const actor = this.looks ? this.stageView.watched.model : null;
+    const actor = this.looks ? this.app.view.watched.model : null;
     if (!actor) return;
-    const { camera } = this.stageView.scene.view;
+    const { camera } = this.app.view.scene.view;
     const centre = actor.box().getCenter(new THREE.Vector3());
     const before = camera.getWorldDirection(new THREE.Vector3()).multiplyScalar(-IN_FRONT).add(centre);
     const place = onFacingPlane(this.handles.ray(event), camera, before);
-    if (place) this.values.setPoint(GAZE, place.toArray());
+    if (place) this.app.parameters.setPoint(GAZE, place.toArray());
   }
+}
+
+export function targetsPanel(host: HTMLElement, app: App): void {
+  new TargetsPanel(host, app);
 }

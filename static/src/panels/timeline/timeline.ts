@@ -2,10 +2,10 @@
 
 import "./timeline.css";
 import { laneKey } from "../../state/history";
-import type { Player } from "../../state/player";
-import type { Session } from "../../state/session";
-import { el, onTheme, token } from "../../ui/dom";
+import type { App } from "../../view/app";
+import { byId, el, onTheme, token } from "../../ui/dom";
 import { laneRows } from "./laneRows";
+import { Transport } from "./transport";
 import {
   type LaneInk,
   type LaneCanvas,
@@ -22,11 +22,13 @@ import {
 } from "./lanes";
 
 const WINDOW_S = 120;
+/** Between two drawings. */
+const [FAST_MS, SLOW_MS] = [33, 100];
 const SNAP_PIXELS = 7;
 /** A pointer that moves farther scrubs; it does not click. */
 const CLICK_PIXELS = 4;
 
-export class Timeline {
+class Timeline {
   private readonly canvas = el("canvas", { "aria-hidden": true });
   private readonly names = el("div", { class: "lane-names", "aria-hidden": true });
   private readonly scrub = el("input", {
@@ -43,6 +45,7 @@ export class Timeline {
     class: "plain zoom",
     title: "how much of the history is shown",
   });
+  private readonly interval_ms: number;
   private readonly pen: CanvasRenderingContext2D;
   private ink!: LaneInk;
   private all = false;
@@ -54,11 +57,9 @@ export class Timeline {
   constructor(
     private readonly host: HTMLElement,
     tools: HTMLElement,
-    private readonly session: Session,
-    private readonly player: Player,
-    private readonly interval_ms: number,
-    private readonly ask: (tick: number) => void,
+    private readonly app: App,
   ) {
+    this.interval_ms = app.view.scene.quality === "low" ? SLOW_MS : FAST_MS;
     host.append(this.names, this.canvas, this.scrub);
     tools.append(this.zoom);
     this.pen = this.canvas.getContext("2d")!;
@@ -74,11 +75,16 @@ export class Timeline {
     this.setZoom(false);
     new ResizeObserver(() => this.resize()).observe(host);
     onTheme(() => this.takeTheme());
+    app.frame.on(({ now }) => this.update(now));
+  }
+
+  private ask(tick: number): void {
+    this.app.inspection.why.value = tick;
   }
 
   private look(tick: number): void {
-    this.player.replaying.set(false);
-    this.session.look(tick);
+    this.app.playback.replaying.value = false;
+    this.app.playback.look(tick);
   }
 
   /** On a click, shows the nearest tick with an event and asks why. */
@@ -89,15 +95,15 @@ export class Timeline {
     if (down === null || Math.abs(press.clientX - down) > CLICK_PIXELS) return;
     const { left, width } = this.canvas.getBoundingClientRect();
     const span = this.span();
-    const marked = this.session.happened(this.session.actor.value ?? -1, span.from, span.to);
+    const marked = this.app.past.happened(this.app.selection.actor.value ?? -1, span.from, span.to);
     const tick = tickAt(press.clientX - left, span, width, marked, SNAP_PIXELS);
     this.look(tick);
     this.ask(tick);
   }
 
   private span(): Span {
-    const { first, head, looking, hello } = this.session;
-    return spanOf(first, head, this.all ? null : WINDOW_S * (hello.value?.rate ?? 60), looking.value);
+    const { first, head, rate } = this.app.stage;
+    return spanOf(first, head, this.all ? null : WINDOW_S * rate, this.app.playback.looking.value);
   }
 
   private setZoom(all: boolean): void {
@@ -128,9 +134,10 @@ export class Timeline {
   }
 
   /** Draws if something changed, at most once per interval. */
-  update(now: number): void {
-    const { head, first, tick, looking, actor } = this.session;
-    const key = [head, first, tick, looking.value, actor.value].join();
+  private update(now: number): void {
+    const { stage, playback, selection } = this.app;
+    const { head, first, tick } = stage;
+    const key = [head, first, tick, playback.looking.value, selection.actor.value].join();
     if (key === this.drawn || (now - this.lastDraw < this.interval_ms && this.drawn)) return;
     this.drawn = key;
     this.lastDraw = now;
@@ -138,25 +145,28 @@ export class Timeline {
   }
 
   private draw(): void {
-    const { session, pen } = this;
+    const { app, pen } = this;
     const span = this.span();
     const ratio = window.devicePixelRatio || 1;
     const width = this.canvas.width / ratio;
-    const actor = session.actor.value ?? -1;
-    const actions = session.eventLog.actionsBetween(actor, session.first, session.head);
-    const layers = session.cast?.layers ?? [];
+    const actor = app.selection.actor.value ?? -1;
+    const actions = app.past.events.actionsBetween(actor, app.stage.first, app.stage.head);
+    const layers = app.selection.cast?.layers ?? [];
     const rows = laneRows(layers.length, actions.length > 0);
     this.form(layers, rows.height);
     const sheet: LaneCanvas = { pen, span, width, ink: this.ink };
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, width, rows.height);
     rows.layers.forEach((lane, layer) => {
-      const runs = session.history.between(laneKey(actor, layer), span.from, span.to);
-      drawRuns(sheet, session.looking.value === null ? runs : upTo(runs, session.head), lane, (state) =>
-        session.stateIndex(actor, state, layer),
+      const runs = app.past.runs.between(laneKey(actor, layer), span.from, span.to);
+      drawRuns(
+        sheet,
+        app.playback.looking.value === null ? runs : upTo(runs, app.stage.head),
+        lane,
+        (state) => app.selection.stateIndex(actor, state, layer),
       );
-      drawBlends(sheet, session.eventLog.blendsBetween(actor, layer, span.from, span.to), lane);
-      drawMarks(sheet, session.eventLog.marksBetween(actor, span.from, span.to, layer), lane);
+      drawBlends(sheet, app.past.events.blendsBetween(actor, layer, span.from, span.to), lane);
+      drawMarks(sheet, app.past.events.marksBetween(actor, span.from, span.to, layer), lane);
     });
     if (rows.actions !== null)
       drawActions(
@@ -164,7 +174,7 @@ export class Timeline {
         actions.filter(({ tick }) => tick >= span.from),
         rows.actions,
       );
-    const shown = session.looking.value ?? session.tick;
+    const shown = app.playback.looking.value ?? app.stage.tick;
     drawHead(sheet, Math.min(width - 2, Math.max(2, place(shown, span, width))), rows.height);
     this.setScrub(span.from, span.to, shown);
   }
@@ -188,4 +198,9 @@ export class Timeline {
     this.scrub.value = String(shown);
     this.scrub.setAttribute("aria-valuetext", `tick ${shown} of ${to}`);
   }
+}
+
+export function timelinePanel(_host: HTMLElement, app: App): void {
+  const { tools } = new Transport(byId("transport"), app);
+  new Timeline(byId("lanes"), tools, app);
 }

@@ -3,9 +3,9 @@
  * for all viewers; the replay is this page's own.
  */
 
+import { effect } from "@preact/signals-core";
 import * as api from "../../net/api";
-import type { Player } from "../../state/player";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el, say } from "../../ui/dom";
 import { type IconName, icon } from "../../ui/icons";
 
@@ -28,6 +28,8 @@ function clock(ticks: number, rate: number): string {
 
 export class Transport {
   private readonly play = button("pause", "pause", "P", () => this.toggle());
+  /** Where the timeline puts its own buttons. */
+  readonly tools = el("span", { id: "tools" });
   private readonly speed = el("select", { "aria-label": "speed", title: "speed of the stage" });
   private readonly counter = el("output", { class: "tick", "aria-label": "tick" });
   private readonly time = el("span", { class: "time" });
@@ -40,46 +42,52 @@ export class Transport {
 
   constructor(
     host: HTMLElement,
-    private readonly session: Session,
-    private readonly player: Player,
+    private readonly app: App,
   ) {
     const back = button("back", "one tick back", ",", () => this.step(-1));
     const forward = button("forward", "one tick forward", ".", () => this.step(1));
-    this.liveButton.addEventListener("click", () => session.live());
+    this.liveButton.addEventListener("click", () => app.playback.live());
     this.speed.addEventListener(
       "change",
-      () => void this.session.command((stage) => api.speed(stage, Number(this.speed.value))),
+      () => void this.app.session.command((stage) => api.speed(stage, Number(this.speed.value))),
     );
     host.append(
       back,
       this.play,
       forward,
       this.speed,
-      el("span", { id: "tools" }),
+      this.tools,
       el("span", { class: "space" }),
       this.time,
       el("label", { class: "counter" }, "tick ", this.counter),
       this.liveButton,
     );
-    session.status.on(({ speed }) => this.showSpeed(speed));
-    for (const signal of [session.status, session.looking, player.replaying]) signal.on(() => this.show());
+    app.stage.status.subscribe(({ speed }) => this.showSpeed(speed));
+    effect(() => this.show());
+    app.frame.on(() => this.tell());
+    app.shortcuts.add(
+      { keys: ["p"], words: "pause, play", act: () => this.toggle() },
+      { keys: [","], words: "one tick back", act: () => this.step(-1) },
+      { keys: ["."], words: "one tick forward", act: () => this.step(1) },
+      { keys: ["l"], words: "live", act: () => app.playback.live() },
+    );
   }
 
   /** Plays or pauses the replay while the past is shown, else the stage. */
-  toggle(): void {
-    if (this.session.looking.value !== null) return this.player.toggle();
-    const paused = !this.session.status.value.paused;
-    void this.session.command((stage) => api.pause(stage, paused));
+  private toggle(): void {
+    if (this.app.playback.looking.value !== null) return this.app.playback.toggle();
+    const paused = !this.app.stage.status.value.paused;
+    void this.app.session.command((stage) => api.pause(stage, paused));
   }
 
   /** Steps one tick; past the head the stage pauses and makes the step. */
-  step(ticks: 1 | -1): void {
-    if (this.session.looking.value !== null || ticks < 0) {
-      if (this.player.step(ticks)) return;
-      this.session.live();
+  private step(ticks: 1 | -1): void {
+    if (this.app.playback.looking.value !== null || ticks < 0) {
+      if (this.app.playback.step(ticks)) return;
+      this.app.playback.live();
     }
-    const paused = this.session.status.value.paused;
-    void this.session.command(async (stage) => {
+    const paused = this.app.stage.status.value.paused;
+    void this.app.session.command(async (stage) => {
       if (!paused) await api.pause(stage, true);
       await api.step(stage, 1);
     });
@@ -94,8 +102,8 @@ export class Transport {
   }
 
   private show(): void {
-    const past = this.session.looking.value !== null;
-    const running = past ? this.player.replaying.value : !this.session.status.value.paused;
+    const past = this.app.playback.looking.value !== null;
+    const running = past ? this.app.playback.replaying.value : !this.app.stage.status.value.paused;
     this.play.replaceChildren(icon(running ? "pause" : "play"));
     const label = running ? "pause" : past ? "replay from here" : "play";
     this.play.setAttribute("aria-label", label);
@@ -103,10 +111,10 @@ export class Transport {
     this.liveButton.setAttribute("aria-pressed", String(!past));
   }
 
-  /** Updates the counter, once per drawn frame. */
-  update(): void {
-    const rate = this.session.hello.value?.rate ?? 60;
-    say(this.counter, String(this.session.tick));
-    say(this.time, clock(this.session.tick, rate));
+  /** Says the shown tick. */
+  private tell(): void {
+    const { tick, rate } = this.app.stage;
+    say(this.counter, String(tick));
+    say(this.time, clock(tick, rate));
   }
 }

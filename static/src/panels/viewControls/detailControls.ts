@@ -23,11 +23,12 @@ export function detailControls(stageView: StageView): HTMLElement {
   const bySize = el("button", { type: "button", title: "as coarse as the size on screen allows" }, "by size");
   const words = el("output", { class: "detail-words" });
   const group = el("div", { class: "group detail", hidden: true }, slider, bySize, words);
-  slider.addEventListener("input", () => byHand.set(Number(slider.max) - Number(slider.value)));
-  bySize.addEventListener("click", () =>
-    byHand.set(byHand.value === null ? stageView.watched.shownLevel : null),
+  slider.addEventListener("input", () => (byHand.value = Number(slider.max) - Number(slider.value)));
+  bySize.addEventListener(
+    "click",
+    () => (byHand.value = byHand.value === null ? stageView.watched.shownLevel : null),
   );
-  byHand.on((level) => bySize.setAttribute("aria-pressed", String(level === null)));
+  byHand.subscribe((level) => bySize.setAttribute("aria-pressed", String(level === null)));
   let shown = "";
   stageView.scene.drawing.on(() => {
     const crowd = stageView.watched.cast?.crowd;

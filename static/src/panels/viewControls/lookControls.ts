@@ -1,7 +1,7 @@
 /** Chooses how skin and tetrahedra are painted: materials, weights of a bone, normals; wire, texture. */
 
 import { el } from "../../ui/dom";
-import type { Signal } from "../../state/signal";
+import type { Signal } from "@preact/signals-core";
 import { PAINTS, SOLIDS } from "../../view/looks";
 import type { StageView } from "../../view/stageView";
 
@@ -13,8 +13,8 @@ function choice<Name extends string>(
 ): HTMLSelectElement {
   const options = names.map((name) => el("option", { value: name }, name));
   const select = el("select", { "aria-label": label, title }, ...options);
-  select.addEventListener("change", () => chosen.set(select.value as Name));
-  chosen.on((name) => (select.value = name));
+  select.addEventListener("change", () => (chosen.value = select.value as Name));
+  chosen.subscribe((name) => (select.value = name));
   return select;
 }
 
@@ -24,15 +24,15 @@ function boneChoice(stageView: StageView): HTMLSelectElement {
   const select = el("select", { "aria-label": "bone whose weights are shown", title: "or click a joint" });
   const fill = (): void => {
     const names = stageView.watched.model?.cast.names ?? [];
-    if (paint.value === "weights" && !names.includes(bone.value)) bone.set(stageView.watched.firstBone());
+    if (paint.value === "weights" && !names.includes(bone.value)) bone.value = stageView.watched.firstBone();
     select.replaceChildren(...names.map((name) => el("option", { value: name }, name)));
     select.value = bone.value;
     select.hidden = paint.value !== "weights";
   };
-  select.addEventListener("change", () => bone.set(select.value));
-  stageView.watched.ready.on(fill);
-  paint.on(fill);
-  bone.on(fill);
+  select.addEventListener("change", () => (bone.value = select.value));
+  stageView.watched.ready.subscribe(fill);
+  paint.subscribe(fill);
+  bone.subscribe(fill);
   return select;
 }
 
@@ -40,7 +40,7 @@ function boneChoice(stageView: StageView): HTMLSelectElement {
 export function lookControls(stageView: StageView): HTMLElement[] {
   const { paint, solid } = stageView.looks;
   const solids = choice("tetrahedra", "how the tetrahedra are drawn", SOLIDS, solid);
-  stageView.modes.on(({ tetra }) => (solids.hidden = !tetra));
+  stageView.modes.subscribe(({ tetra }) => (solids.hidden = !tetra));
   const paints = choice("what the skin shows", "what the skin shows", PAINTS, paint);
   return [paints, boneChoice(stageView), solids];
 }

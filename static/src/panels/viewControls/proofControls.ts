@@ -16,11 +16,11 @@ export function proofControls({ on, difference }: SkinProof): [HTMLButtonElement
     "compares the vertices that your GPU poses with the server's, of the watched actor in every frame";
   const button = el("button", { type: "button", title }, "prove");
   const words = el("output", { class: "group proof", hidden: true });
-  button.addEventListener("click", () => on.set(!on.value));
-  on.on((proving) => {
+  button.addEventListener("click", () => (on.value = !on.value));
+  on.subscribe((proving) => {
     button.setAttribute("aria-pressed", String(proving));
     words.hidden = !proving;
   });
-  difference.on((value) => say(words, differenceWords(value)));
+  difference.subscribe((value) => say(words, differenceWords(value)));
   return [button, words];
 }

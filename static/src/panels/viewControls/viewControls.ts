@@ -1,11 +1,12 @@
-/** Controls over the stage view: the live state and its phase, skin modes, choice of stream, notices. */
+/** Controls over the stage view: what is drawn and how, the choice of stream, the camera. */
 
 import "./viewControls.css";
 import type { Skinning } from "../../net/protocol";
-import type { Session } from "../../state/session";
+import type { Shortcut } from "../../state/shortcuts";
+import type { App } from "../../view/app";
 import type { Modes, StageView } from "../../view/stageView";
 import { FRAMINGS, type Framing } from "../../view/framing";
-import { el, say } from "../../ui/dom";
+import { el } from "../../ui/dom";
 import { icon } from "../../ui/icons";
 import { detailControls } from "./detailControls";
 import { lookControls } from "./lookControls";
@@ -20,14 +21,38 @@ const MODES: [keyof Modes, string, string][] = [
 ];
 
 /** Turns a mode on or off. */
-export function toggleMode(stageView: StageView, mode: keyof Modes): void {
-  stageView.modes.set({ ...stageView.modes.value, [mode]: !stageView.modes.value[mode] });
+function toggleMode(stageView: StageView, mode: keyof Modes): void {
+  stageView.modes.value = { ...stageView.modes.value, [mode]: !stageView.modes.value[mode] };
 }
 
 /** Shows wire instead of the smooth skin, or the smooth skin instead of wire. */
-export function wireOrSkin(stageView: StageView): void {
+function wireOrSkin(stageView: StageView): void {
   const { wire } = stageView.modes.value;
-  stageView.modes.set({ ...stageView.modes.value, wire: !wire, skin: wire });
+  stageView.modes.value = { ...stageView.modes.value, wire: !wire, skin: wire };
+}
+
+function viewShortcuts({ view, frames }: App): Shortcut[] {
+  const mode = (name: keyof Modes, ...keys: [string, ...string[]]): Shortcut => ({
+    keys,
+    words: `show ${name}`,
+    act: () => toggleMode(view, name),
+  });
+  const { turning } = view.watched;
+  return [
+    { keys: ["f"], words: "frame the character", act: () => view.watched.frame() },
+    mode("skin", "1"),
+    mode("wire", "2"),
+    mode("bones", "3", "b"),
+    mode("tetra", "4"),
+    mode("limits", "5"),
+    { keys: ["t"], words: "wire, smooth skin", act: () => wireOrSkin(view) },
+    { keys: ["r"], words: "turntable", act: () => (turning.value = !turning.value) },
+    {
+      keys: ["g"],
+      words: "pose stream, glb stream",
+      act: () => frames.stream(frames.kind.value === "pose" ? "glb" : "pose"),
+    },
+  ];
 }
 
 /** Makes the button that turns the view around the character. */
@@ -37,15 +62,15 @@ function turntable(stageView: StageView): HTMLButtonElement {
     { type: "button", title: "the view turns around the character (R)" },
     "turntable",
   );
-  made.addEventListener("click", () => stageView.watched.turning.set(!stageView.watched.turning.value));
-  stageView.watched.turning.on((turning) => made.setAttribute("aria-pressed", String(turning)));
+  made.addEventListener("click", () => (stageView.watched.turning.value = !stageView.watched.turning.value));
+  stageView.watched.turning.subscribe((turning) => made.setAttribute("aria-pressed", String(turning)));
   return made;
 }
 
 function modeButton(stageView: StageView, [mode, key, title]: (typeof MODES)[number]): HTMLButtonElement {
   const made = el("button", { type: "button", title: `${title} (${key})` }, mode);
   made.addEventListener("click", () => toggleMode(stageView, mode));
-  stageView.modes.on((modes) => made.setAttribute("aria-pressed", String(modes[mode])));
+  stageView.modes.subscribe((modes) => made.setAttribute("aria-pressed", String(modes[mode])));
   return made;
 }
 
@@ -53,8 +78,8 @@ function modeButton(stageView: StageView, [mode, key, title]: (typeof MODES)[num
 function framingChoice(stageView: StageView): HTMLSelectElement {
   const options = FRAMINGS.map((framing) => el("option", { value: framing }, framing));
   const select = el("select", { "aria-label": "framing", title: "how much the camera shows" }, ...options);
-  select.addEventListener("change", () => stageView.watched.framing.set(select.value as Framing));
-  stageView.watched.framing.on((framing) => (select.value = framing));
+  select.addEventListener("change", () => (stageView.watched.framing.value = select.value as Framing));
+  stageView.watched.framing.subscribe((framing) => (select.value = framing));
   return select;
 }
 
@@ -67,13 +92,13 @@ const WAYS: [Skinning | "", string][] = [
 ];
 
 /** Makes the choice of the way of skinning. */
-function skinningChoice(session: Session): HTMLSelectElement {
+function skinningChoice(app: App): HTMLSelectElement {
   const title =
     "what the vertices follow: blended matrices, blended dual quaternions, one bone, or one bone a piece";
   const options = WAYS.map(([value, text]) => el("option", { value }, text));
   const select = el("select", { "aria-label": "way of skinning", title }, ...options);
-  select.addEventListener("change", () => session.skin((select.value || null) as Skinning | null));
-  session.skinning.on((way) => (select.value = way ?? ""));
+  select.addEventListener("change", () => app.frames.skin((select.value || null) as Skinning | null));
+  app.frames.skinning.subscribe((way) => (select.value = way ?? ""));
   return select;
 }
 
@@ -88,13 +113,16 @@ function pathChoice(stageView: StageView): HTMLSelectElement {
   };
   select.addEventListener("pointerdown", fill);
   select.addEventListener("focus", fill);
-  select.addEventListener("change", () => stageView.watched.traced.set(select.value));
-  stageView.watched.ready.on(fill);
+  select.addEventListener("change", () => (stageView.watched.traced.value = select.value));
+  stageView.watched.ready.subscribe(fill);
   return select;
 }
 
-/** Makes the bar of buttons at the foot of the stage view. */
-export function modeBar(host: HTMLElement, session: Session, stageView: StageView): void {
+/** Fills the foot of the stage view with buttons. */
+export function viewControlsPanel(host: HTMLElement, app: App): void {
+  const stageView = app.view;
+  stageView.scene.leaveRoomFor(host);
+  app.shortcuts.add(...viewShortcuts(app));
   const skin = el(
     "div",
     { class: "group", role: "group", "aria-label": "what is drawn" },
@@ -106,8 +134,8 @@ export function modeBar(host: HTMLElement, session: Session, stageView: StageVie
         ? "the browser skins: local transforms are streamed"
         : "the server skins: each message is a complete GLB";
     const made = el("button", { type: "button", title: `${title} (G)` }, kind);
-    made.addEventListener("click", () => session.stream(kind));
-    session.frames.on((frames) => made.setAttribute("aria-pressed", String(frames === kind)));
+    made.addEventListener("click", () => app.frames.stream(kind));
+    app.frames.kind.subscribe((frames) => made.setAttribute("aria-pressed", String(frames === kind)));
     return made;
   });
   const frame = el(
@@ -125,7 +153,7 @@ export function modeBar(host: HTMLElement, session: Session, stageView: StageVie
   const staging = el(
     "div",
     { class: "group staging" },
-    skinningChoice(session),
+    skinningChoice(app),
     pathChoice(stageView),
     framingChoice(stageView),
     turntable(stageView),
@@ -136,37 +164,4 @@ export function modeBar(host: HTMLElement, session: Session, stageView: StageVie
   staging.append(prove);
   const detail = detailControls(stageView);
   host.append(skin, looks, detail, el("span", { class: "space" }), stream, staging, difference);
-}
-
-/** Shows the live state's name and phase. */
-export class StateBadge {
-  private readonly name = el("strong");
-  private readonly bar = el("i");
-  private readonly note = el("span", { class: "note" });
-
-  constructor(host: HTMLElement, session: Session, stageView: StageView) {
-    host.append(this.name, el("span", { class: "phase", "aria-hidden": true }, this.bar), this.note);
-    session.state.on((state) => say(this.name, session.stateName(state)));
-    session.hello.on(() => say(this.name, session.stateName(session.state.value)));
-    session.looking.on((tick) => say(this.note, tick === null ? "" : "looking back"));
-    stageView.loading.on((text) => say(host.parentElement!.querySelector("#loading")!, text));
-  }
-
-  /** Shows a phase 0…1, or none if null; called once per drawn frame. */
-  update(phase: number | null): void {
-    this.bar.parentElement!.hidden = phase === null;
-    this.bar.style.transform = `scaleX(${(phase ?? 0).toFixed(3)})`;
-  }
-}
-
-const NOTICE_MS = 6000;
-
-/** Shows notices for a few seconds; screen readers read them out. */
-export function notices(host: HTMLElement, session: Session): void {
-  session.notices.on((text) => {
-    const note = el("p", {}, text);
-    host.append(note);
-    while (host.children.length > 3) host.firstElementChild?.remove();
-    setTimeout(() => note.remove(), NOTICE_MS);
-  });
 }

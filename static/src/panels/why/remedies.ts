@@ -2,17 +2,9 @@
 
 import * as actors from "../../net/actors";
 import type { Remedy, WhyNot } from "../../net/protocol";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el } from "../../ui/dom";
 import { trialWords } from "./words";
-
-/** Tries remedies in other parts of the page. */
-export interface RemedyActions {
-  /** Types a text into a cell; you keep or drop it. */
-  edit(layer: number, state: string, event: string, text: string): void;
-  goTo(state: string): void;
-  look(tick: number): void;
-}
 
 export class Remedies {
   private readonly event = el("select", { "aria-label": "event that did not fire" });
@@ -22,12 +14,11 @@ export class Remedies {
 
   constructor(
     host: HTMLElement,
-    private readonly session: Session,
-    private readonly actions: RemedyActions,
+    private readonly app: App,
   ) {
     host.append(el("h3", {}, "why not", this.event), this.answer);
     this.event.addEventListener("change", () => void this.ask());
-    session.machine.on((machine) => {
+    app.machine.info.subscribe((machine) => {
       const chosen = this.event.value;
       const events = (machine?.events ?? []).filter((event) => event !== "END");
       this.event.replaceChildren(
@@ -46,11 +37,11 @@ export class Remedies {
   }
 
   private async ask(): Promise<void> {
-    const [actor, event, request] = [this.session.actor.value, this.event.value, ++this.requests];
+    const [actor, event, request] = [this.app.selection.actor.value, this.event.value, ++this.requests];
     if (actor === null || !event) return this.answer.replaceChildren();
     this.answer.replaceChildren(el("p", {}, "trying changes…"));
     const found = await actors
-      .whyNot(this.session.stage, actor, event, this.tick)
+      .whyNot(this.app.stage.id, actor, event, this.tick)
       .catch((error: Error) => error);
     if (request !== this.requests) return;
     this.answer.replaceChildren(
@@ -78,19 +69,22 @@ export class Remedies {
   }
 
   private attempt({ change }: Remedy): void {
-    const actor = this.session.actor.value;
+    const actor = this.app.selection.actor.value;
     if (actor === null) return;
-    if (change.kind === "cell") this.actions.edit(change.layer, change.state, change.event, change.text);
-    else if (change.kind === "state") this.actions.goTo(change.state);
-    else if (change.kind === "moment") this.actions.look(change.tick);
+    const { inspection, playback, travel } = this.app;
+    if (change.kind === "cell") inspection.cells.emit(change);
+    else if (change.kind === "state") void travel.go(change.state);
+    else if (change.kind === "moment") playback.look(change.tick);
     else this.now(actor, change);
   }
 
   /** Tries a remedy in the present. */
   private now(actor: number, change: Remedy["change"]): void {
-    this.session.live();
-    if (change.kind === "send") this.session.event("press", change.event);
+    this.app.playback.live();
+    if (change.kind === "send") this.app.session.event("press", change.event);
     else if (change.kind === "set")
-      void this.session.command((stage) => actors.setParameter(stage, actor, change.parameter, change.value));
+      void this.app.session.command((stage) =>
+        actors.setParameter(stage, actor, change.parameter, change.value),
+      );
   }
 }

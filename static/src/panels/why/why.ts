@@ -6,14 +6,14 @@
 import "./why.css";
 import * as actors from "../../net/actors";
 import type { Why } from "../../net/protocol";
-import type { Session } from "../../state/session";
+import type { App } from "../../view/app";
 import { el, say } from "../../ui/dom";
 import { explanation } from "./explanation";
-import { Remedies, type RemedyActions } from "./remedies";
+import { Remedies } from "./remedies";
 
 const LOOK_AROUND_TICKS = 100_000;
 
-export class WhyPanel {
+class WhyPanel {
   private readonly title = el("h2");
   private readonly states = el("p", { class: "states" });
   private readonly events = el("div", { class: "events-why" });
@@ -23,10 +23,11 @@ export class WhyPanel {
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly session: Session,
-    private readonly actions: RemedyActions,
-    private readonly goToCell: (layer: number, state: string, event: string) => void,
+    private readonly app: App,
   ) {
+    const close = (): void => {
+      app.inspection.why.value = null;
+    };
     const button = (label: string, words: string, act: () => void): HTMLButtonElement => {
       const made = el(
         "button",
@@ -42,27 +43,31 @@ export class WhyPanel {
       this.title,
       button("‹", "what happened before", () => this.step(-1)),
       button("›", "what happened next", () => this.step(1)),
-      button("×", "close (Esc)", () => this.close()),
+      button("×", "close (Esc)", close),
     );
     const notHost = el("section", { class: "why-not" });
     host.append(head, el("div", { class: "why-body" }, this.states, this.events, notHost));
-    this.remedies = new Remedies(notHost, session, actions);
+    this.remedies = new Remedies(notHost, app);
     host.hidden = true;
     host.tabIndex = -1;
-    host.addEventListener("keydown", (press) => press.key === "Escape" && this.close());
-    session.leaving.on(() => this.close());
-    session.actor.on(() => this.close());
+    host.addEventListener("keydown", (press) => press.key === "Escape" && close());
+    app.session.leaving.on(close);
+    app.selection.actor.subscribe(close);
+    app.inspection.why.subscribe((tick) => {
+      if (tick === null) this.close();
+      else void this.open(tick);
+    });
   }
 
   /** Opens for `tick` of the watched actor. */
-  async open(tick: number): Promise<void> {
-    const [actor, request] = [this.session.actor.value, ++this.requests];
+  private async open(tick: number): Promise<void> {
+    const [actor, request] = [this.app.selection.actor.value, ++this.requests];
     if (actor === null) return;
     this.tick = tick;
     if (this.host.hidden) this.appear();
     say(this.title, `why, in tick ${tick}`);
     this.remedies.about(Math.max(1, tick));
-    const answer = await actors.why(this.session.stage, actor, tick).catch((error: Error) => error);
+    const answer = await actors.why(this.app.stage.id, actor, tick).catch((error: Error) => error);
     if (request !== this.requests) return;
     if (answer instanceof Error) this.events.replaceChildren(el("p", {}, answer.message));
     else this.show(answer);
@@ -74,14 +79,14 @@ export class WhyPanel {
     this.host.focus({ preventScroll: true });
   }
 
-  close(): void {
+  private close(): void {
     this.requests++;
     this.host.hidden = true;
   }
 
   private show({ states, since, events, tick }: Why): void {
-    const layers = this.session.cast?.layers ?? [];
-    const rate = this.session.hello.value?.rate ?? 60;
+    const layers = this.app.selection.cast?.layers ?? [];
+    const rate = this.app.stage.hello.value?.rate ?? 60;
     const hasLayers = layers.length > 1;
     const line = (state: string, i: number): string => {
       const layer = hasLayers ? `${layers[i] ?? i}: ` : "";
@@ -92,7 +97,7 @@ export class WhyPanel {
     const shown = events.map((explained) => {
       const { layer } = explained;
       return explanation(explained, hasLayers ? (layers[layer] ?? "") : "", (state, event) =>
-        this.goToCell(layer, state, event),
+        this.app.inspection.cells.emit({ layer, state, event, text: null }),
       );
     });
     this.events.replaceChildren(...(shown.length ? shown : [none]));
@@ -101,15 +106,19 @@ export class WhyPanel {
 
   /** Goes to the next or previous tick with an event or a change of state. */
   private step(by: 1 | -1): void {
-    const actor = this.session.actor.value ?? -1;
+    const actor = this.app.selection.actor.value ?? -1;
     const [from, to] =
       by > 0
         ? [this.tick + 1, this.tick + LOOK_AROUND_TICKS]
         : [Math.max(0, this.tick - LOOK_AROUND_TICKS), this.tick - 1];
-    const ticks = this.session.happened(actor, from, to);
+    const ticks = this.app.past.happened(actor, from, to);
     const next = by > 0 ? Math.min(...ticks) : Math.max(...ticks);
     if (!Number.isFinite(next)) return;
-    this.actions.look(next);
-    void this.open(next);
+    this.app.playback.look(next);
+    this.app.inspection.why.value = next;
   }
+}
+
+export function whyPanel(host: HTMLElement, app: App): void {
+  new WhyPanel(host, app);
 }

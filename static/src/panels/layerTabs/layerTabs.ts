@@ -1,15 +1,20 @@
 /** Shows a tab for each layer, if there are several; table and graph show the chosen layer. */
 
-import type { Session } from "../../state/session";
+import "./layerTabs.css";
+import type { App } from "../../view/app";
 import { el, say } from "../../ui/dom";
 
-export function layerTabs(host: HTMLElement, session: Session): void {
+export function layerTabsPanel(host: HTMLElement, app: App): void {
   let buttons: HTMLButtonElement[] = [];
   const mark = (): void =>
-    buttons.forEach((button, i) => button.setAttribute("aria-selected", String(i === session.layer.value)));
+    buttons.forEach((button, i) =>
+      button.setAttribute("aria-selected", String(i === app.selection.layer.value)),
+    );
   const states = (): void =>
-    buttons.forEach((button, i) => say(button.querySelector("small")!, session.layerStates.value[i] ?? ""));
-  session.machine.on((machine) => {
+    buttons.forEach((button, i) =>
+      say(button.querySelector("small")!, app.selection.layerStates.value[i] ?? ""),
+    );
+  app.machine.info.subscribe((machine) => {
     const layers = machine?.layers ?? [];
     host.hidden = layers.length < 2;
     buttons = layers.map(({ name, mask, mode }, i) => {
@@ -20,13 +25,13 @@ export function layerTabs(host: HTMLElement, session: Session): void {
         name,
         el("small"),
       );
-      button.addEventListener("click", () => session.layer.set(i));
+      button.addEventListener("click", () => (app.selection.layer.value = i));
       return button;
     });
     host.replaceChildren(...buttons);
     mark();
     states();
   });
-  session.layer.on(mark);
-  session.layerStates.on(states);
+  app.selection.layer.subscribe(mark);
+  app.selection.layerStates.subscribe(states);
 }

@@ -1,0 +1,19 @@
+/** What the page explains and points at: panels ask for it here, other panels show it. */
+
+import { signal } from "@preact/signals-core";
+import { Event } from "./event";
+
+export interface CellRequest {
+  layer: number;
+  state: string;
+  event: string;
+  /** A text to type into the cell, which you keep or drop; null: only show the cell. */
+  text: string | null;
+}
+
+export class Inspection {
+  /** The tick that is explained, or null. */
+  readonly why = signal<number | null>(null);
+  /** Emitted if a cell of the table shall be shown. */
+  readonly cells = new Event<CellRequest>();
+}

@@ -1,0 +1,75 @@
+/** The page's one state: plain parts, each made from the parts above it. Views and panels read it. */
+
+import { Editing } from "./editing";
+import { Event } from "./event";
+import { Frames } from "./frames";
+import { Inspection } from "./inspection";
+import { KeyChanges } from "./keyChanges";
+import { Library } from "./library";
+import { Line } from "./line";
+import { OwnStages } from "./ownStages";
+import { ParameterValues } from "./parameterValues";
+import { Past } from "./past";
+import { Playback } from "./playback";
+import { Selection } from "./selection";
+import { Session } from "./session";
+import { Shortcuts } from "./shortcuts";
+import { Travel } from "./travel";
+import { WatchedMachine } from "./watchedMachine";
+import { WatchedStage } from "./watchedStage";
+
+/** A drawn frame: the browser's time, milliseconds, and the seconds since the frame before. */
+export interface DrawnFrame {
+  now: number;
+  dt: number;
+}
+
+/** Seconds: after a pause of the page, keys and replays move on by no more. */
+const [LONGEST_KEY_S, LONGEST_STEP_S] = [0.5, 0.1];
+
+export type State = ReturnType<typeof makeState>;
+
+export function makeState() {
+  /** Emitted before each drawing; what moves by itself listens here. */
+  const frame = new Event<DrawnFrame>();
+  /** Sentences for the user. */
+  const notices = new Event<string>();
+  const line = new Line();
+  const stage = new WatchedStage();
+  const selection = new Selection(stage);
+  const machine = new WatchedMachine(selection, notices);
+  const past = new Past(stage, selection, machine);
+  const playback = new Playback(stage, line.send);
+  const frames = new Frames(line, stage, selection, past, playback);
+  const session = new Session({ line, stage, selection, machine, past, playback, frames, notices });
+  const stages = new OwnStages(session, stage);
+  const library = new Library(session, stages);
+  const travel = new Travel(session, selection, playback);
+  const editing = new Editing(machine, notices);
+  const parameters = new ParameterValues(line, stage, selection, machine);
+  const keyChanges = new KeyChanges(parameters, () => selection.layerStates.value);
+  const inspection = new Inspection();
+  const shortcuts = new Shortcuts();
+  frame.on(({ dt }) => keyChanges.advance(Math.min(LONGEST_KEY_S, dt)));
+  frame.on(({ dt }) => playback.advance(Math.min(LONGEST_STEP_S, dt)));
+  return {
+    frame,
+    notices,
+    line,
+    stage,
+    selection,
+    machine,
+    past,
+    playback,
+    frames,
+    session,
+    stages,
+    library,
+    travel,
+    editing,
+    parameters,
+    keyChanges,
+    inspection,
+    shortcuts,
+  };
+}

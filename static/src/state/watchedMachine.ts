@@ -1,0 +1,65 @@
+/** The machine of the watched actor, in the version that the stage plays or in a newer one. */
+
+import { batch, signal } from "@preact/signals-core";
+import * as api from "../net/api";
+import type { LayerInfo, MachineInfo } from "../net/protocol";
+import type { Event } from "./event";
+import type { Selection } from "./selection";
+
+export class WatchedMachine {
+  readonly info = signal<MachineInfo | null>(null);
+  private playedVersion: number | undefined;
+
+  constructor(
+    private readonly selection: Selection,
+    private readonly notices: Event<string>,
+  ) {}
+
+  /** The shown layer. */
+  get layerInfo(): LayerInfo | null {
+    const layers = this.info.value?.layers ?? [];
+    return layers[this.selection.layer.value] ?? layers[0] ?? null;
+  }
+
+  /** Whether `info` is the watched actor's machine: the actor may be newer than the answer. */
+  get isActors(): boolean {
+    return this.info.value !== null && this.info.value.name === this.selection.cast?.machine;
+  }
+
+  /** Watches an actor, and fetches its machine. */
+  async choose(actor: number): Promise<void> {
+    this.selection.actor.value = actor;
+    await this.load();
+  }
+
+  /** Fetches the watched actor's machine, unless it is already here in the version that the stage plays. */
+  async load(): Promise<void> {
+    const { machine: name, version } = this.selection.cast ?? {};
+    if (name === undefined || (name === this.info.value?.name && version === this.playedVersion)) return;
+    await api.machine(name).then(
+      (machine) => {
+        if (name === this.selection.cast?.machine) this.take(machine, version);
+      },
+      (error: Error) => this.notices.emit(error.message),
+    );
+  }
+
+  /**
+   * Shows `machine`, unless a newer version is already shown; `played`: the version in the stage's own count.
+   */
+  take(machine: MachineInfo, played = this.playedVersion): void {
+    this.playedVersion = played;
+    const known = this.info.value;
+    if (known?.name === machine.name && known.version >= machine.version) return;
+    batch(() => {
+      if (known?.name !== machine.name || this.selection.layer.value >= machine.layers.length)
+        this.selection.layer.value = 0;
+      this.info.value = machine;
+    });
+  }
+
+  /** Forgets the machine: the server may have read another table when it started again. */
+  forget(): void {
+    this.info.value = null;
+  }
+}

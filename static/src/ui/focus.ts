@@ -1,0 +1,15 @@
+/** Keeps the keyboard free for the character. */
+
+/** Takes the focus off a clicked button or select, or a dragged slider: it would catch the character's keys. */
+export function freeFocus(): void {
+  document.addEventListener("click", (click) => {
+    const button = click.target instanceof HTMLElement ? click.target.closest("button") : null;
+    if (click.detail > 0) button?.blur();
+  });
+  document.addEventListener("change", ({ target }) => {
+    if (target instanceof HTMLSelectElement) target.blur();
+  });
+  document.addEventListener("pointerup", ({ target }) => {
+    if (target instanceof HTMLInputElement && target.type === "range") target.blur();
+  });
+}
