@@ -60,6 +60,11 @@ def test_types_are_right(modules: Path) -> None:
     run(modules / "typescript" / "bin" / "tsc", "--noEmit")
 
 
+def test_sources_have_no_lint(modules: Path) -> None:
+    _, *arguments = json.loads((VIEWER / "package.json").read_text())["scripts"]["lint"].split()
+    run(modules / "eslint" / "bin" / "eslint.js", *arguments)
+
+
 def test_sources_are_formatted(modules: Path) -> None:
     _, *arguments = json.loads((VIEWER / "package.json").read_text())["scripts"]["format"].split()
     run(

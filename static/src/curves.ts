@@ -12,7 +12,7 @@ import { KeyStrip } from "./panels/curves/keyStrip";
 import { fault, KeyTable, type Key } from "./panels/curves/keyTable";
 import { METHODS } from "./panels/curves/methods";
 import { Plots } from "./panels/curves/plots";
-import { byId, el, reducedMotion, say } from "./ui/dom";
+import { byId, canvasById, el, reducedMotion, say } from "./ui/dom";
 
 const SAMPLES = 361;
 const ASK_MS = 120;
@@ -100,7 +100,7 @@ function nameButtons(plots: Plots): void {
   }
 }
 
-const figures = new Figures(byId<HTMLCanvasElement>("figures"));
+const figures = new Figures(canvasById("figures"));
 const plots = new Plots(byId("plots"));
 const clock = new Clock(byId("clock"));
 const asker = new Asker((curves, keys) => {

@@ -31,7 +31,7 @@ import { viewControlsPanel } from "./panels/viewControls/viewControls";
 import { whyPanel } from "./panels/why/why";
 import { keepAddress, stageOfAddress } from "./state/address";
 import { exposeForTests } from "./testHook";
-import { byId, el } from "./ui/dom";
+import { byId, canvasById, el } from "./ui/dom";
 import { freeFocus } from "./ui/focus";
 import { tabs } from "./ui/tabs";
 import { type App, makeApp, type Panel } from "./view/app";
@@ -83,7 +83,7 @@ function drawForever({ frame, view }: App): void {
 }
 
 function start(renderer: string): void {
-  const app = makeApp(byId<HTMLCanvasElement>("stage-view"), renderer);
+  const app = makeApp(canvasById("stage-view"), renderer);
   for (const [id, panel] of PANELS) panel(byId(id), app);
   tabs(byId("tabs"), byId("panels"));
   freeFocus();

@@ -147,7 +147,7 @@ async function listen(state: State, seconds: number): Promise<object> {
 
 /** Where each handle is drawn. */
 const handlesOf = ({ scene }: StageView): Record<string, [number, number]> =>
-  Object.assign({}, ...scene.handles.map((handles) => handles.places()));
+  Object.fromEntries(scene.handles.flatMap((handles) => Object.entries(handles.places())));
 
 export function exposeForTests(app: App): void {
   const { view: stageView, ...state } = app;
@@ -187,7 +187,7 @@ export function exposeForTests(app: App): void {
     bodies: () => stageView.meshes().length,
     detail: () => ({
       level: stageView.watched.shownLevel,
-      levels: stageView.watched.cast?.crowd?.model.levels ?? [],
+      levels: stageView.watched.cast?.crowd.model.levels ?? [],
       triangles: stageView.scene.renderer.info.render.triangles,
     }),
     calls: () => stageView.scene.calls,

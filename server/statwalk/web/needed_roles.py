@@ -48,6 +48,7 @@ VIEW = (
     "GET /api/stages/{stage_id}/actors/{actor_id}/skeleton.svg",
     "GET /api/stages/{stage_id}/actors/{actor_id}/why",
     "GET /api/stages/{stage_id}/actors/{actor_id}/whynot",
+    "GET /api/stages/{stage_id}/differences",
     "GET /api/stages/{stage_id}/frame.glb",
     "GET /api/stages/{stage_id}/history",
     "GET /api/stages/{stage_id}/log",
@@ -103,6 +104,7 @@ BEYOND_A_LINK = frozenset(
     {
         "DELETE /api/stages/{stage_id}",
         "DELETE /api/stages/{stage_id}/links/{link_id}",
+        "GET /api/stages/{stage_id}/differences",
         "GET /api/stages/{stage_id}/links",
         "PATCH /api/stages/{stage_id}",
         "POST /api/stages/{stage_id}/fork",

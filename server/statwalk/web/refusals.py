@@ -48,6 +48,7 @@ OF_OPERATION = {
     "POST /api/stages": frozenset({409}),
     "DELETE /api/stages/{stage_id}": frozenset({409}),
     "GET /api/stages/{stage_id}/links": frozenset({409}),
+    "GET /api/stages/{stage_id}/differences": frozenset({409}),
     "GET /api/stages/{stage_id}/frame.glb": frozenset({409}),
     "GET /api/stages/{stage_id}/recording.glb": frozenset({409}),
     "GET /api/stages/{stage_id}/actors/{actor_id}/skeleton.svg": frozenset({409}),

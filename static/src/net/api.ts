@@ -70,8 +70,8 @@ export async function ask<M extends Method, P extends Route<M>>(
 ): Promise<Answer<M, P>> {
   const reply = await send(
     method,
-    filled(path, places as object, (extras.query ?? {}) as object),
-    extras.body as object | undefined,
+    filled(path, places as object, extras.query ?? {}),
+    extras.body,
     extras.version,
     extras.signal,
   );

@@ -168,8 +168,8 @@ export type GlArray = Int8Array | Uint8Array | Int16Array | Uint16Array | Uint32
  * that is not glTF's.
  */
 export function view(bin: Uint8Array, { offset, count, size, componentType, stride }: ArraySlice): GlArray {
+  if (!(componentType in ARRAYS)) throw new GlbError(`component type ${componentType} is not one of glTF's`);
   const Kind = ARRAYS[componentType as keyof typeof ARRAYS];
-  if (!Kind) throw new GlbError(`component type ${componentType} is not one of glTF's`);
   const element = size * Kind.BYTES_PER_ELEMENT;
   if (!stride || stride === element)
     return new Kind(bin.buffer as ArrayBuffer, bin.byteOffset + offset, count * size);

@@ -12,7 +12,7 @@ const fork = {
   ],
 };
 const machine = {
-  layers: [{ table: { WALK: { STOP: { to: "STAT", blend: 0.25 }, JUMP: fork } } }],
+  layers: [{ table: { WALK: { STOP: { to: "STAT", blend: 0.25, alternatives: [] }, JUMP: fork } } }],
 } as unknown as MachineInfo;
 const taken = verdict({ event: "STOP", to: "STAT" });
 

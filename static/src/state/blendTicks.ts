@@ -9,7 +9,7 @@ export function blendTicks(
   rate: number,
 ): number {
   if (verdict !== "taken" || !to) return 0;
-  const cell = machine?.layers[layer]?.table[from ?? ""]?.[event];
-  const alternative = cell?.alternatives?.find((choice) => choice.to === to) ?? cell;
+  const cell = machine?.layers[layer]?.table[from]?.[event];
+  const alternative = cell?.alternatives.find((choice) => choice.to === to) ?? cell;
   return Math.round((alternative?.blend ?? 0) * rate);
 }

@@ -65,10 +65,9 @@ test("an edit can be asked for again after it was answered", async () => {
 
 test("a request that fails does not hold up the next", async () => {
   const sent: string[] = [];
-  const queue = new EditQueue<string, string>(async (place) => {
+  const queue = new EditQueue<string, string>((place) => {
     sent.push(place);
-    if (place === "A") throw new Error("the line broke");
-    return "fine";
+    return place === "A" ? Promise.reject(new Error("the line broke")) : Promise.resolve("fine");
   });
   await expect(queue.keep("A", "WALK")).rejects.toThrow("broke");
   expect(await queue.keep("B", "WALK")).toBe("fine");

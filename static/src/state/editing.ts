@@ -5,6 +5,7 @@
 import { signal } from "@preact/signals-core";
 import * as api from "../net/api";
 import type { Edited, MachineVersion, Finding, MachineInfo, NewCell } from "../net/protocol";
+import { reasonOf } from "../net/reason";
 import type { Event } from "./event";
 import type { WatchedMachine } from "./watchedMachine";
 
@@ -104,8 +105,8 @@ export class Editing {
     if (!machine) return;
     await api.undo(machine.name, machine.version).then(
       (edited) => this.take(edited),
-      async (error: Error) => {
-        this.notices.emit(error.message);
+      async (error: unknown) => {
+        this.notices.emit(reasonOf(error));
         if (error instanceof api.ApiError && error.status === 412) await this.reload(machine.name);
       },
     );

@@ -50,7 +50,7 @@ function within<T extends { tick: number; actor: number }>(
 
 /** Writes an action as in the table: `drop(coins, 3)`. */
 export function actionText({ name, arguments: values }: Pick<Action, "name" | "arguments">): string {
-  return values?.length ? `${name}(${values.join(", ")})` : name;
+  return values.length ? `${name}(${values.join(", ")})` : name;
 }
 
 export class EventLog {

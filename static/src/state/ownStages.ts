@@ -31,7 +31,10 @@ export class OwnStages {
    */
   async begin(stage: string | null): Promise<void> {
     const opening = history.state as Opening | null;
-    if (stage === null || !opening) return this.session.watch(stage ?? "main");
+    if (stage === null || !opening) {
+      this.session.watch(stage ?? "main");
+      return;
+    }
     const stages = await api.stages().catch(() => []);
     if (!stages.some(({ id }) => id === stage)) return this.choose(opening, Promise.resolve(false));
     this.made.set(stage, opening);

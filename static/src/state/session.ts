@@ -13,6 +13,7 @@ import type {
   Status,
   Verdict,
 } from "../net/protocol";
+import { reasonOf } from "../net/reason";
 import { Event } from "./event";
 import type { Frames } from "./frames";
 import type { Line } from "./line";
@@ -91,7 +92,7 @@ export class Session {
   private refused({ ref, title, detail }: Refused): void {
     if (this.trip.answer(ref, performance.now())) return;
     this.parts.playback.scrubber.refused();
-    this.parts.notices.emit(detail ?? title ?? "refused");
+    this.parts.notices.emit(detail || title);
   }
 
   private greet(hello: Hello): void {
@@ -135,7 +136,7 @@ export class Session {
     const led = past.judge(verdict);
     // While the past is shown, present verdicts stay out of the panels.
     if (verdict.actor !== selection.actor.value || !playback.isLive) return;
-    if (frames.kind.value === "glb" && led >= 0) selection.leads(verdict.layer, led, verdict.to!);
+    if (frames.kind.value === "glb" && led >= 0) selection.leads(verdict.layer, led, verdict.to);
     this.verdicts.emit(verdict);
   }
 
@@ -167,7 +168,10 @@ export class Session {
   private async findShared(detail: string): Promise<void> {
     await this.readAccess();
     const stage = this.access.value?.stage ?? null;
-    if (stage === null || stage === this.parts.stage.id) return this.parts.line.refuse(detail);
+    if (stage === null || stage === this.parts.stage.id) {
+      this.parts.line.refuse(detail);
+      return;
+    }
     this.watch(stage);
   }
 
@@ -190,6 +194,6 @@ export class Session {
 
   /** Runs a REST request on the stage; a refusal is shown. */
   async command(request: (stage: string) => Promise<unknown>): Promise<void> {
-    await request(this.parts.stage.id).catch((error: Error) => this.parts.notices.emit(error.message));
+    await request(this.parts.stage.id).catch((error: unknown) => this.parts.notices.emit(reasonOf(error)));
   }
 }

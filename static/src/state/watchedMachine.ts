@@ -3,6 +3,7 @@
 import { batch, signal } from "@preact/signals-core";
 import * as api from "../net/api";
 import type { LayerInfo, MachineInfo } from "../net/protocol";
+import { reasonOf } from "../net/reason";
 import type { Event } from "./event";
 import type { Selection } from "./selection";
 
@@ -40,7 +41,7 @@ export class WatchedMachine {
       (machine) => {
         if (name === this.selection.cast?.machine) this.take(machine, version);
       },
-      (error: Error) => this.notices.emit(error.message),
+      (error: unknown) => this.notices.emit(reasonOf(error)),
     );
   }
 

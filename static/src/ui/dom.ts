@@ -36,10 +36,17 @@ export function svg<K extends keyof SVGElementTagNameMap>(
 }
 
 /** Returns the element with this id; throws if the page has none. */
-export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
+export function byId(id: string): HTMLElement {
   const element = document.getElementById(id);
   if (!element) throw new Error(`the page has no #${id}`);
-  return element as T;
+  return element;
+}
+
+/** Returns the canvas with this id; throws if the page has none. */
+export function canvasById(id: string): HTMLCanvasElement {
+  const element = byId(id);
+  if (!(element instanceof HTMLCanvasElement)) throw new Error(`#${id} is no canvas`);
+  return element;
 }
 
 /** Sets the text if it differs: the same text again would cost a layout. */

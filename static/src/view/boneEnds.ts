@@ -60,8 +60,8 @@ function ofPart(mesh: THREE.Mesh, visit: Visit): void {
 
 function eachVertex(scene: THREE.Object3D, visit: Visit): void {
   scene.traverse((object) => {
-    if (object instanceof THREE.SkinnedMesh) ofSkin(object, visit);
-    else if (object instanceof THREE.Mesh) ofPart(object, visit);
+    if (object instanceof THREE.SkinnedMesh) ofSkin(object as THREE.SkinnedMesh, visit);
+    else if (object instanceof THREE.Mesh) ofPart(object as THREE.Mesh, visit);
   });
 }
 

@@ -65,7 +65,7 @@ export class CastView {
     const [size, spot] = [new THREE.Vector3().setScalar(this.radius), new THREE.Matrix4()];
     for (let row = 0; row < this.crowd.pose.actors; row++) {
       const { elements } = spot.identity().scale(size).copyPosition(this.root(row));
-      elements[13]! += ABOVE_M;
+      elements[13] += ABOVE_M;
       this.spots.setMatrixAt(row, spot);
     }
     this.spots.instanceMatrix.needsUpdate = true;

@@ -1,6 +1,7 @@
 /** The casts of the stage that is shown: their models are loaded, and their actors stand on it. */
 
 import type { CastHello, Hello } from "../net/protocol";
+import { reasonOf } from "../net/reason";
 import type { State } from "../state/state";
 import { signal } from "@preact/signals-core";
 import { Event } from "../state/event";
@@ -10,8 +11,6 @@ import { missingModel } from "./missing";
 import { type Model, Models } from "./model";
 import { PosedModel } from "./posedModel";
 import type { Scene } from "./scene";
-
-const reason = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 export class Casting {
   casts: readonly CastView[] = [];
@@ -52,7 +51,7 @@ export class Casting {
     } catch (error) {
       if (generation !== this.generation) return;
       this.shown = "";
-      this.loading.value = `The stage cannot be shown: ${reason(error)}`;
+      this.loading.value = `The stage cannot be shown: ${reasonOf(error)}`;
     }
   }
 
@@ -62,7 +61,7 @@ export class Casting {
     return this.models
       .get(url)
       .catch((error: unknown) =>
-        missingModel(url, `The model of ${machine} cannot be loaded: ${reason(error)}`),
+        missingModel(url, `The model of ${machine} cannot be loaded: ${reasonOf(error)}`),
       );
   }
 

@@ -13,17 +13,17 @@ export class CrowdMesh extends THREE.SkinnedMesh {
   constructor(
     geometry: THREE.BufferGeometry,
     material: THREE.Material | THREE.Material[],
-    pose: PoseTexture,
+    private readonly texture: PoseTexture,
   ) {
     super(geometry, material);
     this.boundingSphere = new THREE.Sphere();
     this.frustumCulled = false;
-    this.bind(pose, new THREE.Matrix4());
+    this.bind(texture, new THREE.Matrix4());
   }
 
   /** Returns another mesh of the same actors, drawn below this one. */
   twin(geometry: THREE.BufferGeometry, material: THREE.Material): CrowdMesh {
-    const twin = new CrowdMesh(geometry, material, this.skeleton as PoseTexture);
+    const twin = new CrowdMesh(geometry, material, this.texture);
     twin.morphTargetInfluences = this.morphTargetInfluences;
     this.add(twin);
     return twin;

@@ -48,7 +48,7 @@ const idOf = (actor: number): THREE.InstancedBufferAttribute =>
 function fitted(material: THREE.Material, { normals, colours }: PrimitiveLayout): THREE.Material {
   const flatShading = normals === null;
   const vertexColors = colours !== null;
-  const own = material as THREE.MeshStandardMaterial;
+  const own: THREE.Material & { flatShading?: boolean } = material;
   if ((own.flatShading ?? flatShading) === flatShading && own.vertexColors === vertexColors) return material;
   return Object.assign(material.clone(), { flatShading, vertexColors });
 }

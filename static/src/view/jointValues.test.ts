@@ -78,11 +78,8 @@ test.each([
   ["RPP", [Math.cos(0.5) + 2 * Math.sin(0.5), 2 * Math.cos(0.5) - Math.sin(0.5)]],
 ])("slides of a plane in the order %s", (order, [x, z]) => {
   const values = freedomValues(
-    limit("planar", order as string, ["slide_x", "slide_z", "angle"]),
-    moved(
-      new THREE.Vector3(x as unknown as number, 0, z as unknown as number),
-      about(Y, (0.5 * 180) / Math.PI),
-    ),
+    limit("planar", order, ["slide_x", "slide_z", "angle"]),
+    moved(new THREE.Vector3(x, 0, z), about(Y, (0.5 * 180) / Math.PI)),
   );
   expect(values.get("slide_x")).toBeCloseTo(1, 5);
   expect(values.get("slide_z")).toBeCloseTo(2, 5);

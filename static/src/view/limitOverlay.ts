@@ -185,7 +185,7 @@ export class LimitOverlay {
     this.object.clear();
     for (const { group } of this.drawn)
       group.traverse((part) => {
-        if (part instanceof THREE.Mesh || part instanceof THREE.LineSegments) part.geometry.dispose();
+        (part as Partial<THREE.Mesh>).geometry?.dispose();
       });
     this.drawn = [];
   }

@@ -43,7 +43,7 @@ export function missingModel(url: string, wrong: string): Model {
   const sign = new THREE.Sprite(new THREE.SpriteMaterial({ map: picture(wrong), toneMapped: false }));
   sign.scale.set(METRES, (METRES * HEIGHT) / WIDTH, 1);
   sign.position.y = EYES;
-  const scene = new THREE.Group().add(sign) as THREE.Group;
+  const scene = new THREE.Group().add(sign);
   const none = { nodes: [], targets: [], levels: [], materials: new Map(), materialCount: 0 };
   return { url, scene, wrong, ...none, skinJoints: new Set(), skinEnds: new Map() };
 }

@@ -43,7 +43,7 @@ function materialsByIndex(parser: GLTFParser): Map<number, THREE.Material> {
   // three's default material has no index in the file.
   for (const [object, place] of parser.associations as Map<object, { materials?: number } | undefined>) {
     if (object instanceof THREE.Material && place?.materials !== undefined)
-      found.set(place.materials, object);
+      found.set(place.materials, object as THREE.Material);
   }
   return found;
 }

@@ -56,7 +56,7 @@ export class BoneOverlay {
   private readonly last: BoneEnd[];
   /** World positions of each bone's start and end, metres. */
   private readonly bones: Float32Array;
-  private readonly ends: THREE.InstancedInterleavedBuffer;
+  private readonly ends: THREE.InterleavedBuffer;
   private readonly circles: THREE.BufferAttribute;
   private readonly shaded: THREE.InstancedMesh;
   private readonly wire: THREE.InstancedMesh;
@@ -90,8 +90,7 @@ export class BoneOverlay {
     const count = actors * (this.plan.segments.length + this.last.length);
     this.bones = new Float32Array(count * 6);
     const geometry = new LineSegmentsGeometry().setPositions(new Float32Array(Math.max(1, count) * 6));
-    this.ends = (geometry.attributes["instanceStart"] as THREE.InterleavedBufferAttribute)
-      .data as THREE.InstancedInterleavedBuffer;
+    this.ends = (geometry.attributes["instanceStart"] as THREE.InterleavedBufferAttribute).data;
     const points = new THREE.BufferGeometry();
     this.circles = new THREE.BufferAttribute(new Float32Array(actors * this.plan.joints.length * 3), 3);
     points.setAttribute("position", this.circles);

@@ -63,8 +63,8 @@ export class PosedModel {
       return { position, quaternion: quaternion.fromArray(frame.rotation, 4 * at) };
     }
     const above = this.jointWorld(this.cast.parents[joint]!);
-    const matrix = new THREE.Matrix4().fromArray(above as number[]).invert();
-    matrix.multiply(new THREE.Matrix4().fromArray(this.jointWorld(joint) as number[]));
+    const matrix = new THREE.Matrix4().fromArray(above).invert();
+    matrix.multiply(new THREE.Matrix4().fromArray(this.jointWorld(joint)));
     matrix.decompose(position, quaternion, new THREE.Vector3());
     return { position, quaternion };
   }

@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { chunksOf, layoutOf, view } from "../net/glb";
 import { frameFile } from "../net/api";
 import type { Skinning } from "../net/protocol";
+import { reasonOf } from "../net/reason";
 import type { State } from "../state/state";
 import { signal } from "@preact/signals-core";
 import type { Crowd } from "./crowd";
@@ -64,7 +65,7 @@ export class SkinProof {
         this.measured = { actor: crowd.cast.actors[row]!.id, tick, way };
         this.tell(Math.max(0, ...away));
       })
-      .catch((error: unknown) => this.tell(error instanceof Error ? error.message : String(error)))
+      .catch((error: unknown) => this.tell(reasonOf(error)))
       .finally(() => (this.busy = false));
   }
 

@@ -63,6 +63,7 @@ MESSAGES: dict[type, Callable[[Registry], ask.Message[Any]]] = {
     ask.FrameFile: lambda _: ask.FrameFile(5),
     ask.StickFigures: lambda _: ask.StickFigures(1, (2, 5), "front"),
     ask.Recording: lambda _: ask.Recording(2, 6),
+    ask.Joints: lambda _: ask.Joints(2, 6),
     ask.Why: lambda _: ask.Why(1, 1),
     ask.WhyNot: lambda _: ask.WhyNot(1, "JUMP", 5),
 }

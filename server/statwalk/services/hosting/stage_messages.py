@@ -224,6 +224,14 @@ class Recording(Message[bytes]):
 
 
 @dataclass(frozen=True)
+class Joints(Message[replies.JointTracks]):
+    """Asks for the joints of all actors at the ticks `first` … `last`."""
+
+    first: int
+    last: int
+
+
+@dataclass(frozen=True)
 class Why(Message[why.Why]):
     """Asks for the verdict on every event of an actor in a tick."""
 

@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.actor_facts import ActorColumns, columns_of, facts_in
+from statwalk.services.hosting.joint_tracks import joint_tracks
 from statwalk.services.hosting.live_stage import LiveStage
 from statwalk.services.hosting.place_in_tree import place_of
 from statwalk.services.hosting.recorder import recorded
@@ -16,6 +17,7 @@ from statwalk.services.hosting.stage_replies import (
     ActorFacts,
     ActorPose,
     EffectsSince,
+    JointTracks,
     StageFacts,
     StageSnapshot,
     StateHistory,
@@ -148,6 +150,10 @@ def _recording(stage: Stage, message: ask.Recording) -> bytes:
     return recorded(stage, message.first, stage.tick if message.last is None else message.last)
 
 
+def _joints(stage: Stage, message: ask.Joints) -> JointTracks:
+    return JointTracks(tuple(joint_tracks(stage, message.first, message.last)))
+
+
 def _why(stage: Stage, message: ask.Why) -> Why:
     _check_actor(stage, message.actor)
     return why(stage, message.actor, message.tick)
@@ -184,6 +190,7 @@ ON_A_COPY: Mapping[type[ask.Message[Any]], Callable[[Stage, Any], Any]] = {
     ask.FrameFile: _frame_file,
     ask.Recording: _recording,
     ask.StickFigures: _stick_figures,
+    ask.Joints: _joints,
     ask.Why: _why,
     ask.WhyNot: _whynot,
 }

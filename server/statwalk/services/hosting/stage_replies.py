@@ -175,6 +175,31 @@ class ActorPose:
 
 
 @dataclass(frozen=True)
+class JointTrack:
+    """The joints of an actor at T ticks from `first` on."""
+
+    actor: int
+    name: str
+    joints: tuple[str, ...]
+    first: int
+    places: Floats
+    """(T, J, 3) metres, on the stage"""
+    rotations: Floats
+    """(T, J, 4) to the parent"""
+    root_positions: Floats
+    """(T, 3) metres"""
+    headings: Floats
+    """(T,) radians about +Y"""
+
+
+@dataclass(frozen=True)
+class JointTracks:
+    """The joints of all actors of a stage over a span."""
+
+    actors: tuple[JointTrack, ...]
+
+
+@dataclass(frozen=True)
 class Posted:
     """The commands are in the log of `stage` (the stage, or a fork) and count in the tick after `tick`.
 

@@ -24,13 +24,13 @@ from statwalk.services.library.model_store import UploadedCharacter
 from statwalk.solve.chains import top_of
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import catalogue_of
+from statwalk.web.routes.model_views import model_views
 from statwalk.web.schemas.base import Coordinate
 from statwalk.web.schemas.character import (
     CharacterView,
     ClipView,
     JointView,
     MappingView,
-    PartView,
     ShippedCharacterView,
     UploadedCharacterView,
 )
@@ -75,10 +75,7 @@ def get_character(name: str, catalogue: CatalogueDep) -> CharacterView:
         ],
         clips=[ClipView(name=clip.name, duration=float(clip.duration)) for clip in character.clips.values()],
         skins=len(character.skins),
-        parts=[
-            PartView(node=part.node, mesh=part.mesh, primitive=part.primitive, vertices=len(part.positions))
-            for part in character.parts
-        ],
+        **model_views(character)._asdict(),
         notes=list(character.notes),
         targets=list(character.targets),
         expressions=[line.text for line in character.expressions],

@@ -45,12 +45,43 @@ class ClipView(ResponseModel):
 
 
 class PartView(ResponseModel):
-    """A mesh primitive of the model; `vertices` is their number."""
+    """A mesh primitive of the model, with its numbers of vertices and triangles."""
 
     node: int
     mesh: int
     primitive: int
+    name: str
+    """of its mesh, or of its node"""
     vertices: int
+    triangles: int
+    material: int | None
+    """an index into the character's materials"""
+    skinned: bool
+    """joints bend it"""
+    targets: list[str]
+    """the names of its morph targets"""
+
+
+class MaterialView(ResponseModel):
+    """A material of the model."""
+
+    name: str
+    textures: dict[str, int]
+    """by their places in glTF (`baseColorTexture`, …), indices into the character's textures"""
+    alpha: str
+    """`OPAQUE`, `MASK` or `BLEND`"""
+    double_sided: bool
+
+
+class TextureView(ResponseModel):
+    """An image of the model."""
+
+    name: str
+    type: str
+    bytes: int
+    width: int | None
+    """pixels; null: neither PNG nor JPEG"""
+    height: int | None
 
 
 class CharacterView(ResponseModel):
@@ -63,7 +94,12 @@ class CharacterView(ResponseModel):
     clips: list[ClipView]
     skins: int
     parts: list[PartView]
+    vertices: int
+    triangles: int
+    materials: list[MaterialView]
+    textures: list[TextureView]
     notes: list[str]
+    """what the server repaired or left out when it read the file"""
     targets: list[str]
     """the names of its morph targets, which expressions set: `NAME.weight`"""
     expressions: list[str]

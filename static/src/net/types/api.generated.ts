@@ -706,6 +706,28 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/stages/{stage_id}/differences": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Differences
+         * @description Compares the ticks `from` … `to` of two stages, by default the newest 600 that both have.
+         *
+         *     Actors are matched by id, their joints by name.
+         */
+        get: operations["get_differences_api_stages__stage_id__differences_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/access": {
         parameters: {
             query?: never;
@@ -1263,6 +1285,34 @@ export interface components {
             role: "view" | "drive" | "admin";
             stage: string | null;
         };
+        /**
+         * @description How far an actor is from the actor with its id on the other stage. A list has a number for each tick of
+         *     `ticks`, or for each joint of `joints`.
+         */
+        ActorDifferenceView: {
+            id: number;
+            name: string;
+            /** @description that both have */
+            joints: string[];
+            /** @description at which both stages have the actor */
+            ticks: number[];
+            /** @description by tick: of the places of the actor */
+            root_distance: number[];
+            /** @description by tick: of its headings */
+            root_angle_deg: number[];
+            /** @description by tick: of the joint that is farthest apart */
+            distance: number[];
+            /** @description by tick: which one that is, an index into `joints` */
+            distance_joint: number[];
+            /** @description by tick: of the joint whose rotation to its parent differs most */
+            angle_deg: number[];
+            angle_joint: number[];
+            /** @description by joint: the largest of all ticks */
+            joint_distance: number[];
+            joint_angle_deg: number[];
+            /** @description null in a summary */
+            by_tick: components["schemas"]["JointDifferences"] | null;
+        };
         /** @description An actor at the stage's playhead; `time` in seconds, `position` in metres, `heading_deg` about +Y. */
         ActorView: {
             id: number;
@@ -1388,6 +1438,11 @@ export interface components {
             clips: components["schemas"]["ClipView"][];
             skins: number;
             parts: components["schemas"]["PartView"][];
+            vertices: number;
+            triangles: number;
+            materials: components["schemas"]["MaterialView"][];
+            textures: components["schemas"]["TextureView"][];
+            /** @description what the server repaired or left out when it read the file */
             notes: string[];
             /** @description the names of its morph targets, which expressions set: `NAME.weight` */
             targets: string[];
@@ -1510,6 +1565,21 @@ export interface components {
             variables: {
                 [key: string]: number;
             };
+        };
+        /** @description The differences of two stages in the ticks `from` to `to`. */
+        DifferencesView: {
+            stage: string;
+            other: string;
+            from: number;
+            to: number;
+            /** @description the first of these ticks at which an actor differs; null: none does */
+            first_difference: number | null;
+            /** @description why nothing is compared; empty if something is */
+            note: string;
+            /** @description actors that only the stage has in these ticks */
+            only_here: number[];
+            only_there: number[];
+            actors: components["schemas"]["ActorDifferenceView"][];
         };
         /** @description An edge of the state graph, and the events that take it. */
         EdgeView: {
@@ -1742,6 +1812,11 @@ export interface components {
             number: number;
             tick: number;
             text: string;
+        };
+        /** @description Of each tick, of each joint. */
+        JointDifferences: {
+            distance: number[][];
+            angle_deg: number[][];
         };
         /** @description The joints that are one bone; `source` is empty where the spine turns as a whole. */
         JointPair: {
@@ -1988,6 +2063,17 @@ export interface components {
         MarkerView: {
             name: string;
             phase: number;
+        };
+        /** @description A material of the model. */
+        MaterialView: {
+            name: string;
+            /** @description by their places in glTF (`baseColorTexture`, …), indices into the character's textures */
+            textures: {
+                [key: string]: number;
+            };
+            /** @description `OPAQUE`, `MASK` or `BLEND` */
+            alpha: string;
+            double_sided: boolean;
         };
         /** @description The figures of a cell, or of a state's motion by itself (`event` empty). */
         MeasuredView: {
@@ -2392,12 +2478,21 @@ export interface components {
             event: string;
             driven: boolean;
         };
-        /** @description A mesh primitive of the model; `vertices` is their number. */
+        /** @description A mesh primitive of the model, with its numbers of vertices and triangles. */
         PartView: {
             node: number;
             mesh: number;
             primitive: number;
+            /** @description of its mesh, or of its node */
+            name: string;
             vertices: number;
+            triangles: number;
+            /** @description an index into the character's materials */
+            material: number | null;
+            /** @description joints bend it */
+            skinned: boolean;
+            /** @description the names of its morph targets */
+            targets: string[];
         };
         /** @description Whether the clock is paused. */
         PauseBody: {
@@ -2684,6 +2779,15 @@ export interface components {
             state: string;
             event: string;
             seconds: number;
+        };
+        /** @description An image of the model. */
+        TextureView: {
+            name: string;
+            type: string;
+            bytes: number;
+            /** @description pixels; null: neither PNG nor JPEG */
+            width: number | null;
+            height: number | null;
         };
         /** @description An event that a condition raises; it raises the event again only after `release` was true. */
         ThresholdView: {
@@ -3449,6 +3553,7 @@ export interface components {
 }
 export type Accepted = components['schemas']['Accepted'];
 export type AccessView = components['schemas']['AccessView'];
+export type ActorDifferenceView = components['schemas']['ActorDifferenceView'];
 export type ActorView = components['schemas']['ActorView'];
 export type AlternativeView = components['schemas']['AlternativeView'];
 export type BoneBody = components['schemas']['BoneBody'];
@@ -3467,6 +3572,7 @@ export type CurveView = components['schemas']['CurveView'];
 export type CurvesView = components['schemas']['CurvesView'];
 export type DeducedBoneView = components['schemas']['DeducedBoneView'];
 export type DeductionView = components['schemas']['DeductionView'];
+export type DifferencesView = components['schemas']['DifferencesView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
@@ -3487,6 +3593,7 @@ export type HealthView = components['schemas']['HealthView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
 export type InputView = components['schemas']['InputView'];
+export type JointDifferences = components['schemas']['JointDifferences'];
 export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
 export type KeyView = components['schemas']['KeyView'];
@@ -3501,6 +3608,7 @@ export type MachineView = components['schemas']['MachineView'];
 export type MadeLink = components['schemas']['MadeLink'];
 export type MappingView = components['schemas']['MappingView'];
 export type MarkerView = components['schemas']['MarkerView'];
+export type MaterialView = components['schemas']['MaterialView'];
 export type MeasuredView = components['schemas']['MeasuredView'];
 export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
@@ -3552,6 +3660,7 @@ export type StateChangeView = components['schemas']['StateChangeView'];
 export type StateView = components['schemas']['StateView'];
 export type StepBody = components['schemas']['StepBody'];
 export type StepView = components['schemas']['StepView'];
+export type TextureView = components['schemas']['TextureView'];
 export type ThresholdView = components['schemas']['ThresholdView'];
 export type TouchView = components['schemas']['TouchView'];
 export type TwinView = components['schemas']['TwinView'];
@@ -4951,6 +5060,41 @@ export interface operations {
             403: components["responses"]["403"];
             404: components["responses"]["404"];
             421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_differences_api_stages__stage_id__differences_get: {
+        parameters: {
+            query: {
+                with: string;
+                from?: number | null;
+                to?: number | null;
+                detail?: "summary" | "joints";
+            };
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DifferencesView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
         };

@@ -29,7 +29,7 @@ export class Sounds {
 
   /** Plays the tone of `name`, if the user has clicked or typed before: browsers are silent until then. */
   play(name: string): void {
-    if (this.muted || !navigator.userActivation?.hasBeenActive) return;
+    if (this.muted || !navigator.userActivation.hasBeenActive) return;
     this.context ??= new AudioContext();
     const now = this.context.currentTime;
     const tone = new OscillatorNode(this.context, { type: "triangle", frequency: pitchOf(name) });

@@ -6,6 +6,7 @@
 import "./deduce.css";
 import { deduce } from "../../net/api";
 import type { DeducedBone } from "../../net/protocol";
+import { reasonOf } from "../../net/reason";
 import { el, say, svg } from "../../ui/dom";
 import { segments } from "./skeletonDrawing";
 
@@ -67,7 +68,7 @@ class DeduceDialog {
       this.bones = (await deduce(this.text.value)).bones;
       say(this.problem, "");
     } catch (error) {
-      say(this.problem, error instanceof Error ? error.message : String(error));
+      say(this.problem, reasonOf(error));
       return;
     }
     this.draw();

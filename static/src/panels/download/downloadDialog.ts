@@ -3,6 +3,7 @@
 import "./download.css";
 import type { App } from "../../view/app";
 import { formats, character as known } from "../../net/api";
+import { reasonOf } from "../../net/reason";
 import { el, say } from "../../ui/dom";
 import { lossText } from "./lossText";
 
@@ -46,7 +47,7 @@ class DownloadDialog {
       this.choice.hidden = clips.length < 2;
       this.list.replaceChildren(...rows.map((row) => this.row(row)));
     } catch (error) {
-      say(this.problem, error instanceof Error ? error.message : String(error));
+      say(this.problem, reasonOf(error));
     }
   }
 

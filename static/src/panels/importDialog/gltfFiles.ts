@@ -80,7 +80,7 @@ async function zipped(name: string, files: readonly Packed[]): Promise<File> {
   const { zipSync } = await import("three/examples/jsm/libs/fflate.module.js");
   const contents = files.map(async ({ path, source }) => [path, await bytesOf(source.file)] as const);
   const entries = Object.fromEntries(await Promise.all(contents));
-  return new File([zipSync(entries, { level: 0 }) as Uint8Array<ArrayBuffer>], name);
+  return new File([zipSync(entries, { level: 0 })], name);
 }
 
 const bytesOf = async (file: File): Promise<Uint8Array> => new Uint8Array(await file.arrayBuffer());

@@ -5,6 +5,7 @@ import { effect } from "@preact/signals-core";
 import * as api from "../../net/api";
 import { nameFor, putCharacter, takenNames } from "../../net/upload";
 import type { Mapping, UploadedCharacter } from "../../net/protocol";
+import { reasonOf } from "../../net/reason";
 import { el, say } from "../../ui/dom";
 import type { App } from "../../view/app";
 import { importCapture, isCapture } from "./captureImport";
@@ -80,7 +81,10 @@ class ImportDialog {
   /** Carries a capture over to the watched character; plays it at once. */
   private async capture(file: File): Promise<void> {
     const target = this.watched();
-    if (target === null) return this.refuse("Drop a motion on a character: no character is shown yet.");
+    if (target === null) {
+      this.refuse("Drop a motion on a character: no character is shown yet.");
+      return;
+    }
     const cancel = (this.cancel = new AbortController());
     const stage = {
       progress: this.showProgress(file),
@@ -155,7 +159,7 @@ class ImportDialog {
   }
 
   private refuse(error: unknown): void {
-    const reason = error instanceof Error ? error.message : String(error);
+    const reason = reasonOf(error);
     const places =
       error instanceof api.ApiError
         ? error.places.map(({ field }) => field).filter((field) => field && !reason.includes(field))
@@ -249,7 +253,7 @@ class ImportDialog {
   private blame(error: unknown, name: HTMLInputElement, wrong: HTMLElement, form: MappingForm): void {
     const places = error instanceof api.ApiError ? error.places : [];
     const placed = places.map(({ field, message }) => form.refuse(field, message)).some(Boolean);
-    if (!placed) say(wrong, error instanceof Error ? error.message : String(error));
+    if (!placed) say(wrong, reasonOf(error));
     if (places.some(({ field }) => field === "name")) name.focus();
   }
 

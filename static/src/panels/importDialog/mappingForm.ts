@@ -17,7 +17,7 @@ interface Row {
 }
 
 /** The server names a row by the first 80 letters of its clip. */
-const fieldOf = (clip: string): string => `mapping.${[...clip].slice(0, 80).join("")}`;
+const fieldOf = (clip: string): string => `mapping.${Array.from(clip).slice(0, 80).join("")}`;
 
 export class MappingForm {
   readonly element: HTMLElement;

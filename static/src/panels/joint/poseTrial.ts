@@ -7,6 +7,7 @@ import * as THREE from "three";
 import { solve } from "../../net/api";
 import { Latest } from "../../net/latest";
 import type { Solved } from "../../net/protocol";
+import { reasonOf } from "../../net/reason";
 import type { Point } from "../../state/points";
 import type { App } from "../../view/app";
 import { say } from "../../ui/dom";
@@ -97,15 +98,13 @@ export class PoseTrial {
       });
       if (this.shown === null) return;
       this.line.show(
-        answer.joints.map(({ position }) =>
-          new THREE.Vector3(...(position as Point)).applyMatrix4(actor.rootWorld()),
-        ),
+        answer.joints.map(({ position }) => new THREE.Vector3(...position).applyMatrix4(actor.rootWorld())),
       );
       this.host.hidden = false;
       say(this.host, trialWords(names[joints.at(-1)!]!, answer));
       this.app.view.scene.invalidate();
     } catch (error) {
-      this.app.notices.emit(error instanceof Error ? error.message : String(error));
+      this.app.notices.emit(reasonOf(error));
     } finally {
       this.asking = false;
       if (this.waiting !== null) void this.ask(this.waiting);

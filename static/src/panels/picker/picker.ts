@@ -1,9 +1,9 @@
 /** Picks the machine or scene to watch, and the actor. */
 
 import "./picker.css";
-import { effect } from "@preact/signals-core";
-import { html, nothing, render, type TemplateResult } from "lit-html";
+import { html, nothing, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
+import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
 
 /** Marks a scene's name in the list; names of machines have no colon. */
@@ -19,9 +19,12 @@ interface Choice {
 const options = (choices: readonly Choice[], chosen: string): TemplateResult[] =>
   choices.map(
     ({ value, words, title }) =>
-      html`<option value=${value} title=${title ?? nothing} .selected=${live(value === chosen)}>
-        ${words}
-      </option>`,
+      html`<option
+        value=${value}
+        title=${title ?? nothing}
+        .text=${words}
+        .selected=${live(value === chosen)}
+      ></option>`,
   );
 
 function machineChoice({ library, selection }: App): TemplateResult {
@@ -68,10 +71,7 @@ function actorChoice({ machine, selection, stage }: App): TemplateResult {
 }
 
 export function pickerPanel(host: HTMLElement, app: App): void {
-  effect(() => {
-    void app.machine.info.value; // a choice that fails goes back to the machine that is watched
-    render(html`${machineChoice(app)}${actorChoice(app)}`, host);
-  });
+  draw(host, () => html`${machineChoice(app)}${actorChoice(app)}`);
   app.stage.hello.subscribe(() => {
     if (!app.library.machines.value.length) void app.library.read();
   });

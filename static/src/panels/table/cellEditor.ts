@@ -4,6 +4,7 @@ import "./editor.css";
 import type { Answer, CellPlace } from "../../state/editing";
 import { EditQueue } from "../../state/editQueue";
 import type { LayerInfo } from "../../net/protocol";
+import { reasonOf } from "../../net/reason";
 import type { App } from "../../view/app";
 import { el, flash } from "../../ui/dom";
 import { writtenText } from "./cellText";
@@ -16,7 +17,7 @@ const TRIAL_PAUSE_MS = 180;
 const [MOST_WIDTH, LETTER_WIDTH, PADDING] = [170, 9, 20];
 
 const cellOf = ({ layer, state, event }: CellPlace): string => JSON.stringify([layer, state, event]);
-const failed = (error: Error): Answer => ({ kind: "refused", words: error.message, findings: [] });
+const failed = (error: unknown): Answer => ({ kind: "refused", words: reasonOf(error), findings: [] });
 
 export class CellEditor {
   private readonly field = el("input", {
@@ -140,7 +141,7 @@ export class CellEditor {
     else if (press.key === "Escape") this.close(true);
     else if (press.key === "Tab" && this.suggestions.open)
       this.complete(this.suggestions.first ?? this.field.value);
-    else if (step) this.choose(step as 1 | -1);
+    else if (step) this.choose(step);
     else return;
     press.preventDefault();
   }
@@ -172,7 +173,10 @@ export class CellEditor {
     clearTimeout(this.timer);
     const place = this.place;
     if (!place) return;
-    if (!this.changed) return this.inspector.unchanged();
+    if (!this.changed) {
+      this.inspector.unchanged();
+      return;
+    }
     this.inspector.trying();
     const answer = await this.queue.try(place, this.field.value).catch(failed);
     if (answer && place === this.place) this.show(answer);
@@ -186,7 +190,10 @@ export class CellEditor {
     clearTimeout(this.timer);
     const [place, text, before] = [this.place, this.field.value, this.before];
     if (!place) return;
-    if (!this.changed) return this.close(true);
+    if (!this.changed) {
+      this.close(true);
+      return;
+    }
     this.inspector.trying();
     const answer = await this.queue.keep(place, text).catch(failed);
     if (!answer) return;

@@ -4,6 +4,7 @@ import { effect } from "@preact/signals-core";
 import type { App } from "../../view/app";
 import { el, say } from "../../ui/dom";
 import { countWords } from "./findings";
+import { reasonOf } from "../../net/reason";
 
 export class VersionBar {
   private readonly version = el("b", { class: "version" });
@@ -44,7 +45,7 @@ export class VersionBar {
   private async measured(): Promise<void> {
     this.measure.disabled = true;
     say(this.measure, "measuring …");
-    const words = await this.app.editing.measure().catch((error: Error) => error.message);
+    const words = await this.app.editing.measure().catch(reasonOf);
     this.app.notices.emit(words);
     say(this.measure, "measure");
     this.measure.disabled = false;
@@ -72,7 +73,7 @@ export class VersionBar {
     const kept = machine.saved === "file" ? "in machine.yaml" : "by the server, not in its file";
     const edited = machine.version > 1 && newest?.version === machine.version;
     say(this.what, edited ? `${newest.what}, kept ${kept}` : `edits are kept ${kept}`);
-    this.what.title = this.what.textContent ?? "";
+    this.what.title = this.what.textContent;
     const words = countWords(this.app.editing.findings.value);
     say(this.findings, words === "nothing is wrong" ? "✓" : words);
     this.findings.setAttribute("aria-label", `findings: ${words}`);

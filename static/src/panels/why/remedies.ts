@@ -2,6 +2,7 @@
 
 import * as actors from "../../net/actors";
 import type { Remedy, WhyNot } from "../../net/protocol";
+import { reasonOf } from "../../net/reason";
 import type { App } from "../../view/app";
 import { el } from "../../ui/dom";
 import { trialWords } from "./words";
@@ -38,15 +39,14 @@ export class Remedies {
 
   private async ask(): Promise<void> {
     const [actor, event, request] = [this.app.selection.actor.value, this.event.value, ++this.requests];
-    if (actor === null || !event) return this.answer.replaceChildren();
+    if (actor === null || !event) {
+      this.answer.replaceChildren();
+      return;
+    }
     this.answer.replaceChildren(el("p", {}, "trying changes…"));
-    const found = await actors
-      .whyNot(this.app.stage.id, actor, event, this.tick)
-      .catch((error: Error) => error);
+    const found = await actors.whyNot(this.app.stage.id, actor, event, this.tick).catch(reasonOf);
     if (request !== this.requests) return;
-    this.answer.replaceChildren(
-      ...(found instanceof Error ? [el("p", {}, found.message)] : this.shown(found)),
-    );
+    this.answer.replaceChildren(...(typeof found === "string" ? [el("p", {}, found)] : this.shown(found)));
   }
 
   private shown({ fired, reason, remedies, cut }: WhyNot): HTMLElement[] {

@@ -6,6 +6,7 @@
 import "./why.css";
 import * as actors from "../../net/actors";
 import type { Why } from "../../net/protocol";
+import { reasonOf } from "../../net/reason";
 import type { App } from "../../view/app";
 import { el, say } from "../../ui/dom";
 import { explanation } from "./explanation";
@@ -67,9 +68,9 @@ class WhyPanel {
     if (this.host.hidden) this.appear();
     say(this.title, `why, in tick ${tick}`);
     this.remedies.about(Math.max(1, tick));
-    const answer = await actors.why(this.app.stage.id, actor, tick).catch((error: Error) => error);
+    const answer = await actors.why(this.app.stage.id, actor, tick).catch(reasonOf);
     if (request !== this.requests) return;
-    if (answer instanceof Error) this.events.replaceChildren(el("p", {}, answer.message));
+    if (typeof answer === "string") this.events.replaceChildren(el("p", {}, answer));
     else this.show(answer);
   }
 

@@ -1,0 +1,14 @@
+/** Draws templates that follow signals. */
+
+import { effect } from "@preact/signals-core";
+import { render, type TemplateResult } from "lit-html";
+
+/**
+ * Draws a template into `host`, and again when a signal changes whose value it reads; returns a function that
+ * ends it.
+ */
+export function draw(host: HTMLElement, template: () => TemplateResult): () => void {
+  return effect(() => {
+    render(template(), host);
+  });
+}
