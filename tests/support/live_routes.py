@@ -50,7 +50,7 @@ def _routes(routes: Iterable[BaseRoute]) -> Iterator[tuple[str, str]]:
 def filled(path: str, stage: str = "main", name: str = "faq-walker") -> str:
     """The path with its parameters filled in."""
     values = {"stage_id": stage, "actor_id": "1", "name": name, "machine": name, "suffix": "glb"}
-    for parameter, value in (values | {"link_id": "1"}).items():
+    for parameter, value in (values | {"link_id": "1", "number": "1"}).items():
         path = path.replace(f"{{{parameter}}}", value)
     assert "{" not in path, f"{path}: say here what to fill in"
     return path

@@ -47,6 +47,7 @@ from statwalk.web.routes import (
     scenes,
     stages,
     uploads,
+    versions,
     viewers,
 )
 from statwalk.web.security import Guard
@@ -61,6 +62,7 @@ ROUTES = (
     downloads,
     deduce,
     uploads,
+    versions,
     machines,
     new_machines,
     edits,

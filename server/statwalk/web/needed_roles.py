@@ -37,6 +37,8 @@ VIEW = (
     "GET /api/machines/{name}/measure",
     "GET /api/machines/{name}/verify",
     "GET /api/machines/{name}/versions",
+    "GET /api/machines/{name}/versions/{number}",
+    "GET /api/machines/{name}/versions/{number}/differences",
     "GET /api/openapi.json",
     "GET /api/scenes",
     "GET /api/schemas/machine.json",
@@ -84,13 +86,16 @@ ADMIN = (
     "DELETE /api/characters/{name}",
     "DELETE /api/machines/{name}",
     "GET /metrics",
+    "PATCH /api/machines/{name}",
     "PATCH /api/machines/{name}/cells",
     "PATCH /api/machines/{name}/expressions",
     "POST /api/characters/{name}/clips",
     "POST /api/characters/{name}/lod",
     "POST /api/characters/{name}/rig",
     "POST /api/machines",
+    "POST /api/machines/{name}/redo",
     "POST /api/machines/{name}/undo",
+    "POST /api/machines/{name}/versions/{number}/restore",
     "PUT /api/characters/{name}",
     "PUT /api/machines/{name}",
 )
@@ -126,6 +131,8 @@ WITH_A_LINK = frozenset(
         "GET /api/machines/{name}/feet",
         "GET /api/machines/{name}/verify",
         "GET /api/machines/{name}/versions",
+        "GET /api/machines/{name}/versions/{number}",
+        "GET /api/machines/{name}/versions/{number}/differences",
     }
 )
 """what it gives besides its stage; the routes with a name only for what plays on the stage"""

@@ -7,12 +7,13 @@ from pathlib import Path
 
 import pytest
 from keeping import keeping, what_it_is
-from old_formats import to_format_1, to_format_2, to_format_3
+from old_formats import to_format_1, to_format_2, to_format_3, to_format_4
 from planted import planted
 from stages import registry
 from statwalk.errors import BusyError, ConflictError, UnknownNameError
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.commands import AddActor, SendEvent, StageSetup
+from statwalk.services.hosting.machine_edits import Request, undo
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.store import kept_keys
@@ -146,7 +147,7 @@ def test_an_edit_that_came_back_can_be_undone(tmp_path: Path) -> None:
         shipped = held.catalogue.entry("elbow").file.text
         edited(held)
     with keeping(tmp_path, Catalogue()) as held:
-        held.versions.undo(held.versions.current("elbow"))
+        undo(held.versions, Request("elbow", held.versions.current("elbow").version.number))
         assert held.catalogue.entry("elbow").file.text == shipped
 
 
@@ -220,7 +221,7 @@ def test_a_damaged_snapshot_is_made_again_from_the_log(tmp_path: Path, catalogue
         assert what_it_is(held.find(host.id)) == before
 
 
-FORMATS = {1: to_format_1, 2: to_format_2, 3: to_format_3}
+FORMATS = {1: to_format_1, 2: to_format_2, 3: to_format_3, 4: to_format_4}
 
 
 @pytest.mark.parametrize("old", FORMATS)

@@ -6,10 +6,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Literal
 
 from statwalk.files.machine_yaml import fields, levels
+from statwalk.files.machine_yaml.tables import TableFiles
 from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.definition.machine_definition import BASE, NO_MOTION
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
@@ -31,7 +31,7 @@ class LayerPart:
 
 
 def layers(
-    node: Node | None, parameters: Mapping[str, ParameterDefinition], folder: Path | None
+    node: Node | None, parameters: Mapping[str, ParameterDefinition], files: TableFiles
 ) -> dict[str, LayerPart]:
     """Reads `{arms: {mask: [Spine], mode: override, weight: 1, initial: REST, states: …, table: …}}`, lowest
     layer first.
@@ -42,11 +42,11 @@ def layers(
             raise entry.refuse(
                 f"{BASE} is the layer that every machine has; write its table at the top of the file"
             )
-        parts[name] = layer(entry, parameters, folder)
+        parts[name] = layer(entry, parameters, files)
     return parts
 
 
-def layer(node: Node, parameters: Mapping[str, ParameterDefinition], folder: Path | None) -> LayerPart:
+def layer(node: Node, parameters: Mapping[str, ParameterDefinition], files: TableFiles) -> LayerPart:
     """Reads one layer.
 
     :raises MachineError: when a field is wrong.
@@ -56,7 +56,7 @@ def layer(node: Node, parameters: Mapping[str, ParameterDefinition], folder: Pat
         fields.chosen(entries["mode"], "mode", ("override", "additive")) if "mode" in entries else "override"
     )
     return LayerPart(
-        flat=levels.read(node, parameters, folder),
+        flat=levels.read(node, parameters, files),
         mask=mask(entries.get("mask")),
         mode="additive" if mode == "additive" else "override",
         weight=weight(entries["weight"], parameters) if "weight" in entries else 1.0,

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 
 from statwalk.files.machine_yaml import fields, states, tables
 from statwalk.files.yaml.yaml_text import Node
@@ -113,13 +112,13 @@ class Scope:
         return name
 
 
-def read(node: Node, parameters: Mapping[str, ParameterDefinition], folder: Path | None) -> FlatStates:
+def read(node: Node, parameters: Mapping[str, ParameterDefinition], files: tables.TableFiles) -> FlatStates:
     """Reads the states of a machine or layer, with the states of its sub-machines, and their tables.
 
     :raises MachineError: when a state or a table is wrong.
     """
     flat = FlatStates()
-    flat.initial = flat.start(_gather(flat, node, "", parameters, folder))
+    flat.initial = flat.start(_gather(flat, node, "", parameters, files))
     return flat
 
 
@@ -128,17 +127,17 @@ def _gather(
     node: Node,
     composite: str,
     parameters: Mapping[str, ParameterDefinition],
-    folder: Path | None,
+    files: tables.TableFiles,
 ) -> str:
     """Adds the states below a node, sub-machines first; returns the full name of the initial state."""
     entries = node.entries()
     local = fields.named(fields.required(node, "states"), "state", MOST_STATES)
     initial = fields.chosen(fields.required(node, "initial"), "state", local)
-    table = tables.read(entries["table"], folder) if "table" in entries else None
+    table = files.read(entries["table"]) if "table" in entries else None
     for name, entry in local.items():
         full = f"{composite}.{name}" if composite else name
         if entry.is_mapping and "machine" in entry.entries():
-            _add_composite(flat, entry, full, composite, parameters, folder)
+            _add_composite(flat, entry, full, composite, parameters, files)
         else:
             add(flat, full, entry, states.state(entry, composite, parameters))
     flat.levels.append(Level(composite, table, entries.get("cells")))
@@ -166,7 +165,7 @@ def _add_composite(
     name: str,
     composite: str,
     parameters: Mapping[str, ParameterDefinition],
-    folder: Path | None,
+    files: tables.TableFiles,
 ) -> None:
     """Adds a composite state, `{machine: {initial: …, states: …, table: …}, resume: true}`, and all states in
     it.
@@ -178,5 +177,5 @@ def _add_composite(
     machine.entries(*LEVEL_KEYS)
     resume, final = fields.truth(entries, "resume"), fields.truth(entries, "final")
     add(flat, name, node, CompositeDefinition("", resume, node.line, composite, final))
-    initial = _gather(flat, machine, name, parameters, folder)
+    initial = _gather(flat, machine, name, parameters, files)
     flat.composites[name] = replace(flat.composites[name], initial=initial)

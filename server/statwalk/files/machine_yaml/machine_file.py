@@ -27,13 +27,16 @@ from statwalk.files.machine_yaml import (
     senses,
     solvers_part,
     springs_part,
+    view_part,
     whole_table,
 )
 from statwalk.files.machine_yaml.all_events import all_events
 from statwalk.files.machine_yaml.capture_lines import CaptureLine, read_captures
 from statwalk.files.machine_yaml.ground import foot_lock as read_foot_lock
 from statwalk.files.machine_yaml.ground import ground as read_ground
+from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.machine_yaml.parameters import parameters as read_parameters
+from statwalk.files.machine_yaml.tables import TableFiles
 from statwalk.files.yaml.yaml_text import Node, parse, read_text
 from statwalk.machine.conditions.variables import variables_of
 from statwalk.machine.definition.machine_definition import (
@@ -55,7 +58,7 @@ KEYS = (
     *("semantics", "title", "description", "character", "clips", "root", "initial", "idle", "fallback"),
     *("defaults", "states", "events", "table", "cells", "layers", "keys", "parameters", "senses"),
     *("colliders", "flock", "springs", "captures", "expressions", "joints", "limits", "properties"),
-    *("feet", "contacts", "budgets", "foot_lock", "ground", "solvers", "chains"),
+    *("feet", "contacts", "budgets", "foot_lock", "ground", "solvers", "chains", "view"),
 )
 
 
@@ -68,6 +71,7 @@ class MachineFile:
     root_joint: str | None
     root_line: int
     text: str
+    """with its .csv tables: see `machine_text`"""
     table_text: str
     captures: tuple[CaptureLine, ...] = ()
     """the captured motions that the character gets as clips"""
@@ -88,49 +92,50 @@ def load_machine(folder: Path) -> MachineFile:
 
     :raises MachineError: when the machine file or its table is missing or wrong, with file, line and name.
     """
-    return machine_of(read_text(folder / FILE_NAME, MachineError), folder)
+    return _machine_of(MachineText(read_text(folder / FILE_NAME, MachineError), {}), folder)
 
 
 def machine_of(text: str, folder: Path, file: str = "") -> MachineFile:
-    """Reads a machine from a text that stands in for its folder's machine file.
+    """Reads a machine from a whole text that stands in for the files of its folder (`machine_text`); a table
+    that it names and does not have is read from the folder.
 
-    :raises MachineError: when the text or the folder's table is wrong, with file, line and name.
+    :raises MachineError: when the text or a table is wrong, with file, line and name.
     """
-    root = parse(text, file or str(folder / FILE_NAME), MachineError, KEYS)
-    character = _character_name(root)
-    definition, table_text = _define(root, folder.resolve().name, folder)
+    return _machine_of(MachineText.of(text), folder, file)
+
+
+def _machine_of(text: MachineText, folder: Path, file: str = "") -> MachineFile:
+    root = parse(text.yaml, file or str(folder / FILE_NAME), MachineError, KEYS)
+    character, files = _character_name(root), TableFiles(folder, text.tables)
+    definition, table_text = _define(root, folder.resolve().name, files)
     entries = root.entries()
     return MachineFile(
         definition=definition,
         character_path=folder / character,
         root_joint=entries["root"].text() if "root" in entries else None,
         root_line=root.key_lines.get("root", 0),
-        text=text,
+        text=MachineText(text.yaml, files.used).whole(),
         table_text=table_text,
         captures=read_captures(entries.get("captures")),
     )
 
 
 def read_machine(text: str, name: str = "machine", file: str = FILE_NAME) -> MachineDefinition:
-    """Reads a machine from a text with all tables inline.
+    """Reads a machine from its whole text (`machine_text`); it has no folder.
 
     :raises MachineError: when the text is wrong.
     """
-    return _define(parse(text, file, MachineError, KEYS), name, None)[0]
+    parts = MachineText.of(text)
+    return _define(parse(parts.yaml, file, MachineError, KEYS), name, TableFiles(texts=parts.tables))[0]
 
 
-def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefinition, str]:
+def _define(root: Node, name: str, files: TableFiles) -> tuple[MachineDefinition, str]:
     """Returns the machine's definition, all of its names checked, and the text of its table."""
     entries = _checked_keys(root)
     parameters = read_parameters(entries.get("parameters"))
-    colliders, variables = (
-        senses.colliders(entries.get("colliders")),
-        variables_of(parameters),
-    )
-    base, layer_parts = (
-        levels.read(root, parameters, folder),
-        layers.layers(entries.get("layers"), parameters, folder),
-    )
+    colliders, variables = senses.colliders(entries.get("colliders")), variables_of(parameters)
+    base = levels.read(root, parameters, files)
+    layer_parts = layers.layers(entries.get("layers"), parameters, files)
     layers.check_base(base, root)
     sense_events = senses.senses(entries.get("senses"), variables, colliders)
     events = all_events(entries, [base, *(part.flat for part in layer_parts.values())], sense_events)
@@ -171,6 +176,7 @@ def _define(root: Node, name: str, folder: Path | None) -> tuple[MachineDefiniti
         contacts=feet.contacts(entries.get("contacts")),
         budgets=budgets.budgets(entries.get("budgets")),
         rows=base.top.table.rows,
+        view=view_part.view(entries.get("view")),
         title=entries["title"].text() if "title" in entries else "",
         description=entries["description"].text() if "description" in entries else "",
         file=root.file,

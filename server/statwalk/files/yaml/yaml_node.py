@@ -23,8 +23,14 @@ class Node:
     file: str
     error: type[ContentError]
     style: str | None = None
+    """`|`, `>` or the quotes of a text; `{` of a list or mapping in brackets"""
     key_lines: dict[str, int] = field(default_factory=dict)
     """the line of each key, if the value is a mapping"""
+    start: int = 0
+    end: int = 0
+    """where it is written: from letter `start` up to `end`; of a list or mapping without brackets 0"""
+    key_spans: dict[str, tuple[int, int]] = field(default_factory=dict)
+    """where each key is written, if the value is a mapping"""
 
     @property
     def is_text(self) -> bool:

@@ -74,6 +74,7 @@ class OpenCollection:
         if key in lines:
             raise node.refuse(f"the key {key[:40]!r} was already given in line {lines[key]}")
         lines[key] = node.line
+        self.node.key_spans[key] = node.start, node.end
         return key
 
 
@@ -114,11 +115,13 @@ class Tree:
         if kind is yaml.ScalarEvent:
             self.put(event, self.text(event), event.style or None)
         elif kind is yaml.MappingStartEvent:
-            self.open.append(OpenCollection(self.put(event, {}), () if self.open else self.allowed))
+            node = self.put(event, {}, "{" if event.flow_style else None)
+            self.open.append(OpenCollection(node, () if self.open else self.allowed))
         elif kind is yaml.SequenceStartEvent:
-            self.open.append(OpenCollection(self.put(event, [])))
+            self.open.append(OpenCollection(self.put(event, [], "{" if event.flow_style else None)))
         elif isinstance(event, yaml.CollectionEndEvent):
-            self.open.pop()
+            node, mark = self.open.pop().node, event.end_mark
+            node.end = mark.index if node.style and mark else 0
         elif kind is yaml.AliasEvent:
             raise self.error_at("aliases (*) are not read", event.start_mark.line + 1)
         elif kind is yaml.DocumentStartEvent and self.root is not None:
@@ -140,7 +143,8 @@ class Tree:
 
         :raises ContentError: when the value is not strict.
         """
-        node = Node(value, event.start_mark.line + 1, self.file, self.error, style)
+        mark = event.start_mark
+        node = Node(value, mark.line + 1, self.file, self.error, style, {}, mark.index, event.end_mark.index)
         self.count += 1
         if event.anchor is not None:
             raise node.refuse("anchors (&) are not read")

@@ -189,6 +189,8 @@ class MachineDefinition:
     """the largest figures that measuring may give, by figure"""
     rows: tuple[tuple[str, ...], ...] = ()
     """the table as written, the header first"""
+    view: Mapping[str, Mapping[str, tuple[float, float]]] = field(default_factory=dict)
+    """where states stand in the graph, by layer and full name; for people, never in a tick"""
     title: str = ""
     description: str = ""
     file: str = ""

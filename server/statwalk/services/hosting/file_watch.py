@@ -7,11 +7,12 @@ from collections.abc import Iterator
 
 from statwalk.errors import StatwalkError
 from statwalk.files.machine_yaml.machine_file import FILE_NAME
+from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.services.hosting.machine_versions import MachineVersions, saved
 
 log = logging.getLogger(__name__)
-Stamp = tuple[int, int]
-"""the file's time of modification in nanoseconds, and its size in bytes"""
+Stamp = tuple[int, ...]
+"""of each of a machine's files: its time of modification in nanoseconds, and its size in bytes"""
 
 
 class FileWatch:
@@ -22,14 +23,15 @@ class FileWatch:
         self.stamps = dict(self.files())
 
     def files(self) -> Iterator[tuple[str, Stamp]]:
-        """Yields the machine's name and the stamp of each machine file."""
+        """Yields the machine's name and the stamp of each machine file, with its tables."""
         for name, entry in self.versions.catalogue.entries.items():
+            names = (FILE_NAME, *MachineText.of(entry.file.text).tables)
             try:
-                stat = (entry.folder / FILE_NAME).stat()
+                stats = [(entry.folder / file).stat() for file in names]
             except OSError:
                 continue  # an editor is replacing the file: the next look finds it
             if saved(entry) == "file":
-                yield name, (stat.st_mtime_ns, stat.st_size)
+                yield name, tuple(part for stat in stats for part in (stat.st_mtime_ns, stat.st_size))
 
     def look(self) -> list[str]:
         """Edits the machines whose files were saved since the last look; returns the names of the machines

@@ -8,11 +8,13 @@ import threading
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Literal, NamedTuple
 
 from statwalk.character.role import Role
-from statwalk.errors import ConflictError, RefusedEditError, VersionConflictError
-from statwalk.files.machine_yaml.machine_file import FILE_NAME, MachineFile, machine_of
+from statwalk.errors import RefusedEditError, VersionConflictError, existing
+from statwalk.files.machine_yaml.machine_file import FILE_NAME, MachineFile, load_machine, machine_of
+from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.services.hosting.stage_host import StageHost
@@ -36,6 +38,13 @@ class Edited:
     file: MachineFile
     role: Role
     findings: list[Finding]
+
+
+class Step(NamedTuple):
+    """The versions that an undo and a redo bring back; 0: there is none."""
+
+    before: int
+    after: int
 
 
 class CurrentMachine(NamedTuple):
@@ -81,6 +90,14 @@ class MachineVersions:
         with self.lock:
             return CurrentMachine(self.catalogue.entry(name), self.catalogue.role(name), self.of(name)[-1])
 
+    def version(self, name: str, number: int) -> MachineVersion:
+        """Returns a version of a machine.
+
+        :raises UnknownNameError: when no machine has this name, or the version is not kept.
+        """
+        versions = {str(version.number): version for version in self.of(name)}
+        return existing("version", str(number), versions)
+
     def based_on(self, name: str, number: int) -> CurrentMachine:
         """Returns a machine with its newest version, if that is version `number`.
 
@@ -101,12 +118,13 @@ class MachineVersions:
         current: CurrentMachine,
         text: str,
         what: str,
-        before: int | None = None,
+        step: Step | None = None,
+        author: str = "",
         checkpoint: Checkpoint = go_on,
     ) -> Edited:
         """Returns the edit that would replace `current` by the text, without making it. Holds no lock.
 
-        `before`: the version that an undo of the edit brings back; None means `current`.
+        `step`: what undo and redo bring back after the edit; None means `current`, and nothing.
         `checkpoint` cancels the verification by raising.
 
         :raises ContentError: when the text cannot be read.
@@ -131,9 +149,11 @@ class MachineVersions:
             raise RefusedEditError(
                 f"the table is refused: {errors[0].message}", field=f"line {errors[0].line}", findings=errors
             )
-        undone_to = version.number if before is None else before
-        edit = MachineVersion(version.number + 1, time.time(), what, text, undone_to)
-        return Edited(edit, file, new, findings)
+        if file.text == version.text and step is None:
+            return Edited(version, file, new, findings)
+        before, after = step or Step(version.number, 0)
+        number, at = version.number + 1, time.time()
+        return Edited(MachineVersion(number, at, what, file.text, before, after, author), file, new, findings)
 
     def change(
         self,
@@ -142,31 +162,34 @@ class MachineVersions:
         what: str,
         *,
         write: bool = True,
-        before: int | None = None,
+        step: Step | None = None,
+        author: str = "",
         checkpoint: Checkpoint = go_on,
     ) -> Edited:
         """Makes the text the newest version: in the machine's file (`write`), and on every stage that plays
-        the machine and whose playhead is at its newest tick.
+        the machine and whose playhead is at its newest tick. The same text makes no version.
 
         :raises ContentError: when the text cannot be read.
         :raises StorageError: when the file cannot be written, or the version cannot be kept.
         :raises RefusedEditError: when `checked` refuses the text.
         :raises VersionConflictError: when another edit is made while this one is verified.
         """
-        edited, name = self.checked(current, text, what, before, checkpoint), current.entry.name
+        edited, name = self.checked(current, text, what, step, author, checkpoint), current.entry.name
         with self.storing:
             entry = self.based_on(name, current.version.number).entry
+            if edited.version is current.version:
+                return edited
             if self.store:
                 self.store.writer.check()
             if write and saved(entry) == "file":
-                put_in_place(entry.folder / FILE_NAME, text)
+                _write(entry.folder, MachineText.of(edited.version.text))
             versions = [*self.of(name), edited.version]
             self.keep(name, versions)
             with self.lock:
                 self.catalogue.renew(replace(entry, file=edited.file), edited.role)
                 self.versions_of[name] = versions[-MOST_VERSIONS:]
             for host in self.stages():
-                host.look(Edit(name, text))
+                host.look(Edit(name, edited.version.text))
         return edited
 
     def keep(self, name: str, versions: list[MachineVersion]) -> None:
@@ -189,20 +212,6 @@ class MachineVersions:
         if self.store:
             self.store.forget_versions(name)
 
-    def undo(self, current: CurrentMachine, checkpoint: Checkpoint = go_on) -> Edited:
-        """Makes a new version with the text of the version before `current`; the next undo goes back
-        further.
-
-        :raises ConflictError: when there is no earlier version.
-        """
-        name, number = current.entry.name, current.version.before
-        target = next((version for version in self.of(name) if version.number == number), None)
-        if target is None:
-            raise ConflictError(f"there is nothing to undo in {name}")
-        return self.change(
-            current, target.text, f"back to version {number}", before=target.before, checkpoint=checkpoint
-        )
-
     def follow(self, name: str) -> Edited | None:
         """Makes the text of the machine's file the newest version; returns None if the text is unchanged.
 
@@ -210,10 +219,22 @@ class MachineVersions:
         """
         current = self.current(name)
         entry = current.entry
-        text = (entry.folder / FILE_NAME).read_text(encoding="utf-8", errors="replace")
+        text = load_machine(entry.folder).text
         if text == entry.file.text:
             return None
         return self.change(current, text, "the file was saved", write=False)
+
+
+def _write(folder: Path, text: MachineText) -> None:
+    """Writes a machine file, and before it the tables that have changed.
+
+    :raises StorageError: when a file cannot be written.
+    """
+    for name, table in text.tables.items():
+        path = folder / name
+        if not path.is_file() or path.read_bytes() != table.encode():
+            put_in_place(path, table)
+    put_in_place(folder / FILE_NAME, text.yaml)
 
 
 def _errors_in(findings: Iterable[Finding]) -> list[Finding]:

@@ -1,37 +1,31 @@
-"""PUT /api/machines/{name}, PATCH …/cells, POST …/undo: edit a machine while stages play it.
+"""PUT and PATCH /api/machines/{name}: edit a machine while stages play it.
 
-If-Match names the version that an editor has read, so that no editor overwrites the edit of another.
+If-Match names the version that an editor has read: operations count as long as nobody has changed what they
+touch since then, a whole text only if nobody has changed anything.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Header, Request, Response
 from pydantic.json_schema import SkipJsonSchema
 
 from statwalk.errors import ContentError, RefusedEditError
-from statwalk.files.machine_yaml.cell_text import CellPlace, with_cell
-from statwalk.files.machine_yaml.expression_text import with_expressions
-from statwalk.files.machine_yaml.machine_file import FILE_NAME, SCHEMA_PATH
-from statwalk.services.cancel import CancelToken
-from statwalk.services.hosting.machine_versions import CurrentMachine, Edited, MachineVersions
-from statwalk.services.hosting.store.records import MachineVersion
+from statwalk.files.machine_yaml.edit import operations as edit
+from statwalk.files.machine_yaml.machine_file import SCHEMA_PATH
+from statwalk.files.machine_yaml.machine_text import MachineText
+from statwalk.services.hosting import machine_edits
+from statwalk.services.hosting.machine_versions import Edited, MachineVersions
 from statwalk.web.bounded_json import BoundedRoute
-from statwalk.web.dependencies import LongWorkToken, registry_in
+from statwalk.web.dependencies import LongWorkToken, grant_of, registry_in
 from statwalk.web.errors import Problem, from_error
 from statwalk.web.routes.machines import encoded, machine_members
 from statwalk.web.schemas.base import Flag
 from statwalk.web.schemas.finding import FindingView, finding_views
-from statwalk.web.schemas.machine import (
-    EditedMachine,
-    NewCell,
-    NewExpressions,
-    NewText,
-    RefusedTrial,
-    VersionView,
-)
+from statwalk.web.schemas.machine import EditedMachine, NewCell, NewExpressions, NewText, RefusedTrial
+from statwalk.web.schemas.part_operations import NewOperations
 from statwalk.web.schemas.problem import FieldError
 
 SCHEMA: dict[int | str, dict[str, Any]] = {
@@ -76,24 +70,25 @@ Versions = Annotated[MachineVersions, Depends(_versions_of)]
 SeenVersion = Annotated[int, Depends(_version_of)]
 
 
-def _answer(versions: MachineVersions, name: str, edited: Edited) -> Response:
+def _editor(name: str, request: Request, seen: SeenVersion, token: LongWorkToken) -> machine_edits.Request:
+    """Returns who edits which machine, and what cancels it."""
+    return machine_edits.Request(name, seen, grant_of(request).name, token.check)
+
+
+Editor = Annotated[machine_edits.Request, Depends(_editor)]
+
+
+def answer(versions: MachineVersions, name: str, edited: Edited) -> Response:
     """Returns the machine after the edit with the verifier's findings, and its version as the ETag."""
     members = machine_members(versions.catalogue.entry(name), edited.role, edited.version)
     view = EditedMachine(**members, findings=finding_views(edited.findings))
     return encoded(view, {"ETag": f'"{edited.version.number}"'})
 
 
-def _edit(
-    versions: MachineVersions, current: CurrentMachine, text: str, what: str, dry: bool, token: CancelToken
-) -> Edited:
-    act = versions.checked if dry else versions.change
-    return act(current, text, what, checkpoint=token.check)
-
-
-def _answered(edit: Callable[[], Response], dry: bool) -> Response:
+def _answered(act: Callable[[], Response], dry: bool) -> Response:
     """Returns the answer to an edit; a refusal of a dry run is an answer, not an error."""
     try:
-        return edit()
+        return act()
     except (ContentError, RefusedEditError) as error:
         if not dry:
             raise
@@ -106,89 +101,58 @@ def _answered(edit: Callable[[], Response], dry: bool) -> Response:
         return encoded(trial)
 
 
-@router.put("/machines/{name}", response_model=EditedMachine | RefusedTrial)
-def put_machine(
-    name: str,
-    new: NewText,
-    versions: Versions,
-    seen: SeenVersion,
-    token: LongWorkToken,
-    dry: Flag = False,
+def _operate(
+    versions: MachineVersions, editor: machine_edits.Request, operations: Sequence[edit.Operation], dry: bool
 ) -> Response:
+    act = machine_edits.trial if dry else machine_edits.change
+    return _answered(lambda: answer(versions, editor.name, act(versions, editor, operations)), dry)
+
+
+@router.put("/machines/{name}", response_model=EditedMachine | RefusedTrial)
+def put_machine(new: NewText, versions: Versions, editor: Editor, dry: Flag = False) -> Response:
     """Replaces the machine's text: verifies it, then plays it on all stages at once.
 
     `dry`: only verifies, and changes nothing.
     """
-    current = versions.based_on(name, seen)
+    current = versions.based_on(editor.name, editor.seen)
+    tables = MachineText.of(current.version.text).tables if new.tables is None else new.tables
+    text = MachineText(new.text, tables).whole()
+    act = versions.checked if dry else versions.change
 
-    def edit() -> Response:
-        edited = _edit(versions, current, new.text, "another text", dry, token)
-        return _answer(versions, name, edited)
+    def put() -> Response:
+        edited = act(current, text, "another text", author=editor.author, checkpoint=editor.checkpoint)
+        return answer(versions, editor.name, edited)
 
-    return _answered(edit, dry)
+    return _answered(put, dry)
+
+
+@router.patch("/machines/{name}", response_model=EditedMachine | RefusedTrial)
+def patch_machine(new: NewOperations, versions: Versions, editor: Editor, dry: Flag = False) -> Response:
+    """Applies operations in their order, as one version; the rest of the file stays as it is. Like PUT
+    otherwise, but the version in If-Match may be older: 412 only if another editor has changed what the
+    operations touch.
+
+    `dry`: only verifies, and changes nothing.
+    """
+    return _operate(versions, editor, [operation.operation() for operation in new.operations], dry)
 
 
 @router.patch("/machines/{name}/cells", response_model=EditedMachine | RefusedTrial)
-def patch_cell(
-    name: str,
-    new: NewCell,
-    versions: Versions,
-    seen: SeenVersion,
-    token: LongWorkToken,
-    dry: Flag = False,
-) -> Response:
-    """Changes one cell of a table, and leaves the rest of the file as it is; like PUT otherwise.
+def patch_cell(new: NewCell, versions: Versions, editor: Editor, dry: Flag = False) -> Response:
+    """Changes the text of one cell: the operation `set_cell`.
 
     `dry`: only verifies, and changes nothing.
     """
-    place, new_text = CellPlace(new.layer, new.state, new.event), new.text.strip() or "blank"
-    current = versions.based_on(name, seen)
-
-    def edit() -> Response:
-        text = with_cell(current.version.text, place=place, new=new.text, file=FILE_NAME)
-        edited = _edit(versions, current, text, f"{new.state}/{new.event}: {new_text}", dry, token)
-        return _answer(versions, name, edited)
-
-    return _answered(edit, dry)
+    return _operate(versions, editor, [edit.SetCell(new.state, new.event, new.text, layer=new.layer)], dry)
 
 
 @router.patch("/machines/{name}/expressions", response_model=EditedMachine | RefusedTrial)
-def patch_expressions(
-    name: str,
-    new: NewExpressions,
-    versions: Versions,
-    seen: SeenVersion,
-    token: LongWorkToken,
-    dry: Flag = False,
-) -> Response:
-    """Replaces the machine's expressions, and leaves the rest of the file as it is; like PUT otherwise.
+def patch_expressions(new: NewExpressions, versions: Versions, editor: Editor, dry: Flag = False) -> Response:
+    """Replaces the machine's expressions: the operation `set_expressions`.
 
     `dry`: only verifies, and changes nothing.
     """
-    current = versions.based_on(name, seen)
-
-    def edit() -> Response:
-        text = with_expressions(current.version.text, new.text, FILE_NAME)
-        return _answer(versions, name, _edit(versions, current, text, "expressions", dry, token))
-
-    return _answered(edit, dry)
-
-
-@router.post("/machines/{name}/undo", response_model=EditedMachine)
-def undo(name: str, versions: Versions, seen: SeenVersion, token: LongWorkToken) -> Response:
-    """Makes a new version with the text of the version before the newest."""
-    edited = versions.undo(versions.based_on(name, seen), token.check)
-    return _answer(versions, name, edited)
-
-
-@router.get("/machines/{name}/versions")
-def list_versions(name: str, versions: Versions) -> list[VersionView]:
-    """Lists the newest versions of a machine, at most 200, oldest first."""
-    return [_view_version(version) for version in versions.of(name)]
-
-
-def _view_version(version: MachineVersion) -> VersionView:
-    return VersionView(version=version.number, at=version.at, what=version.what, before=version.before)
+    return _operate(versions, editor, [edit.SetExpressions(new.text)], dry)
 
 
 @router.get("/schemas/machine.json", response_class=Response, responses=SCHEMA)

@@ -14,6 +14,7 @@ from pydantic import TypeAdapter
 from statwalk.character.expressions import OWN
 from statwalk.character.role import Role
 from statwalk.files.machine_yaml.expression_text import expression_text
+from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.resolved_table import ResolvedTable
 from statwalk.machine.definition.expression_definition import ExpressionMotion
@@ -152,7 +153,7 @@ def _expression_views(role: Role) -> list[ExpressionView]:
 
 def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[str, Any]:
     """Returns the members of `MachineView`."""
-    definition, layers = role.definition, _layer_views(role)
+    definition, layers, text = role.definition, _layer_views(role), MachineText.of(version.text)
     return {
         **dict(summary(entry)),
         "version": version.number,
@@ -176,8 +177,12 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
         "chains": chain_views(definition),
         "layers": layers,
         "expressions": _expression_views(role),
-        "expression_text": expression_text(version.text),
-        "text": version.text,
+        "expression_text": expression_text(text.yaml),
+        "text": text.yaml,
+        "tables": dict(text.tables),
+        "view": {layer: dict(places) for layer, places in definition.view.items()},
+        "undo": version.before,
+        "redo": version.after,
         **{name: getattr(layers[0], name) for name in ("states", "table", "rows", "edges")},
     }
 

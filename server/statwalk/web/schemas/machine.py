@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from statwalk.files.machine_yaml.cell_text import LONGEST_CELL
+from statwalk.files.machine_yaml.edit.cells import LONGEST_CELL
 from statwalk.machine.definition.machine_definition import BASE
 from statwalk.web.schemas.base import FileName, Name, RequestModel, ResponseModel
 from statwalk.web.schemas.finding import FindingView
@@ -24,6 +24,9 @@ from statwalk.web.schemas.table import (
 )
 
 LONGEST_TEXT = 1 << 18
+MOST_TABLES = 32
+FileTable = Annotated[str, StringConstraints(max_length=104, pattern=r"^[^/\\\n]+\.[Cc][Ss][Vv]$")]
+Table = Annotated[str, StringConstraints(max_length=LONGEST_TEXT)]
 NewState = Annotated[str, StringConstraints(max_length=80)]
 
 
@@ -39,9 +42,12 @@ class NewMachine(RequestModel):
 
 
 class NewText(RequestModel):
-    """The whole text of a machine file."""
+    """The whole text of a machine file; `tables`: its .csv tables by the names of their files, if they change
+    too.
+    """
 
     text: Annotated[str, StringConstraints(min_length=1, max_length=LONGEST_TEXT)]
+    tables: Annotated[dict[FileTable, Table], Field(max_length=MOST_TABLES)] | None = None
 
 
 class NewCell(RequestModel):
@@ -166,6 +172,14 @@ class MachineView(ResponseModel):
     """the machine's own expressions as the file has them, with comments"""
     text: str
     """the machine file"""
+    tables: dict[str, str]
+    """its .csv tables, by the names of their files"""
+    view: dict[str, dict[str, tuple[float, float]]]
+    """by layer, where states stand in the graph, if the file says so"""
+    undo: int
+    """the version that an undo brings back; 0: none"""
+    redo: int
+    """the version that a redo brings back; 0: none"""
 
 
 class EditedMachine(MachineView):
@@ -184,14 +198,3 @@ class RefusedTrial(ResponseModel):
     detail: str
     errors: list[FieldError]
     findings: list[FindingView]
-
-
-class VersionView(ResponseModel):
-    """A version of a machine; `at` in seconds since 1970; `what` says in a few words what the edit changed;
-    `before` is the version that an undo brings back, 0: none.
-    """
-
-    version: int
-    at: float
-    what: str
-    before: int

@@ -225,6 +225,126 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/machines/{name}/undo": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Undo
+         * @description Makes a new version with the text of the version before the newest; again: the one before that.
+         */
+        post: operations["undo_api_machines__name__undo_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/redo": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Redo
+         * @description Takes an undo back; 409 if nothing was undone, or an edit came after it.
+         */
+        post: operations["redo_api_machines__name__redo_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Versions
+         * @description Lists the newest versions of a machine, at most 200, oldest first.
+         */
+        get: operations["list_versions_api_machines__name__versions_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions/{number}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Version
+         * @description Returns a version with its text and its tables.
+         */
+        get: operations["get_version_api_machines__name__versions__number__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions/{number}/differences": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Differences
+         * @description Returns what a version says otherwise than an older one: cells, states, events, other parts by name.
+         */
+        get: operations["get_differences_api_machines__name__versions__number__differences_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions/{number}/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Restore
+         * @description Makes a new version with the text of an older one; an undo takes it back.
+         */
+        post: operations["restore_api_machines__name__versions__number__restore_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/machines": {
         parameters: {
             query?: never;
@@ -281,7 +401,15 @@ export interface paths {
         delete: operations["delete_machine_api_machines__name__delete"];
         options?: never;
         head?: never;
-        patch?: never;
+        /**
+         * Patch Machine
+         * @description Applies operations in their order, as one version; the rest of the file stays as it is. Like PUT
+         *     otherwise, but the version in If-Match may be older: 412 only if another editor has changed what the
+         *     operations touch.
+         *
+         *     `dry`: only verifies, and changes nothing.
+         */
+        patch: operations["patch_machine_api_machines__name__patch"];
         trace?: never;
     };
     "/api/machines/{name}/verify": {
@@ -363,7 +491,7 @@ export interface paths {
         head?: never;
         /**
          * Patch Cell
-         * @description Changes one cell of a table, and leaves the rest of the file as it is; like PUT otherwise.
+         * @description Changes the text of one cell: the operation `set_cell`.
          *
          *     `dry`: only verifies, and changes nothing.
          */
@@ -385,51 +513,11 @@ export interface paths {
         head?: never;
         /**
          * Patch Expressions
-         * @description Replaces the machine's expressions, and leaves the rest of the file as it is; like PUT otherwise.
+         * @description Replaces the machine's expressions: the operation `set_expressions`.
          *
          *     `dry`: only verifies, and changes nothing.
          */
         patch: operations["patch_expressions_api_machines__name__expressions_patch"];
-        trace?: never;
-    };
-    "/api/machines/{name}/undo": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /**
-         * Undo
-         * @description Makes a new version with the text of the version before the newest.
-         */
-        post: operations["undo_api_machines__name__undo_post"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/machines/{name}/versions": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * List Versions
-         * @description Lists the newest versions of a machine, at most 200, oldest first.
-         */
-        get: operations["list_versions_api_machines__name__versions_get"];
-        put?: never;
-        post?: never;
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
         trace?: never;
     };
     "/api/schemas/machine.json": {
@@ -1339,6 +1427,124 @@ export interface components {
             clamped: components["schemas"]["ClampedView"][];
             reached: components["schemas"]["ReachedView"][];
         };
+        /** @description Adds a collider. */
+        AddCollider: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_collider";
+            name: string;
+            fields: components["schemas"]["ColliderFields"];
+            before?: string | null;
+        };
+        /**
+         * @description Adds an event: a column of blank cells in the table of a layer, or of a `composite` state; `buffer` in
+         *     seconds.
+         */
+        AddEvent: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_event";
+            event: string;
+            /** @default base */
+            layer?: string;
+            /** @default  */
+            composite?: string;
+            before?: string | null;
+            buffer?: number | null;
+        };
+        /** @description Gives a key events, or parameters that it moves; `name` as the browser names it, but `Space`. */
+        AddKey: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_key";
+            name: string;
+            fields: components["schemas"]["KeyFields"];
+            before?: string | null;
+        };
+        /** @description Adds a layer with one state, which leaves the pose as it is, below the layer `before` or on top. */
+        AddLayer: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_layer";
+            layer: string;
+            /** @default {} */
+            fields?: components["schemas"]["LayerFields"];
+            /** @default OFF */
+            state?: string;
+            before?: string | null;
+        };
+        /** @description Adds a parameter. */
+        AddParameter: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_parameter";
+            name: string;
+            fields: components["schemas"]["ParameterFields"];
+            before?: string | null;
+        };
+        /** @description Adds a property: `JUMP only after WALK`. */
+        AddProperty: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_property";
+            text: string;
+        };
+        /** @description Adds a sense; `name` is the event that it raises. */
+        AddSense: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_sense";
+            name: string;
+            fields: components["schemas"]["SenseFields"];
+            before?: string | null;
+        };
+        /**
+         * @description Adds a state with a row of blank cells, before the state `before` or last; without a `motion` its
+         *     character is at rest.
+         */
+        AddState: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "add_state";
+            /**
+             * @default {
+             *       "motion": ""
+             *     }
+             */
+            fields?: components["schemas"]["StateFields"];
+            before?: string | null;
+        };
+        /** @description An alternative of a cell: `to` if the condition `if` is true; without `if` always. */
+        Alternative: {
+            /** @default  */
+            if?: string;
+            to: string;
+            /** @default 0 */
+            blend?: number | components["schemas"]["BlendTime"];
+            /** @default 0 */
+            enter?: number | "match";
+            /** @default  */
+            action?: string;
+        };
         /**
          * @description An alternative of a cell; `blend` in seconds, `enter` is the phase 0…1 at which the motion begins, or
          *     `match`.
@@ -1353,6 +1559,24 @@ export interface components {
             enter: number | "match";
             restart: boolean;
             action: string | null;
+        };
+        /** @description A motion that blends clips over one parameter or two: the point of each clip. */
+        BlendMotion: {
+            over: string | string[];
+            clips: {
+                [key: string]: number | number[];
+            };
+            markers?: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            };
+        };
+        /** @description How long a transition blends (seconds), and along which curve. */
+        BlendTime: {
+            seconds: number;
+            /** @enum {string} */
+            curve: "cubic" | "quintic";
         };
         /** @description A bone; a missing length or direction is not known. */
         BoneBody: {
@@ -1399,6 +1623,25 @@ export interface components {
             to: string;
             restart: boolean;
             text: string;
+        };
+        /** @description A cell in both versions, as in the table and with its fields; null: it is blank. */
+        CellDifferenceView: {
+            layer: string;
+            state: string;
+            event: string;
+            before: string | null;
+            after: string | null;
+        };
+        /** @description What a cell says beyond its text: `alternatives` are a list, or weights by state. */
+        CellFields: {
+            when?: string | null;
+            blend?: number | components["schemas"]["BlendTime"] | null;
+            enter?: number | "match" | null;
+            action?: string | null;
+            off?: boolean | null;
+            alternatives?: components["schemas"]["Alternative"][] | {
+                [key: string]: number;
+            } | null;
         };
         /**
          * @description A cell of the full table with its defaults resolved; `to` is null if the cell does nothing; `source`
@@ -1493,6 +1736,14 @@ export interface components {
             viewer: number | null;
             tick: number;
         };
+        /** @description A sphere with its radius, or a plane with its normal; metres, in the joint's space. */
+        ColliderFields: {
+            sphere?: number | null;
+            plane?: number[] | null;
+            joint?: string | null;
+            at?: number[] | null;
+            radius?: number | null;
+        };
         /** @description A collider in metres, in the joint's space (no joint: the root's). */
         ColliderView: {
             /** @enum {string} */
@@ -1566,20 +1817,67 @@ export interface components {
                 [key: string]: number;
             };
         };
-        /** @description The differences of two stages in the ticks `from` to `to`. */
-        DifferencesView: {
-            stage: string;
-            other: string;
-            from: number;
-            to: number;
-            /** @description the first of these ticks at which an actor differs; null: none does */
-            first_difference: number | null;
-            /** @description why nothing is compared; empty if something is */
-            note: string;
-            /** @description actors that only the stage has in these ticks */
-            only_here: number[];
-            only_there: number[];
-            actors: components["schemas"]["ActorDifferenceView"][];
+        /** @description What cells take that say nothing; `buffer` in seconds. */
+        DefaultsFields: {
+            when?: string | null;
+            blend?: number | components["schemas"]["BlendTime"] | null;
+            buffer?: number | null;
+        };
+        /** @description Takes a clip out of a state's blend, with its markers. */
+        DeleteBlendClip: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_blend_clip";
+            clip: string;
+        };
+        /** @description Deletes a parameter, a sense (its event), a key or a collider; refused while something names it. */
+        DeleteEntry: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_entry";
+            /** @enum {string} */
+            section: "parameters" | "senses" | "keys" | "colliders";
+            name: string;
+        };
+        /** @description Deletes an event; refused while cells or keys have it, unless `also_cells` deletes these too. */
+        DeleteEvent: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_event";
+            event: string;
+            /** @default false */
+            also_cells?: boolean;
+        };
+        /** @description Deletes a layer with its table. */
+        DeleteLayer: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_layer";
+            layer: string;
+        };
+        /** @description Deletes a state with its row; refused while cells lead to it, unless `also_cells` makes them blank. */
+        DeleteState: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "delete_state";
+            /** @default false */
+            also_cells?: boolean;
         };
         /** @description An edge of the state graph, and the events that take it. */
         EdgeView: {
@@ -1634,6 +1932,23 @@ export interface components {
             expression_text: string;
             /** @description the machine file */
             text: string;
+            /** @description its .csv tables, by the names of their files */
+            tables: {
+                [key: string]: string;
+            };
+            /** @description by layer, where states stand in the graph, if the file says so */
+            view: {
+                [key: string]: {
+                    [key: string]: [
+                        number,
+                        number
+                    ];
+                };
+            };
+            /** @description the version that an undo brings back; 0: none */
+            undo: number;
+            /** @description the version that a redo brings back; 0: none */
+            redo: number;
             /**
              * @default accepted
              * @constant
@@ -1674,6 +1989,10 @@ export interface components {
             formula: string;
             /** @enum {string} */
             source: "machine" | "character";
+        };
+        /** @description A motion that expressions drive, a line each; "": the pose at rest. */
+        ExpressionsMotion: {
+            expressions: string;
         };
         /** @description The feet of a character and their contacts in its clips. */
         FeetView: {
@@ -1784,6 +2103,13 @@ export interface components {
             opposite: number[];
             heights: number[];
         };
+        /** @description The degree of freedom of a joint at which the page has a handle for a parameter. */
+        HandleField: {
+            joint: string;
+            freedom: string;
+            /** @default  */
+            event?: string;
+        };
         /** @description The process answers; `version` is the server's. */
         HealthView: {
             /**
@@ -1828,6 +2154,17 @@ export interface components {
             name: string;
             parent: number;
             node: number;
+        };
+        /** @description What a key sends: `press` or `hold` when it goes down, `release` when it comes up; or what it moves. */
+        KeyFields: {
+            press?: string | null;
+            hold?: string | null;
+            release?: string | null;
+            change?: {
+                [key: string]: {
+                    [key: string]: number;
+                };
+            } | null;
         };
         /**
          * @description The events of a key: `press` when it goes down (`hold`: held until it comes up), `release` when it
@@ -1915,6 +2252,12 @@ export interface components {
                 number
             ] | null;
         };
+        /** @description What a layer moves, how, and how much. */
+        LayerFields: {
+            mask?: string[] | null;
+            mode?: ("override" | "additive") | null;
+            weight?: number | string | null;
+        };
         /**
          * @description A layer and its table; `weight` is a number or a parameter's name; `rows` is the table as it is
          *     written: the head, then a row for each state.
@@ -1979,6 +2322,15 @@ export interface components {
             names: string[];
             instead: string;
         };
+        /** @description What a machine says of itself; `idle` is an event, `fallback` a state, `root` a joint. */
+        MachineFields: {
+            title?: string | null;
+            description?: string | null;
+            root?: string | null;
+            idle?: string | null;
+            fallback?: string | null;
+            foot_lock?: boolean | number | string | null;
+        };
         /** @description A machine in the list; `scene` is the scene whose folder holds it, or empty. */
         MachineSummary: {
             name: string;
@@ -2036,6 +2388,23 @@ export interface components {
             expression_text: string;
             /** @description the machine file */
             text: string;
+            /** @description its .csv tables, by the names of their files */
+            tables: {
+                [key: string]: string;
+            };
+            /** @description by layer, where states stand in the graph, if the file says so */
+            view: {
+                [key: string]: {
+                    [key: string]: [
+                        number,
+                        number
+                    ];
+                };
+            };
+            /** @description the version that an undo brings back; 0: none */
+            undo: number;
+            /** @description the version that a redo brings back; 0: none */
+            redo: number;
         };
         /** @description A new link; `url` is shown once, who has it has the role. */
         MadeLink: {
@@ -2120,11 +2489,80 @@ export interface components {
                 number
             ][];
         };
+        /** @description Moves a parameter, a sense, a key or a collider before another, or (null) to the end. */
+        MoveEntry: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_entry";
+            /** @enum {string} */
+            section: "parameters" | "senses" | "keys" | "colliders";
+            name: string;
+            before?: string | null;
+        };
+        /** @description Moves a column before another, or (null) to the end. */
+        MoveEvent: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_event";
+            event: string;
+            /** @default base */
+            layer?: string;
+            /** @default  */
+            composite?: string;
+            before?: string | null;
+        };
+        /** @description Moves a layer below the layer `before`, or (null) on top. */
+        MoveLayer: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_layer";
+            layer: string;
+            before?: string | null;
+        };
+        /** @description Moves a property before another, or (null) to the end. */
+        MoveProperty: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_property";
+            property: string;
+            before?: string | null;
+        };
+        /** @description Moves a state and its row before another state, or (null) to the end. */
+        MoveState: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_state";
+            before?: string | null;
+        };
         /** @description A joint, and how far a transition moves it. */
         MovedView: {
             joint: string;
             degrees: number;
             millimetres: number;
+        };
+        /**
+         * @description A state of a layer, or an event (its layer is empty); `before` null: it is new; `after` null: it is
+         *     gone; both: it was renamed.
+         */
+        NameDifferenceView: {
+            /** @enum {string} */
+            kind: "state" | "event";
+            layer: string;
+            before: string | null;
+            after: string | null;
         };
         /** @description An actor to add; `position` in metres, `heading_deg` in degrees about +Y. */
         NewActor: {
@@ -2300,6 +2738,10 @@ export interface components {
             /** @default  */
             root?: string;
         };
+        /** @description Operations on a machine, applied in their order; together they make one version. */
+        NewOperations: {
+            operations: (components["schemas"]["SetCell"] | components["schemas"]["AddState"] | components["schemas"]["SetState"] | components["schemas"]["RenameState"] | components["schemas"]["DeleteState"] | components["schemas"]["MoveState"] | components["schemas"]["SetInitial"] | components["schemas"]["SetBlendClip"] | components["schemas"]["DeleteBlendClip"] | components["schemas"]["SetMarker"] | components["schemas"]["AddEvent"] | components["schemas"]["SetEvent"] | components["schemas"]["RenameEvent"] | components["schemas"]["DeleteEvent"] | components["schemas"]["MoveEvent"] | components["schemas"]["AddParameter"] | components["schemas"]["SetParameter"] | components["schemas"]["RenameParameter"] | components["schemas"]["AddSense"] | components["schemas"]["SetSense"] | components["schemas"]["AddKey"] | components["schemas"]["SetKey"] | components["schemas"]["AddCollider"] | components["schemas"]["SetCollider"] | components["schemas"]["RenameCollider"] | components["schemas"]["DeleteEntry"] | components["schemas"]["MoveEntry"] | components["schemas"]["AddLayer"] | components["schemas"]["SetLayer"] | components["schemas"]["RenameLayer"] | components["schemas"]["DeleteLayer"] | components["schemas"]["MoveLayer"] | components["schemas"]["SetMachine"] | components["schemas"]["SetDefaults"] | components["schemas"]["AddProperty"] | components["schemas"]["SetProperty"] | components["schemas"]["MoveProperty"] | components["schemas"]["SetExpressions"] | components["schemas"]["SetView"])[];
+        };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
          *     or rotation.
@@ -2445,9 +2887,15 @@ export interface components {
              */
             name?: string;
         };
-        /** @description The whole text of a machine file. */
+        /**
+         * @description The whole text of a machine file; `tables`: its .csv tables by the names of their files, if they change
+         *     too.
+         */
         NewText: {
             text: string;
+            tables?: {
+                [key: string]: string;
+            } | null;
         };
         /** @description The state to which an actor travels. */
         NewTravel: {
@@ -2458,6 +2906,15 @@ export interface components {
             stage: string;
             tick: number;
             is_there: boolean;
+        };
+        /** @description A parameter; `smooth` in seconds. */
+        ParameterFields: {
+            kind?: ("number" | "flag" | "point" | "direction" | "rotation") | null;
+            default?: number | number[] | null;
+            min?: number | null;
+            max?: number | null;
+            smooth?: number | null;
+            handle?: components["schemas"]["HandleField"] | null;
         };
         /**
          * @description A number that clients set; `smooth` in seconds; `driven`: a flock overwrites it; `vector`: the point,
@@ -2477,6 +2934,12 @@ export interface components {
             freedom: string;
             event: string;
             driven: boolean;
+        };
+        /** @description Another part of the machine: `["parameter", "pace", "max"]`; null: it is not there. */
+        PartDifferenceView: {
+            part: string[];
+            before: string | null;
+            after: string | null;
         };
         /** @description A mesh primitive of the model, with its numbers of vertices and triangles. */
         PartView: {
@@ -2590,6 +3053,58 @@ export interface components {
             change: components["schemas"]["SendChange"] | components["schemas"]["MomentChange"] | components["schemas"]["HoldChange"] | components["schemas"]["BufferChange"] | components["schemas"]["SetChange"] | components["schemas"]["GoChange"] | components["schemas"]["CellChange"];
             fires: number;
         };
+        /** @description Renames a collider, also in touches of this machine. */
+        RenameCollider: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_collider";
+            name: string;
+            to: string;
+        };
+        /** @description Renames an event, or a marker, everywhere; keys follow. */
+        RenameEvent: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_event";
+            event: string;
+            to: string;
+        };
+        /** @description Renames a layer. */
+        RenameLayer: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_layer";
+            layer: string;
+            to: string;
+        };
+        /** @description Renames a parameter everywhere. */
+        RenameParameter: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_parameter";
+            name: string;
+            to: string;
+        };
+        /** @description Renames a state everywhere; `to` is the name without the composite state around it. */
+        RenameState: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "rename_state";
+            to: string;
+        };
         /** @description An actor's root: `position` in metres, `heading` in radians about +Y. */
         RootView: {
             position: number[];
@@ -2616,6 +3131,44 @@ export interface components {
             event: string;
             tick: number;
         };
+        /** @description A sense: a condition with its `release`, or a `touch` of two colliders. */
+        SenseFields: {
+            when?: string | null;
+            release?: string | null;
+            touch?: string[] | null;
+            on?: ("enter" | "stay" | "leave") | null;
+        };
+        /** @description Puts a clip at a point of a state's blend: a number, or two. */
+        SetBlendClip: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_blend_clip";
+            clip: string;
+            at: number | number[];
+        };
+        /**
+         * @description Changes a cell: `text` as in the table (empty: blank), and `fields`. `*` as `state` or `event`: the
+         *     default of a column, or of a row.
+         */
+        SetCell: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_cell";
+            state: string;
+            event: string;
+            /** @default base */
+            layer?: string;
+            text?: string | null;
+            /** @default {} */
+            fields?: components["schemas"]["CellFields"];
+        };
         /** @description The parameter has the value `value` from `tick` on. */
         SetChange: {
             /**
@@ -2626,6 +3179,154 @@ export interface components {
             parameter: string;
             value: number;
             tick: number;
+        };
+        /** @description Changes members of a collider. */
+        SetCollider: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_collider";
+            name: string;
+            fields: components["schemas"]["ColliderFields"];
+        };
+        /** @description Changes what cells take that say nothing. */
+        SetDefaults: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_defaults";
+            fields: components["schemas"]["DefaultsFields"];
+        };
+        /** @description Changes the buffer of an event, seconds; null: as the defaults say. */
+        SetEvent: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_event";
+            event: string;
+            buffer: number | null;
+        };
+        /** @description Replaces the machine's expressions, a line each; blank: none. */
+        SetExpressions: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_expressions";
+            text: string;
+        };
+        /** @description Makes a state the initial one of its layer, or of the machine around it. */
+        SetInitial: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_initial";
+        };
+        /** @description Changes members of a key. */
+        SetKey: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_key";
+            name: string;
+            fields: components["schemas"]["KeyFields"];
+        };
+        /** @description Changes members of a layer. */
+        SetLayer: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_layer";
+            layer: string;
+            fields: components["schemas"]["LayerFields"];
+        };
+        /** @description Changes what a machine says of itself. */
+        SetMachine: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_machine";
+            fields: components["schemas"]["MachineFields"];
+        };
+        /** @description Puts a marker at a phase of a state's motion, or of one `clip` of its blend; null takes it away. */
+        SetMarker: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_marker";
+            marker: string;
+            phase: number | null;
+            /** @default  */
+            clip?: string;
+        };
+        /** @description Changes members of a parameter. */
+        SetParameter: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_parameter";
+            name: string;
+            fields: components["schemas"]["ParameterFields"];
+        };
+        /** @description Replaces a property, named by its text; null deletes it. */
+        SetProperty: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_property";
+            property: string;
+            text: string | null;
+        };
+        /** @description Changes members of a sense. */
+        SetSense: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_sense";
+            name: string;
+            fields: components["schemas"]["SenseFields"];
+        };
+        /** @description Changes members of a state. */
+        SetState: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_state";
+            fields: components["schemas"]["StateFields"];
+        };
+        /** @description Keeps where states of a layer stand in the graph, x and y; null: where the page puts them. */
+        SetView: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_view";
+            /** @default base */
+            layer?: string;
+            positions: {
+                [key: string]: number[] | null;
+            };
         };
         /** @description A character of a machine folder in the list. */
         ShippedCharacterView: {
@@ -2750,6 +3451,21 @@ export interface components {
             state: string;
         };
         /**
+         * @description A state: `motion` is a clip, `none` (in layers), a blend, or expressions; `speed` a factor or a
+         *     parameter.
+         */
+        StateFields: {
+            /** @default  */
+            motion?: string | components["schemas"]["BlendMotion"] | components["schemas"]["ExpressionsMotion"];
+            loop?: boolean | null;
+            speed?: number | string | null;
+            final?: boolean | null;
+            resume?: boolean | null;
+            markers?: {
+                [key: string]: number;
+            } | null;
+        };
+        /**
          * @description A state and its motion (null: none); `over`: the parameters of a blend; `duration` in seconds; `outer`:
          *     the composite state that contains it, or empty.
          */
@@ -2859,15 +3575,34 @@ export interface components {
             bytes: number;
             machines: string[];
         };
+        /** @description A version with its text: the machine file, and its .csv tables by the names of their files. */
+        VersionText: {
+            version: number;
+            at: number;
+            what: string;
+            /** @description the version that an undo brings back; 0: none */
+            before: number;
+            /** @description the version that a redo brings back; 0: none */
+            after: number;
+            author: string;
+            text: string;
+            tables: {
+                [key: string]: string;
+            };
+        };
         /**
-         * @description A version of a machine; `at` in seconds since 1970; `what` says in a few words what the edit changed;
-         *     `before` is the version that an undo brings back, 0: none.
+         * @description A version of a machine; `at` in seconds since 1970; `what` says in a few words what the edit changed,
+         *     and `author` who made it, if the server asks for tokens.
          */
         VersionView: {
             version: number;
             at: number;
             what: string;
+            /** @description the version that an undo brings back; 0: none */
             before: number;
+            /** @description the version that a redo brings back; 0: none */
+            after: number;
+            author: string;
         };
         /** @description A viewer: its number, and what it may do. */
         ViewerView: {
@@ -2907,6 +3642,29 @@ export interface components {
             states: string[];
             since: number[];
             events: components["schemas"]["ExplainedView"][];
+        };
+        /** @description The differences of two stages in the ticks `from` to `to`. */
+        statwalk__web__schemas__difference__DifferencesView: {
+            stage: string;
+            other: string;
+            from: number;
+            to: number;
+            /** @description the first of these ticks at which an actor differs; null: none does */
+            first_difference: number | null;
+            /** @description why nothing is compared; empty if something is */
+            note: string;
+            /** @description actors that only the stage has in these ticks */
+            only_here: number[];
+            only_there: number[];
+            actors: components["schemas"]["ActorDifferenceView"][];
+        };
+        /** @description What differs between two versions; states and events by their names in the newer one. */
+        statwalk__web__schemas__version__DifferencesView: {
+            version: number;
+            since: number;
+            names: components["schemas"]["NameDifferenceView"][];
+            cells: components["schemas"]["CellDifferenceView"][];
+            parts: components["schemas"]["PartDifferenceView"][];
         };
         /**
          * @description An error: the wrong fields, the `known` names if a name is unknown, and the verifier's `findings` if an
@@ -3555,11 +4313,24 @@ export type Accepted = components['schemas']['Accepted'];
 export type AccessView = components['schemas']['AccessView'];
 export type ActorDifferenceView = components['schemas']['ActorDifferenceView'];
 export type ActorView = components['schemas']['ActorView'];
+export type AddCollider = components['schemas']['AddCollider'];
+export type AddEvent = components['schemas']['AddEvent'];
+export type AddKey = components['schemas']['AddKey'];
+export type AddLayer = components['schemas']['AddLayer'];
+export type AddParameter = components['schemas']['AddParameter'];
+export type AddProperty = components['schemas']['AddProperty'];
+export type AddSense = components['schemas']['AddSense'];
+export type AddState = components['schemas']['AddState'];
+export type Alternative = components['schemas']['Alternative'];
 export type AlternativeView = components['schemas']['AlternativeView'];
+export type BlendMotion = components['schemas']['BlendMotion'];
+export type BlendTime = components['schemas']['BlendTime'];
 export type BoneBody = components['schemas']['BoneBody'];
 export type BonesView = components['schemas']['BonesView'];
 export type BufferChange = components['schemas']['BufferChange'];
 export type CellChange = components['schemas']['CellChange'];
+export type CellDifferenceView = components['schemas']['CellDifferenceView'];
+export type CellFields = components['schemas']['CellFields'];
 export type CellView = components['schemas']['CellView'];
 export type ChainView = components['schemas']['ChainView'];
 export type CharacterView = components['schemas']['CharacterView'];
@@ -3567,16 +4338,23 @@ export type ClampedView = components['schemas']['ClampedView'];
 export type ClipContactsView = components['schemas']['ClipContactsView'];
 export type ClipView = components['schemas']['ClipView'];
 export type ClockChangeView = components['schemas']['ClockChangeView'];
+export type ColliderFields = components['schemas']['ColliderFields'];
 export type ColliderView = components['schemas']['ColliderView'];
 export type CurveView = components['schemas']['CurveView'];
 export type CurvesView = components['schemas']['CurvesView'];
 export type DeducedBoneView = components['schemas']['DeducedBoneView'];
 export type DeductionView = components['schemas']['DeductionView'];
-export type DifferencesView = components['schemas']['DifferencesView'];
+export type DefaultsFields = components['schemas']['DefaultsFields'];
+export type DeleteBlendClip = components['schemas']['DeleteBlendClip'];
+export type DeleteEntry = components['schemas']['DeleteEntry'];
+export type DeleteEvent = components['schemas']['DeleteEvent'];
+export type DeleteLayer = components['schemas']['DeleteLayer'];
+export type DeleteState = components['schemas']['DeleteState'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
 export type ExpressionView = components['schemas']['ExpressionView'];
+export type ExpressionsMotion = components['schemas']['ExpressionsMotion'];
 export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FigureView = components['schemas']['FigureView'];
@@ -3589,6 +4367,7 @@ export type FoundView = components['schemas']['FoundView'];
 export type FreedomView = components['schemas']['FreedomView'];
 export type GoChange = components['schemas']['GoChange'];
 export type GroundView = components['schemas']['GroundView'];
+export type HandleField = components['schemas']['HandleField'];
 export type HealthView = components['schemas']['HealthView'];
 export type HistoryView = components['schemas']['HistoryView'];
 export type HoldChange = components['schemas']['HoldChange'];
@@ -3596,13 +4375,16 @@ export type InputView = components['schemas']['InputView'];
 export type JointDifferences = components['schemas']['JointDifferences'];
 export type JointPair = components['schemas']['JointPair'];
 export type JointView = components['schemas']['JointView'];
+export type KeyFields = components['schemas']['KeyFields'];
 export type KeyView = components['schemas']['KeyView'];
 export type KnownBody = components['schemas']['KnownBody'];
+export type LayerFields = components['schemas']['LayerFields'];
 export type LayerView = components['schemas']['LayerView'];
 export type LevelView = components['schemas']['LevelView'];
 export type LimitView = components['schemas']['LimitView'];
 export type LinkView = components['schemas']['LinkView'];
 export type LossView = components['schemas']['LossView'];
+export type MachineFields = components['schemas']['MachineFields'];
 export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
 export type MadeLink = components['schemas']['MadeLink'];
@@ -3613,7 +4395,13 @@ export type MeasuredView = components['schemas']['MeasuredView'];
 export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
 export type MotionPathView = components['schemas']['MotionPathView'];
+export type MoveEntry = components['schemas']['MoveEntry'];
+export type MoveEvent = components['schemas']['MoveEvent'];
+export type MoveLayer = components['schemas']['MoveLayer'];
+export type MoveProperty = components['schemas']['MoveProperty'];
+export type MoveState = components['schemas']['MoveState'];
 export type MovedView = components['schemas']['MovedView'];
+export type NameDifferenceView = components['schemas']['NameDifferenceView'];
 export type NewActor = components['schemas']['NewActor'];
 export type NewCell = components['schemas']['NewCell'];
 export type NewClip = components['schemas']['NewClip'];
@@ -3627,6 +4415,7 @@ export type NewFork = components['schemas']['NewFork'];
 export type NewKey = components['schemas']['NewKey'];
 export type NewLink = components['schemas']['NewLink'];
 export type NewMachine = components['schemas']['NewMachine'];
+export type NewOperations = components['schemas']['NewOperations'];
 export type NewParameter = components['schemas']['NewParameter'];
 export type NewRig = components['schemas']['NewRig'];
 export type NewSolve = components['schemas']['NewSolve'];
@@ -3634,7 +4423,9 @@ export type NewStage = components['schemas']['NewStage'];
 export type NewText = components['schemas']['NewText'];
 export type NewTravel = components['schemas']['NewTravel'];
 export type OriginView = components['schemas']['OriginView'];
+export type ParameterFields = components['schemas']['ParameterFields'];
 export type ParameterView = components['schemas']['ParameterView'];
+export type PartDifferenceView = components['schemas']['PartDifferenceView'];
 export type PartView = components['schemas']['PartView'];
 export type PauseBody = components['schemas']['PauseBody'];
 export type PlanView = components['schemas']['PlanView'];
@@ -3644,11 +4435,33 @@ export type ReachedView = components['schemas']['ReachedView'];
 export type ReadyView = components['schemas']['ReadyView'];
 export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
+export type RenameCollider = components['schemas']['RenameCollider'];
+export type RenameEvent = components['schemas']['RenameEvent'];
+export type RenameLayer = components['schemas']['RenameLayer'];
+export type RenameParameter = components['schemas']['RenameParameter'];
+export type RenameState = components['schemas']['RenameState'];
 export type RootView = components['schemas']['RootView'];
 export type SceneView = components['schemas']['SceneView'];
 export type SeekBody = components['schemas']['SeekBody'];
 export type SendChange = components['schemas']['SendChange'];
+export type SenseFields = components['schemas']['SenseFields'];
+export type SetBlendClip = components['schemas']['SetBlendClip'];
+export type SetCell = components['schemas']['SetCell'];
 export type SetChange = components['schemas']['SetChange'];
+export type SetCollider = components['schemas']['SetCollider'];
+export type SetDefaults = components['schemas']['SetDefaults'];
+export type SetEvent = components['schemas']['SetEvent'];
+export type SetExpressions = components['schemas']['SetExpressions'];
+export type SetInitial = components['schemas']['SetInitial'];
+export type SetKey = components['schemas']['SetKey'];
+export type SetLayer = components['schemas']['SetLayer'];
+export type SetMachine = components['schemas']['SetMachine'];
+export type SetMarker = components['schemas']['SetMarker'];
+export type SetParameter = components['schemas']['SetParameter'];
+export type SetProperty = components['schemas']['SetProperty'];
+export type SetSense = components['schemas']['SetSense'];
+export type SetState = components['schemas']['SetState'];
+export type SetView = components['schemas']['SetView'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
 export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
@@ -3657,6 +4470,7 @@ export type Speed = components['schemas']['Speed'];
 export type StageNameBody = components['schemas']['StageNameBody'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];
+export type StateFields = components['schemas']['StateFields'];
 export type StateView = components['schemas']['StateView'];
 export type StepBody = components['schemas']['StepBody'];
 export type StepView = components['schemas']['StepView'];
@@ -3667,10 +4481,13 @@ export type TwinView = components['schemas']['TwinView'];
 export type TwinningView = components['schemas']['TwinningView'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
+export type VersionText = components['schemas']['VersionText'];
 export type VersionView = components['schemas']['VersionView'];
 export type ViewerView = components['schemas']['ViewerView'];
 export type WhyNotView = components['schemas']['WhyNotView'];
 export type WhyView = components['schemas']['WhyView'];
+export type statwalk__web__schemas__difference__DifferencesView = components['schemas']['statwalk__web__schemas__difference__DifferencesView'];
+export type statwalk__web__schemas__version__DifferencesView = components['schemas']['statwalk__web__schemas__version__DifferencesView'];
 export type ProblemView = components['schemas']['ProblemView'];
 export type AcceptedMessage = components['schemas']['AcceptedMessage'];
 export type ActionMessage = components['schemas']['ActionMessage'];
@@ -4128,6 +4945,209 @@ export interface operations {
             507: components["responses"]["507"];
         };
     };
+    undo_api_machines__name__undo_post: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    redo_api_machines__name__redo_post: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    list_versions_api_machines__name__versions_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionView"][];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_version_api_machines__name__versions__number__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+                number: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionText"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    get_differences_api_machines__name__versions__number__differences_get: {
+        parameters: {
+            query: {
+                since: number;
+            };
+            header?: never;
+            path: {
+                name: string;
+                number: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["statwalk__web__schemas__version__DifferencesView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    restore_api_machines__name__versions__number__restore_post: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                number: number;
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     list_machines_api_machines_get: {
         parameters: {
             query?: never;
@@ -4287,6 +5307,50 @@ export interface operations {
             415: components["responses"]["415"];
             421: components["responses"]["421"];
             422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    patch_machine_api_machines__name__patch: {
+        parameters: {
+            query?: {
+                dry?: boolean;
+            };
+            header: {
+                "If-Match": string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewOperations"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EditedMachine"] | components["schemas"]["RefusedTrial"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            412: components["responses"]["412"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            428: components["responses"]["428"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
             507: components["responses"]["507"];
@@ -4467,72 +5531,6 @@ export interface operations {
             429: components["responses"]["429"];
             503: components["responses"]["503"];
             507: components["responses"]["507"];
-        };
-    };
-    undo_api_machines__name__undo_post: {
-        parameters: {
-            query?: never;
-            header: {
-                "If-Match": string;
-            };
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["EditedMachine"];
-                };
-            };
-            401: components["responses"]["401"];
-            403: components["responses"]["403"];
-            404: components["responses"]["404"];
-            409: components["responses"]["409"];
-            412: components["responses"]["412"];
-            413: components["responses"]["413"];
-            415: components["responses"]["415"];
-            421: components["responses"]["421"];
-            422: components["responses"]["422"];
-            428: components["responses"]["428"];
-            429: components["responses"]["429"];
-            503: components["responses"]["503"];
-            507: components["responses"]["507"];
-        };
-    };
-    list_versions_api_machines__name__versions_get: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                name: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["VersionView"][];
-                };
-            };
-            401: components["responses"]["401"];
-            403: components["responses"]["403"];
-            404: components["responses"]["404"];
-            421: components["responses"]["421"];
-            422: components["responses"]["422"];
-            429: components["responses"]["429"];
-            503: components["responses"]["503"];
         };
     };
     get_schema_api_schemas_machine_json_get: {
@@ -5086,7 +6084,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["DifferencesView"];
+                    "application/json": components["schemas"]["statwalk__web__schemas__difference__DifferencesView"];
                 };
             };
             401: components["responses"]["401"];

@@ -16,7 +16,7 @@ from statwalk.services.hosting.store.records import row_digest
 from statwalk.services.hosting.store.upgrades import UPGRADES
 
 FILE_NAME = "statwalk.db"
-FORMAT = 4
+FORMAT = 5
 APPLICATION = 0x5374576B
 """the number by which `file` and SQLite tell whose database it is: "StWk" """
 LARGEST_WAL_BYTES = 16 << 20
@@ -73,8 +73,8 @@ CREATE TABLE keys (
 ) STRICT, WITHOUT ROWID;
 CREATE TABLE versions (
     machine TEXT NOT NULL, number INTEGER NOT NULL, at REAL NOT NULL, what TEXT NOT NULL,
-    text TEXT NOT NULL, before INTEGER NOT NULL, digest BLOB NOT NULL,
-    PRIMARY KEY (machine, number)
+    text TEXT NOT NULL, before INTEGER NOT NULL, after INTEGER NOT NULL, author TEXT NOT NULL,
+    digest BLOB NOT NULL, PRIMARY KEY (machine, number)
 ) STRICT, WITHOUT ROWID;
 CREATE TABLE commits (only INTEGER PRIMARY KEY CHECK (only = 1), ticket INTEGER NOT NULL) STRICT;
 INSERT INTO commits VALUES (1, 0);

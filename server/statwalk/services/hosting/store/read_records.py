@@ -135,10 +135,8 @@ class KeptRecords:
         :raises StorageError: when the database is damaged.
         """
         found: dict[str, list[MachineVersion]] = {}
-        for machine, number, at, what, text, before, digest in self._rows(
-            "SELECT * FROM versions ORDER BY machine, number"
-        ):
-            version = MachineVersion(number, at, what, text, before)
+        for machine, *row, digest in self._rows("SELECT * FROM versions ORDER BY machine, number"):
+            version = MachineVersion(*row)
             if version_row(machine, version)[-1] == digest:
                 found.setdefault(machine, []).append(version)
         return found

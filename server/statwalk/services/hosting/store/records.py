@@ -121,6 +121,10 @@ class MachineVersion:
     text: str
     before: int = 0
     """the version that an undo brings back; 0: there is none"""
+    after: int = 0
+    """the version that a redo brings back; 0: there is none"""
+    author: str = ""
+    """the name of who made it, if the server asks for tokens"""
 
 
 def chained(before: bytes, line: str) -> bytes:
@@ -171,4 +175,5 @@ def stage_row(identity: StageIdentity, note: Note) -> tuple[Value, ...]:
 
 def version_row(machine: str, version: MachineVersion) -> tuple[Value, ...]:
     """Returns the row of a version of a machine, with its hash."""
-    return sealed(machine, version.number, float(version.at), version.what, version.text, version.before)
+    about = version.before, version.after, version.author
+    return sealed(machine, version.number, float(version.at), version.what, version.text, *about)

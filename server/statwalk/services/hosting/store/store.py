@@ -84,7 +84,7 @@ class Store:
         rows = [version_row(machine, version) for version in versions]
         self.writer.put(
             [
-                Statement("INSERT OR REPLACE INTO versions VALUES (?, ?, ?, ?, ?, ?, ?)", rows),
+                Statement("INSERT OR REPLACE INTO versions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows),
                 Statement("DELETE FROM versions WHERE machine = ? AND number <= ?", [(machine, old)]),
             ]
         )

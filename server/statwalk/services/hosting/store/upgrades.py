@@ -63,6 +63,22 @@ def _to_4(database: sqlite3.Connection) -> None:
     database.execute(f"UPDATE stages SET digest = {whole}")  # noqa: S608 - our own names
 
 
+def _to_5(database: sqlite3.Connection) -> None:
+    """A version says what a redo brings back, and who made it."""
+    columns = "machine, number, at, what, text, before"
+    database.execute("ALTER TABLE versions RENAME TO versions_4")
+    database.execute(
+        "CREATE TABLE versions (machine TEXT NOT NULL, number INTEGER NOT NULL, at REAL NOT NULL, "
+        "what TEXT NOT NULL, text TEXT NOT NULL, before INTEGER NOT NULL, after INTEGER NOT NULL, "
+        "author TEXT NOT NULL, digest BLOB NOT NULL, PRIMARY KEY (machine, number)) STRICT, WITHOUT ROWID"
+    )
+    digest = f"CASE digest WHEN row_digest({columns}) THEN row_digest({columns}, 0, '') ELSE x'' END"
+    database.execute(
+        f"INSERT INTO versions SELECT {columns}, 0, '', {digest} FROM versions_4"  # noqa: S608 - our own names
+    )
+    database.execute("DROP TABLE versions_4")
+
+
 def _joined(*parts: bytes) -> bytes:
     """The hash of format 2."""
     return hashlib.blake2b(b"\0".join(parts), digest_size=16).digest()
@@ -102,5 +118,5 @@ SEALED_IN_3: dict[str, tuple[str, Callable[..., bool]]] = {
     "versions": ("machine, number, at, what, text, before", _version_was_whole),
 }
 """by table, the columns under the hash of a row, and whether a row was whole"""
-UPGRADES: dict[int, Callable[[sqlite3.Connection], None]] = {1: _to_2, 2: _to_3, 3: _to_4}
+UPGRADES: dict[int, Callable[[sqlite3.Connection], None]] = {1: _to_2, 2: _to_3, 3: _to_4, 4: _to_5}
 """by format, what brings a database to the next format; the connection has the function `row_digest`"""

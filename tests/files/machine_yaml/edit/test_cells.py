@@ -7,7 +7,8 @@ import difflib
 import pytest
 from paths import MACHINES
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml.cell_text import CellPlace, with_cell
+from statwalk.files.machine_yaml.edit.cells import SetCell
+from statwalk.files.machine_yaml.edit.edited import edited
 
 WALKER = (MACHINES / "faq-walker" / "machine.yaml").read_text()
 NESTED = """character: c.glb
@@ -39,7 +40,7 @@ cells:
 
 def changed(text, layer, state, event, new):
     """The lines that went and came."""
-    after = with_cell(text, CellPlace(layer, state, event), new, "machine.yaml")
+    after = edited(text, [SetCell(state, event, new, layer=layer)])
     return [line for line in difflib.ndiff(text.splitlines(), after.splitlines()) if line[0] in "+-"]
 
 
@@ -91,10 +92,12 @@ def test_bars_around_the_line():
     ],
 )
 def test_refused(place, new, message):
+    layer, state, event = place
     with pytest.raises(MachineError, match=message):
-        with_cell(WALKER, CellPlace(*place), new, "machine.yaml")
+        edited(WALKER, [SetCell(state, event, new, layer=layer)])
 
 
-def test_what_cells_says_is_not_changed_in_the_table():
-    with pytest.raises(MachineError, match="line 24: the next state of REST/FIGHT is set under `cells`"):
-        with_cell(NESTED, CellPlace("base", "REST", "FIGHT"), "REST", "machine.yaml")
+def test_a_next_state_under_cells_is_changed_there():
+    assert changed(NESTED, "base", "REST", "FIGHT", "REST at end")[1] == (
+        "+   REST/FIGHT: {to: REST at end, blend: 0.1}"
+    )

@@ -1,0 +1,36 @@
+"""The whole text of a machine: its machine file, and after it the .csv tables that the file names.
+
+    initial: STAT
+    table: table.csv
+    --- table.csv
+    state,FORWARD,STOP
+
+So a version, a stage's log and a running server need no file of the machine's folder to read it again. The
+text of a machine with all tables inline is its machine file.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import NamedTuple
+
+TABLE = re.compile(r"\n--- ([^/\\\n]{1,100}\.[Cc][Ss][Vv])\n")
+"""begins a table; in one YAML document no line begins with `---` further down"""
+
+
+class MachineText(NamedTuple):
+    """The machine file, and its .csv tables by file name."""
+
+    yaml: str
+    tables: Mapping[str, str]
+
+    @classmethod
+    def of(cls, whole: str) -> MachineText:
+        """Returns the parts of a machine's whole text."""
+        yaml, *parts = TABLE.split(whole)
+        return cls(yaml, dict(zip(parts[::2], parts[1::2], strict=True)))
+
+    def whole(self) -> str:
+        """Returns both in one text."""
+        return self.yaml + "".join(f"\n--- {name}\n{table}" for name, table in self.tables.items())

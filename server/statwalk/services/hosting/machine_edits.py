@@ -1,0 +1,161 @@
+"""Edits a machine by operations, and goes back and forth through its versions.
+
+Operations count for the newest version, also if an editor has read an older one, as long as nobody has
+changed what they touch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from statwalk.errors import ConflictError, VersionConflictError
+from statwalk.files.machine_yaml.edit.edited import conflict, edited
+from statwalk.files.machine_yaml.edit.operation import Operation
+from statwalk.machine.model_checker.work import Checkpoint, go_on
+from statwalk.services.hosting.machine_versions import CurrentMachine, Edited, MachineVersions, Step
+from statwalk.services.hosting.store.records import MachineVersion
+
+MOST_TRIES = 8
+"""how often operations are verified again, if others edit the machine meanwhile"""
+LONGEST_WHAT = 200
+
+
+class Request(NamedTuple):
+    """Who edits a machine, which version they have read, and what cancels the edit by raising."""
+
+    name: str
+    seen: int
+    author: str = ""
+    checkpoint: Checkpoint = go_on
+
+
+def change(versions: MachineVersions, request: Request, operations: Sequence[Operation]) -> Edited:
+    """Applies operations to the newest version of a machine, and makes that a version.
+
+    :raises UnknownNameError: when no machine has this name.
+    :raises VersionConflictError: when another editor has changed what the operations touch.
+    :raises ContentError: when an operation is not possible.
+    :raises RefusedEditError: when the verifier finds new errors.
+    """
+    for last in range(MOST_TRIES - 1, -1, -1):
+        current, text = _applied(versions, request, operations)
+        try:
+            return versions.change(
+                current, text, what(operations), author=request.author, checkpoint=request.checkpoint
+            )
+        except VersionConflictError:  # another edit came while this one was verified: again on top of it
+            if not last:
+                raise
+    raise AssertionError
+
+
+def trial(versions: MachineVersions, request: Request, operations: Sequence[Operation]) -> Edited:
+    """Returns what `change` would make, without making it; raises the same."""
+    current, text = _applied(versions, request, operations)
+    return versions.checked(current, text, what(operations), checkpoint=request.checkpoint)
+
+
+def what(operations: Sequence[Operation]) -> str:
+    """Returns in a few words what operations do."""
+    words = "; ".join(map(str, operations))
+    return words if len(words) <= LONGEST_WHAT else f"{words[:LONGEST_WHAT]}…"
+
+
+def _applied(
+    versions: MachineVersions, request: Request, operations: Sequence[Operation]
+) -> tuple[CurrentMachine, str]:
+    """The machine as it is, and its text after the operations."""
+    current = versions.current(request.name)
+    newest = current.version
+    if request.seen != newest.number:
+        _check_apart(versions, request, newest, operations)
+    return current, edited(newest.text, operations)
+
+
+def _check_apart(
+    versions: MachineVersions, request: Request, newest: MachineVersion, operations: Sequence[Operation]
+) -> None:
+    """:raises VersionConflictError: when other edits since `request.seen` touch the same."""
+    name, seen = request.name, request.seen
+    kept = {version.number: version for version in versions.of(name)}
+    if seen not in kept:
+        raise VersionConflictError(
+            f"{name} is at version {newest.number}, and version {seen} is not kept; read it again",
+            field="version",
+        )
+    if conflict(kept[seen].text, newest.text, operations) is None:
+        return
+    other = next(
+        version
+        for number, version in kept.items()
+        if number > seen and conflict(kept[seen].text, version.text, operations)
+    )
+    part = conflict(kept[seen].text, other.text, operations) or ()
+    by = f" by {other.author}" if other.author else ""
+    raise VersionConflictError(
+        f"version {other.number}{by} ({other.what}) has changed the same since version {seen}: "
+        f"{'/'.join(part)}; {name} is at version {newest.number} now, read it again",
+        field="/".join(part),
+    )
+
+
+# --- back and forth
+
+
+def undo(versions: MachineVersions, request: Request) -> Edited:
+    """Makes a version with the text before the newest one; the next undo goes back further.
+
+    :raises VersionConflictError: when `request.seen` is not the newest version.
+    :raises ConflictError: when there is nothing to undo.
+    """
+    current = versions.based_on(request.name, request.seen)
+    target = _step(versions, request.name, current.version.before, "undo")
+    step = Step(target.before, current.version.number)
+    return _back_to(versions, request, current, target, step)
+
+
+def redo(versions: MachineVersions, request: Request) -> Edited:
+    """Makes a version with the text that the last undo took away; the next redo goes on.
+
+    :raises VersionConflictError: when `request.seen` is not the newest version.
+    :raises ConflictError: when there is nothing to redo: nothing was undone, or another edit came after it.
+    """
+    current = versions.based_on(request.name, request.seen)
+    target = _step(versions, request.name, current.version.after, "redo")
+    return _back_to(versions, request, current, target, Step(target.before, target.after))
+
+
+def restore(versions: MachineVersions, request: Request, number: int) -> Edited:
+    """Makes a version with the text of an older one, as an edit that can be undone.
+
+    :raises UnknownNameError: when the version is not kept.
+    :raises VersionConflictError: when `request.seen` is not the newest version.
+    """
+    target = versions.version(request.name, number)
+    current = versions.based_on(request.name, request.seen)
+    return _back_to(versions, request, current, target, None)
+
+
+def _step(versions: MachineVersions, name: str, number: int, way: str) -> MachineVersion:
+    target = next((version for version in versions.of(name) if version.number == number), None)
+    if target is None:
+        raise ConflictError(f"there is nothing to {way} in {name}")
+    return target
+
+
+def _back_to(
+    versions: MachineVersions,
+    request: Request,
+    current: CurrentMachine,
+    target: MachineVersion,
+    step: Step | None,
+) -> Edited:
+    return versions.change(
+        current,
+        target.text,
+        f"back to version {target.number}",
+        step=step,
+        author=request.author,
+        checkpoint=request.checkpoint,
+    )
