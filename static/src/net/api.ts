@@ -1,6 +1,6 @@
 /** Calls the REST interface; a refusal becomes an ApiError with the server's words. */
 
-import type { Finding, LogHeader, LogLine, NewCell, NewClip, Problem, Skinning } from "./protocol";
+import type { Finding, LogHeader, LogLine, NewCell, NewClip, Operation, Problem, Skinning } from "./protocol";
 import type { NewCurves, NewRig, NewSolve } from "./types/api.generated";
 import type { Answer, Extras, Method, Places, Route } from "./types/routes";
 
@@ -114,6 +114,14 @@ export const versions = (name: string) => ask("get", "/api/machines/{name}/versi
 /** Changes a cell, if the machine is still at `version`; `dry`: only verifies the change. */
 export const patchCell = (name: string, version: number, body: NewCell, dry: boolean) =>
   ask("patch", "/api/machines/{name}/cells", { name }, { body, version, ...(dry && { query: { dry } }) });
+/** Applies operations as one version, if nothing that they touch has changed since `version`; `dry`: only verifies. */
+export const patchMachine = (name: string, version: number, operations: Operation[], dry: boolean) =>
+  ask(
+    "patch",
+    "/api/machines/{name}",
+    { name },
+    { body: { operations }, version, ...(dry && { query: { dry } }) },
+  );
 /** Replaces the machine's expressions, if the machine is still at `version`. */
 export const patchExpressions = (name: string, version: number, text: string) =>
   ask("patch", "/api/machines/{name}/expressions", { name }, { body: { text }, version });

@@ -4,7 +4,7 @@
 
 import { signal } from "@preact/signals-core";
 import * as api from "../net/api";
-import type { Edited, MachineVersion, Finding, MachineInfo, NewCell } from "../net/protocol";
+import type { Edited, MachineVersion, Finding, MachineInfo, NewCell, Operation } from "../net/protocol";
 import { reasonOf } from "../net/reason";
 import type { Event } from "./event";
 import type { WatchedMachine } from "./watchedMachine";
@@ -87,6 +87,22 @@ export class Editing {
       if (error.status !== 412) return refusal(error.message, error.findings, place);
       await this.reload(machine.name);
       return { kind: "stale", words: error.message, findings: [] };
+    }
+  }
+
+  /** Keeps operations as one version. A refusal is shown as a notice; returns whether they are kept. */
+  async operate(operations: Operation[]): Promise<boolean> {
+    const machine = this.machine.info.value;
+    if (!machine) return false;
+    try {
+      const edited = await api.patchMachine(machine.name, machine.version, operations, false);
+      if (edited.result === "accepted") this.take(edited);
+      return edited.result === "accepted";
+    } catch (error) {
+      const refused = error instanceof api.ApiError ? error : new api.ApiError(0, String(error));
+      this.notices.emit(`Not kept: ${refused.findings[0]?.message ?? refused.message}`);
+      if (refused.status === 412) await this.reload(machine.name);
+      return false;
     }
   }
 

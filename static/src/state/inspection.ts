@@ -11,7 +11,15 @@ export interface CellRequest {
   text: string | null;
 }
 
+/** A state that you have chosen, or one of its cells: the arrow of an event. */
+export interface Selected {
+  layer: string;
+  state: string;
+  event: string | null;
+}
+
 export class Inspection {
+  readonly selected = signal<Selected | null>(null);
   /** The tick that is explained, or null. */
   readonly why = signal<number | null>(null);
   /** Emitted if a cell of the table shall be shown. */

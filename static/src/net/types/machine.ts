@@ -18,3 +18,8 @@ export type {
   StateView as StateInfo,
   VersionView as MachineVersion,
 } from "./api.generated";
+
+import type { NewOperations } from "./api.generated";
+
+/** One change of a machine; several together make one version. */
+export type Operation = NewOperations["operations"][number];
