@@ -24,5 +24,11 @@ export default defineConfig({
       },
     },
   },
-  test: { include: ["src/**/*.test.ts"], environment: "node" },
+  test: {
+    include: ["src/**/*.test.ts"],
+    environment: "node",
+    css: true,
+    // Tests take lit's development build, which says so.
+    onConsoleLog: (log) => !log.includes("Lit is in dev mode"),
+  },
 });

@@ -1,7 +1,8 @@
-"""The viewer's types are strict, its generated types are those of the server, and the tests beside its
-sources pass.
+"""The viewer's types are strict, its generated types are those of the server, the tests beside its sources
+pass, and the page begins with few bytes.
 """
 
+import gzip
 import json
 import os
 import shlex
@@ -16,6 +17,8 @@ from paths import ROOT
 from statwalk.web.app import openapi_document
 
 VIEWER = ROOT / "static"
+MOST_KB = 350
+"""the first load of the page, compressed"""
 
 
 def node() -> Path:
@@ -87,3 +90,31 @@ def test_the_types_of_the_server_are_not_stale(modules: Path) -> None:
 
 def test_units_pass(modules: Path) -> None:
     assert "passed" in run(modules / "vitest" / "vitest.mjs", "run")
+
+
+def first_load(build: Path) -> dict[str, bytes]:
+    """The files that the page loads before you click: what index.html names, and what that imports."""
+    chunks = json.loads((build / ".vite" / "manifest.json").read_text())
+    wanted, names = ["index.html"], {"index.html"}
+    while wanted:
+        chunk = chunks[wanted.pop()]
+        names |= {chunk["file"], *chunk.get("css", []), *chunk.get("assets", [])}
+        wanted += chunk.get("imports", [])
+    return {name: (build / name).read_bytes() for name in names}
+
+
+def test_the_page_begins_with_few_bytes_and_without_plots(modules: Path, tmp_path: Path) -> None:
+    run(
+        modules / "vite" / "bin" / "vite.js",
+        "build",
+        "--manifest",
+        "--outDir",
+        tmp_path,
+        "--logLevel",
+        "warn",
+    )
+    loaded = first_load(tmp_path)
+    assert sum(len(gzip.compress(data)) for data in loaded.values()) <= 1000 * MOST_KB
+    with_plots = {path.relative_to(tmp_path).as_posix() for path in tmp_path.glob("assets/uPlot*")}
+    assert with_plots
+    assert not with_plots & set(loaded)

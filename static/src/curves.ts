@@ -13,6 +13,7 @@ import { fault, KeyTable, type Key } from "./panels/curves/keyTable";
 import { METHODS } from "./panels/curves/methods";
 import { Plots } from "./panels/curves/plots";
 import { byId, canvasById, el, reducedMotion, say } from "./ui/dom";
+import { loadPlotting } from "./ui/plotting";
 
 const SAMPLES = 361;
 const ASK_MS = 120;
@@ -101,7 +102,7 @@ function nameButtons(plots: Plots): void {
 }
 
 const figures = new Figures(canvasById("figures"));
-const plots = new Plots(byId("plots"));
+const plots = new Plots(await loadPlotting(), byId("plots"));
 const clock = new Clock(byId("clock"));
 const asker = new Asker((curves, keys) => {
   figures.show(curves.curves);

@@ -104,3 +104,25 @@ test("an import that points up, one between panels and a circle are seen", () =>
   ]);
   expect(circle(wrong)).toEqual(["panels/why/words", "panels/why/why", "panels/why/words"]);
 });
+
+const STYLES = import.meta.glob<string>("./**/*.css", { query: "?raw", import: "default", eager: true });
+/** Properties whose lengths and times are tokens. */
+const SCALED =
+  /^\s*(?:gap|padding[a-z-]*|margin[a-z-]*|font|font-size|border-radius|transition|animation): [^;]*;/gm;
+/** Hairlines, and lengths of things that are larger than the scale, are none. */
+const RAW = /(?<![\w.])(?:[2-9]|[12]\d|3[0-2])(?:\.\d+)?px|\d+ms/;
+
+/** Declarations of a style with a length or a time of their own. */
+const rawIn = (style: string): string[] =>
+  [...style.matchAll(SCALED)].map(([text]) => text.trim()).filter((text) => RAW.test(text));
+
+test("space, type, radius and motion are tokens", () => {
+  const found = Object.entries(STYLES).filter(([file]) => file !== "./style/tokens.css");
+  expect(found.flatMap(([file, style]) => rawIn(style).map((text) => `${file}: ${text}`))).toEqual([]);
+});
+
+test("a length of its own is seen", () => {
+  expect(rawIn(".a {\n  padding: 0 9px;\n  margin: var(--space-s);\n  width: 9px;\n}\n")).toEqual([
+    "padding: 0 9px;",
+  ]);
+});

@@ -7,9 +7,11 @@ import "./style/layout.css";
 import { accessPanel } from "./panels/access/access";
 import { actionCounterPanel } from "./panels/actionCounter/actionCounter";
 import { badgePanel } from "./panels/badge/badge";
+import { cellInspectorPanel } from "./panels/cellInspector/cellInspector";
 import { clampedPanel } from "./panels/clamped/clamped";
 import { deducePanel } from "./panels/deduce/deduceDialog";
 import { downloadPanel } from "./panels/download/downloadDialog";
+import { drawerPanel } from "./panels/drawer/drawer";
 import { eventsPanel } from "./panels/events/events";
 import { expressionsPanel } from "./panels/expressions/expressions";
 import { feetPanel } from "./panels/feet/feet";
@@ -27,6 +29,7 @@ import { statusPanel } from "./panels/status/status";
 import { tablePanel } from "./panels/table/tablePanel";
 import { targetsPanel } from "./panels/targets/targets";
 import { timelinePanel } from "./panels/timeline/timeline";
+import { versionsPanel } from "./panels/versions/versions";
 import { viewControlsPanel } from "./panels/viewControls/viewControls";
 import { whyPanel } from "./panels/why/why";
 import { keepAddress, stageOfAddress } from "./state/address";
@@ -64,6 +67,9 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["events", eventsPanel],
   ["timeline", timelinePanel],
   ["modes", viewControlsPanel],
+  ["cell", cellInspectorPanel],
+  ["versions", versionsPanel],
+  ["drawer", drawerPanel],
   ["help", helpPanel],
 ];
 

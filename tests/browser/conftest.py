@@ -53,7 +53,7 @@ def expression_value(name: str) -> str:
     """JavaScript for the value that the page shows beside the expression of a channel or a variable."""
     row = (
         "[...document.querySelectorAll('#expressions dl > div')]"
-        f".find(row => row.querySelector('dt').firstChild.textContent === '{name}')"
+        f".find(row => row.querySelector('dt span').textContent === '{name}')"
     )
     return f"Number({row}?.querySelector('output').textContent)"
 

@@ -104,6 +104,8 @@ OVERDUE = {
     "seek": ("POST", "{}/seek", {"tick": 0}),
     "recording": ("GET", "{}/recording.glb", None),
     "log": ("GET", "{}/log", None),
+    "fork": ("POST", "{}/fork", {"tick": 1}),
+    "differences": ("GET", "{0}/differences?with={1}", None),
     "why not": ("GET", "{}/actors/1/whynot?event=JUMP&tick=1", None),
     "verify": ("GET", "/api/machines/faq-walker/verify", None),
     "measure": ("GET", "/api/machines/faq-walker/measure", None),
@@ -121,7 +123,7 @@ async def test_all_long_work_looks_at_its_deadline(
         stage = (await client.post("/api/stages", json=LONG)).headers["location"]
         await client.post(f"{stage}/step", json={"ticks": 2})
         monkeypatch.setattr(CancelToken, "expire_after", lambda token, _: setattr(token, "_deadline", 0.0))
-        answer = await client.request(method, path.format(stage), json=body)
+        answer = await client.request(method, path.format(stage, stage.rpartition("/")[2]), json=body)
     assert (answer.status_code, "and was stopped" in answer.json()["detail"]) == (503, True)
 
 

@@ -1,9 +1,14 @@
 """R-17: a bit of the database flips, or its end is gone: no stage is silently another one."""
 
+import sqlite3
+from contextlib import closing
 from pathlib import Path
+from typing import Any
 
 import pytest
-from flips_folder import REPORTED, WHOLE, outcomes
+from flips_folder import REPORTED, WHOLE, kept, outcome, outcomes
+from statwalk.services.hosting.store import read_records
+from statwalk.services.hosting.store.database import FILE_NAME
 from statwalk.services.library.catalogue import Catalogue
 
 DAMAGES = range(24)
@@ -18,3 +23,45 @@ def test_r17_each_stage_is_what_it_was_or_reported(tmp_path: Path, catalogue: Ca
     found = list(outcomes(tmp_path, DAMAGES, catalogue))
     assert [(seed, wrong) for seed, _, wrong in found if wrong] == []
     assert {what for _, what, _ in found} == {REPORTED, WHOLE}
+
+
+def test_r17_a_table_that_is_no_table_any_more_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
+    """SQLite's message has the damaged letters, which are no text."""
+    before = kept(tmp_path, catalogue)
+    path = tmp_path / FILE_NAME
+    path.write_bytes(path.read_bytes().replace(b"CREATE TABLE stages", b"CREATE TABL\xce stages"))
+    assert outcome(tmp_path, before, catalogue) == (REPORTED, [])
+
+
+class Believed(bytes):
+    """A hash that is every hash."""
+
+    __hash__ = bytes.__hash__
+
+    def __eq__(self, other: object) -> bool:
+        return True
+
+    def __ne__(self, other: object) -> bool:
+        return False
+
+
+def with_other_answers(folder: Path, catalogue: Catalogue) -> dict[str, Any]:
+    """Makes a folder in which the answers to requests are other ones; returns what its stages were."""
+    before = kept(folder, catalogue)
+    with closing(sqlite3.connect(folder / FILE_NAME)) as database, database:
+        database.execute("UPDATE keys SET seq = seq + 1")
+    return before
+
+
+def test_r17_another_answer_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
+    assert outcome(tmp_path, with_other_answers(tmp_path, catalogue), catalogue) == (REPORTED, [])
+
+
+def test_r17_a_server_that_compares_no_hashes_is_found_out(
+    tmp_path: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The control."""
+    before = with_other_answers(tmp_path, catalogue)
+    monkeypatch.setattr(read_records, "row_digest", lambda *_: Believed())
+    what, wrong = outcome(tmp_path, before, catalogue)
+    assert (what, sorted(wrong)) == (WHOLE, sorted(before))

@@ -35,6 +35,10 @@ MESSAGES = [
     '{"type": "ack", "tick": %s}',
     '{"type": "look", "tick": %s, "ref": 1}',
     '{"type": "frames", "frames": %s}',
+    '{"type": "name", "name": %s}',
+    '{"type": "watch", "actor": %s}',
+    '{"type": "follow", "viewer": %s}',
+    '{"type": "camera", "position": [%s, 0, 0], "target": [0, 0, 0]}',
     '{"type": %s}',
     '{"type": "nothing", "ref": %s}',
     "%s",
@@ -73,10 +77,24 @@ VALUES = st.recursive(
     lambda inner: st.lists(inner, max_size=3),
     max_leaves=5,
 )
-NAMES = st.sampled_from(["type", "ref", "event", "actor", "kind", "tick", "parameter", "value", "frames"])
-SENSIBLE = st.sampled_from(["ping", "event", "set", "ack", "look", "live", "frames"]).map(
-    lambda kind: {"type": kind, "event": "FORWARD"}
+NAMES = st.sampled_from(
+    [
+        "type",
+        "ref",
+        "event",
+        "actor",
+        "kind",
+        "tick",
+        "parameter",
+        "value",
+        "frames",
+        "name",
+        "viewer",
+        "target",
+    ]
 )
+KINDS = ["ping", "event", "set", "ack", "look", "live", "frames", "name", "watch", "camera", "follow"]
+SENSIBLE = st.sampled_from(KINDS).map(lambda kind: {"type": kind, "event": "FORWARD"})
 
 
 @settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])

@@ -58,6 +58,7 @@ REQUESTS: list[tuple[str, str, Any]] = [  # in this order: 1 is the actor of the
     ("GET", "{stage}/actors/1/whynot?event=LEFT&tick=1", None),
     ("POST", "{stage}/actors/1/travel", {"state": "CRCH"}),
     ("GET", "{stage}/history", None),
+    ("GET", "{stage}/facts?since=3", None),
     ("POST", "{stage}/fork", None),
 ]
 

@@ -113,6 +113,7 @@ async def test_a_place_is_free_again_after_an_error() -> None:
 LONG = {
     "log": ("GET", "/api/stages/{}/log", None),
     "history": ("GET", "/api/stages/{}/history", None),
+    "facts": ("GET", "/api/stages/{}/facts", None),
     "new machine": ("POST", "/api/machines", {"name": "a", "character": "b"}),
     "step": ("POST", "/api/stages/{}/step", {}),
     "seek": ("POST", "/api/stages/{}/seek", {"tick": 0}),

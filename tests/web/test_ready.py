@@ -78,6 +78,7 @@ REQUESTS = [  # in this order: 1 is the faq-walker of the stage
     asks("POST", "{stage}/events", {"event": "STOP", "actor": 1}),
     asks("POST", "{stage}/seek", {"tick": 200}),
     asks("GET", "{stage}/history"),
+    asks("GET", "{stage}/facts"),
     asks("GET", "{stage}/log"),
     asks("POST", "/api/stages", {"scene": "playground"}),
 ]

@@ -8,7 +8,8 @@ import stat
 import struct
 import zipfile
 import zlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 
 from statwalk.errors import ModelError
@@ -42,13 +43,25 @@ def unpack(archive: Path, folder: Path) -> Path:
     :raises ModelError: when the zip is damaged, too large or unsafe, or does not hold exactly one model;
         `place` is the entry's name or a byte offset.
     """
+    with checked_zip(archive) as (opened, wanted):
+        bytes_left = LARGEST_UNPACKED_BYTES
+        for entry in wanted:
+            bytes_left -= _extract(opened, entry, folder, bytes_left)
+    return _model_in(folder)
+
+
+@contextmanager
+def checked_zip(
+    archive: Path, suffixes: Sequence[str] = SUFFIXES
+) -> Iterator[tuple[zipfile.ZipFile, list[zipfile.ZipInfo]]]:
+    """Opens a zip; yields it with its checked entries of some suffixes.
+
+    :raises ModelError: when the zip is damaged, too large or unsafe.
+    """
     _check_directory(archive)
     try:
         with zipfile.ZipFile(archive) as opened:
-            wanted = _checked(opened.infolist())
-            bytes_left = LARGEST_UNPACKED_BYTES
-            for entry in wanted:
-                bytes_left -= _extract(opened, entry, folder, bytes_left)
+            yield opened, _checked(opened.infolist(), suffixes)
     except (
         zipfile.BadZipFile,
         zlib.error,
@@ -58,7 +71,6 @@ def unpack(archive: Path, folder: Path) -> Path:
         struct.error,
     ) as error:
         raise ModelError(f"the zip cannot be read: {str(error)[:200]}", place="byte 0") from None
-    return _model_in(folder)
 
 
 def _check_directory(archive: Path) -> None:
@@ -85,10 +97,8 @@ def _check_directory(archive: Path) -> None:
         )
 
 
-def _checked(entries: Sequence[zipfile.ZipInfo]) -> list[zipfile.ZipInfo]:
-    """Checks the names, kinds and declared sizes of all entries; returns the entries that a model may
-    need.
-    """
+def _checked(entries: Sequence[zipfile.ZipInfo], suffixes: Sequence[str]) -> list[zipfile.ZipInfo]:
+    """Checks the names, kinds and declared sizes of all entries; returns the entries of some suffixes."""
     if len(entries) > MOST_ENTRIES:
         raise ModelError(f"the zip holds {len(entries)} entries; at most {MOST_ENTRIES} are read")
     total = sum(entry.file_size for entry in entries)
@@ -98,7 +108,8 @@ def _checked(entries: Sequence[zipfile.ZipInfo]) -> list[zipfile.ZipInfo]:
         )
     for entry in entries:
         _check_entry(entry)
-    wanted = [entry for entry in entries if not entry.is_dir() and _is_wanted(PurePosixPath(entry.filename))]
+    files = [entry for entry in entries if not entry.is_dir()]
+    wanted = [entry for entry in files if _is_wanted(PurePosixPath(entry.filename), suffixes)]
     _check_different(entry.filename for entry in wanted)
     return wanted
 
@@ -139,10 +150,10 @@ def shown(name: str) -> str:
     return ascii(name[:LONGEST_NAME])
 
 
-def _is_wanted(path: PurePosixPath) -> bool:
-    """Returns whether a model may need the file; hidden files, which some systems add, are skipped."""
+def _is_wanted(path: PurePosixPath, suffixes: Sequence[str]) -> bool:
+    """Returns whether a file has one of the suffixes; hidden files, which some systems add, are skipped."""
     hidden = any(part.startswith(".") or part == "__MACOSX" for part in path.parts)
-    return path.suffix.lower() in SUFFIXES and not hidden
+    return path.suffix.lower() in suffixes and not hidden
 
 
 def _check_different(names: Iterable[str]) -> None:

@@ -28,6 +28,7 @@ from statwalk.motion.keys.channel import Channel, Marker
 from statwalk.motion.keys.channel_table import ChannelTable, ClipChannels
 from statwalk.motion.keys.key_times import KeyTimes
 from statwalk.rig.skeleton import Skeleton
+from statwalk.skin.bulge import Bulge
 from statwalk.skin.collapses import Collapses, DetailLevel
 from statwalk.skin.face_muscles import Muscle
 from statwalk.skin.primitive import Primitive, Skin
@@ -41,6 +42,7 @@ _COLLECTIONS: dict[str, type] = {"list": list, "tuple": tuple, "frozenset": froz
 _CLASSES: dict[str, type] = {
     kind.__name__: kind
     for kind in (
+        Bulge,
         Channel,
         Character,
         Clip,

@@ -9,6 +9,8 @@ import time
 
 from statwalk.errors import CancelledError, OverdueError
 
+LOOK_SECONDS = 0.1
+"""between two looks at the token while a log makes commands durable"""
 SLICE_SECONDS = 0.005
 """the longest time that work runs between two checks of its token"""
 

@@ -86,12 +86,14 @@ async def stage_of(stage_id: str, request: Request) -> StageHost:
 
 
 ViewerNumber = Annotated[
-    int | None,
-    Header(alias="Statwalk-Viewer", ge=1, le=2**53, description="your number in the hello of the socket"),
+    int,
+    Header(
+        alias="Statwalk-Viewer", ge=0, le=2**53, description="your number in the hello of the socket; 0: none"
+    ),
 ]
 
 
-async def doer_of(stage_id: str, request: Request, viewer: ViewerNumber = None) -> Doer:
+async def doer_of(stage_id: str, request: Request, viewer: ViewerNumber = 0) -> Doer:
     """Returns who acts on the stage of the path: the viewer that the request names, or who sends it.
 
     :raises UnknownNameError: when no stage has this id.

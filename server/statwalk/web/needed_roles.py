@@ -33,6 +33,7 @@ VIEW = (
     "GET /api/characters/{name}/twinning",
     "GET /api/machines",
     "GET /api/machines/{name}",
+    "GET /api/machines/{name}/export.zip",
     "GET /api/machines/{name}/feet",
     "GET /api/machines/{name}/measure",
     "GET /api/machines/{name}/verify",
@@ -51,6 +52,7 @@ VIEW = (
     "GET /api/stages/{stage_id}/actors/{actor_id}/why",
     "GET /api/stages/{stage_id}/actors/{actor_id}/whynot",
     "GET /api/stages/{stage_id}/differences",
+    "GET /api/stages/{stage_id}/facts",
     "GET /api/stages/{stage_id}/frame.glb",
     "GET /api/stages/{stage_id}/history",
     "GET /api/stages/{stage_id}/log",
@@ -94,10 +96,12 @@ ADMIN = (
     "POST /api/characters/{name}/rig",
     "POST /api/machines",
     "POST /api/machines/{name}/redo",
+    "POST /api/machines/{name}/rename",
     "POST /api/machines/{name}/undo",
     "POST /api/machines/{name}/versions/{number}/restore",
     "PUT /api/characters/{name}",
     "PUT /api/machines/{name}",
+    "PUT /api/machines/{name}/import.zip",
 )
 NEEDED_ROLES: Mapping[str, AccessRole | None] = MappingProxyType(
     dict.fromkeys(NO_ROLE)
@@ -128,6 +132,7 @@ WITH_A_LINK = frozenset(
         "GET /api/characters/{name}/model.glb",
         "GET /api/characters/{name}/model.{suffix}",
         "GET /api/machines/{name}",
+        "GET /api/machines/{name}/export.zip",
         "GET /api/machines/{name}/feet",
         "GET /api/machines/{name}/verify",
         "GET /api/machines/{name}/versions",

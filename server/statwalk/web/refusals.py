@@ -44,11 +44,14 @@ OF_OPERATION = {
     "POST /api/characters/{name}/lod": MAKES_CHARACTER,
     "POST /api/characters/{name}/rig": MAKES_CHARACTER,
     "POST /api/machines": MAKES_CHARACTER,
+    "POST /api/machines/{name}/rename": MAKES_CHARACTER,
+    "PUT /api/machines/{name}/import.zip": MAKES_CHARACTER | {400, 408},
     "DELETE /api/machines/{name}": frozenset({409}),
     "POST /api/stages": frozenset({409}),
     "DELETE /api/stages/{stage_id}": frozenset({409}),
     "GET /api/stages/{stage_id}/links": frozenset({409}),
     "GET /api/stages/{stage_id}/differences": frozenset({409}),
+    "GET /api/stages/{stage_id}/facts": frozenset({409, 507}),
     "GET /api/stages/{stage_id}/frame.glb": frozenset({409}),
     "GET /api/stages/{stage_id}/recording.glb": frozenset({409}),
     "GET /api/stages/{stage_id}/actors/{actor_id}/skeleton.svg": frozenset({409}),
@@ -56,7 +59,10 @@ OF_OPERATION = {
     "GET /api/stages/{stage_id}/actors/{actor_id}/whynot": frozenset({409}),
 }
 """what no parameter and no body tells"""
-NOT_OF_OPERATION = {"PUT /api/characters/{name}": PATH_PARAMETER}
+NOT_OF_OPERATION = {
+    "PUT /api/characters/{name}": PATH_PARAMETER,
+    "PUT /api/machines/{name}/import.zip": PATH_PARAMETER,
+}
 """what a parameter tells wrongly: this name is made, not looked up"""
 CHANGES_STAGE = frozenset({409})
 

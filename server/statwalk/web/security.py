@@ -72,7 +72,7 @@ OTHER_TYPES = ("application/octet-stream", "application/x-zip-compressed", "text
 MODEL = BodyRules(
     LARGEST_UPLOAD_BYTES, tuple(dict.fromkeys((*(row.media_type for row in FORMATS), *OTHER_TYPES)))
 )
-UPLOAD = re.compile(r"/api/characters/[^/]+")
+UPLOAD = re.compile(r"/api/characters/[^/]+|/api/machines/[^/]+/import\.zip")
 
 
 def _bodies(scope: Scope) -> BodyRules:

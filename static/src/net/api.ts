@@ -1,6 +1,6 @@
 /** Calls the REST interface; a refusal becomes an ApiError with the server's words. */
 
-import type { Finding, LogHeader, LogLine, NewCell, NewClip, Operation, Problem, Skinning } from "./protocol";
+import type { Finding, LogHeader, LogLine, NewClip, Problem, Skinning } from "./protocol";
 import type { NewCurves, NewRig, NewSolve } from "./types/api.generated";
 import type { Answer, Extras, Method, Places, Route } from "./types/routes";
 
@@ -12,13 +12,15 @@ export class ApiError extends Error {
     readonly places: readonly { field: string; message: string }[] = [],
     /** The verifier's findings about a refused edit. */
     readonly findings: readonly Finding[] = [],
+    /** Whether the server would take the same request later. */
+    readonly passing = false,
   ) {
     super(message);
   }
 }
 
 /** Makes an error of a problem+json body: its words are the detail, else the title, else the status. */
-export function problemOf(status: number, body: unknown): ApiError {
+export function problemOf(status: number, body: unknown, passing = false): ApiError {
   // Whatever stands between the page and the server may answer too: nothing of a problem is sure to be there.
   const { detail, title, errors, findings } = (body ?? {}) as Partial<Problem>;
   return new ApiError(
@@ -26,6 +28,7 @@ export function problemOf(status: number, body: unknown): ApiError {
     detail || title || `the server answered ${status}`,
     errors ?? [],
     findings ?? [],
+    passing,
   );
 }
 
@@ -42,14 +45,17 @@ function filled(path: string, places: object, query: object): URL {
   return url;
 }
 
-async function send(
-  method: Method,
-  url: URL,
-  body: object | undefined,
-  version: number | undefined,
-  signal?: AbortSignal,
-): Promise<Response> {
+/** What a request has beside its address. */
+interface Sent {
+  body?: object | undefined;
+  version?: number;
+  key?: string;
+  signal?: AbortSignal;
+}
+
+async function send(method: Method, url: URL, { body, version, key, signal }: Sent = {}): Promise<Response> {
   const headers: Record<string, string> = version === undefined ? {} : { "if-match": `"${version}"` };
+  if (key !== undefined) headers["idempotency-key"] = key;
   const options: RequestInit = { method: method.toUpperCase(), headers, ...(signal && { signal }) };
   if (body)
     Object.assign(options, {
@@ -57,7 +63,8 @@ async function send(
       body: JSON.stringify(body),
     });
   const reply = await fetch(url, options);
-  if (!reply.ok) throw problemOf(reply.status, await reply.json().catch(() => ({})));
+  if (!reply.ok)
+    throw problemOf(reply.status, await reply.json().catch(() => ({})), reply.headers.has("retry-after"));
   return reply;
 }
 
@@ -68,13 +75,8 @@ export async function ask<M extends Method, P extends Route<M>>(
   places: Places<M, P>,
   extras: Extras<M, P> = {},
 ): Promise<Answer<M, P>> {
-  const reply = await send(
-    method,
-    filled(path, places as object, extras.query ?? {}),
-    extras.body,
-    extras.version,
-    extras.signal,
-  );
+  const { query, ...sent } = extras;
+  const reply = await send(method, filled(path, places as object, query ?? {}), sent);
   return (reply.status === 204 ? undefined : await reply.json()) as Answer<M, P>;
 }
 
@@ -85,12 +87,7 @@ export async function frameFile(
   skinning: Skinning | null,
 ): Promise<ArrayBuffer> {
   const query = skinning === null ? { tick } : { tick, skinning };
-  const reply = await send(
-    "get",
-    filled("/api/stages/{stage_id}/frame.glb", { stage_id }, query),
-    undefined,
-    undefined,
-  );
+  const reply = await send("get", filled("/api/stages/{stage_id}/frame.glb", { stage_id }, query));
   return reply.arrayBuffer();
 }
 
@@ -110,23 +107,6 @@ export const verify = (name: string) => ask("get", "/api/machines/{name}/verify"
 /** Plays every transition and measures it; takes seconds. */
 export const measure = (name: string) => ask("get", "/api/machines/{name}/measure", { name });
 export const feet = (name: string) => ask("get", "/api/machines/{name}/feet", { name });
-export const versions = (name: string) => ask("get", "/api/machines/{name}/versions", { name });
-/** Changes a cell, if the machine is still at `version`; `dry`: only verifies the change. */
-export const patchCell = (name: string, version: number, body: NewCell, dry: boolean) =>
-  ask("patch", "/api/machines/{name}/cells", { name }, { body, version, ...(dry && { query: { dry } }) });
-/** Applies operations as one version, if nothing that they touch has changed since `version`; `dry`: only verifies. */
-export const patchMachine = (name: string, version: number, operations: Operation[], dry: boolean) =>
-  ask(
-    "patch",
-    "/api/machines/{name}",
-    { name },
-    { body: { operations }, version, ...(dry && { query: { dry } }) },
-  );
-/** Replaces the machine's expressions, if the machine is still at `version`. */
-export const patchExpressions = (name: string, version: number, text: string) =>
-  ask("patch", "/api/machines/{name}/expressions", { name }, { body: { text }, version });
-export const undo = (name: string, version: number) =>
-  ask("post", "/api/machines/{name}/undo", { name }, { version });
 /** Asks the twelve rules of inverse kinematics about the text of a file. */
 export const deduce = (file: string) => ask("post", "/api/deduce", {}, { body: { file } });
 /** Solves a chain of a character's pose; nothing on a stage changes. */
@@ -156,11 +136,7 @@ export const stages = () => ask("get", "/api/stages", {});
 export const stage = (stage_id: string) => ask("get", "/api/stages/{stage_id}", { stage_id });
 export const history = (stage_id: string) => ask("get", "/api/stages/{stage_id}/history", { stage_id });
 export const log = async (stageId: string): Promise<LogLine[]> =>
-  parseLog(
-    await (
-      await send("get", filled("/api/stages/{stage_id}/log", { stage_id: stageId }, {}), undefined, undefined)
-    ).text(),
-  );
+  parseLog(await (await send("get", filled("/api/stages/{stage_id}/log", { stage_id: stageId }, {}))).text());
 
 /** Makes a real-time stage with one actor of a machine, or from a scene; returns the stage's id. */
 export const newStage = async (opening: { machine: string } | { scene: string }): Promise<string> => {

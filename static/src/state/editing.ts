@@ -1,62 +1,60 @@
 /**
- * Edits the machine: tries and keeps cells, goes back one version, holds the newest version and its findings.
+ * Edits the machine: tries and keeps changes, goes back and forth through its versions, holds the newest version and
+ * its findings.
  */
 
-import { signal } from "@preact/signals-core";
+import { computed, signal } from "@preact/signals-core";
 import * as api from "../net/api";
-import type { Edited, MachineVersion, Finding, MachineInfo, NewCell, Operation } from "../net/protocol";
+import * as edits from "../net/edits";
+import type { Edited, Finding, MachineInfo, MachineVersion, Operation } from "../net/protocol";
 import { reasonOf } from "../net/reason";
+import { EditQueue } from "./editQueue";
+import { type Answer, type CellPlace, isUnheard, refusal } from "./editAnswer";
 import type { Event } from "./event";
 import type { WatchedMachine } from "./watchedMachine";
 
-/** The answer to an edit. `stale`: another editor was first, and the machine was read again. */
-export interface Answer {
-  kind: "fine" | "refused" | "stale";
-  words: string;
-  findings: Finding[];
-}
+const REST_MS = 700;
 
-/** A cell of a layer. */
-export type CellPlace = Required<Omit<NewCell, "text">>;
-
-/**
- * Returns the answer to a refused text: the verifier's findings, or one at the cell with the parser's words.
- */
-export function refusal(words: string, findings: readonly Finding[], place: CellPlace): Answer {
-  if (findings.length) return { kind: "refused", words, findings: [...findings] };
-  const line = Number(/\bline (\d+)/.exec(words)?.[1] ?? 0);
-  const message = words.replace(/^[^:]*\bline \d+: /, "");
-  const { layer, state, event } = place;
-  const finding = { kind: "refused", severity: "error" as const, message, line, layer, state, event };
-  return { kind: "refused", words, findings: [{ ...finding, replay: [] }] };
-}
+/** A change of a machine that makes one version: operations, or a whole text in place of that of `version`. */
+export type Edit =
+  { machine: string; operations: readonly Operation[] } | { machine: string; text: string; version: number };
 
 export class Editing {
-  /** The newest version of the machine that is shown. */
-  readonly newest = signal<MachineVersion | null>(null);
-  /** The verifier's findings about that version. */
+  /** The versions of the machine that is shown, oldest first. */
+  readonly versions = signal<readonly MachineVersion[]>([]);
+  readonly newest = computed(() => this.versions.value.at(-1) ?? null);
+  /** The verifier's findings about the newest version. */
   readonly findings = signal<readonly Finding[]>([]);
+  readonly queue: EditQueue<Edit, Answer>;
   private checked = "";
 
   constructor(
     private readonly machine: WatchedMachine,
     private readonly notices: Event<string>,
+    storage: Pick<Storage, "getItem" | "setItem"> = sessionStorage,
   ) {
+    this.queue = new EditQueue({
+      send: (edit, key) => this.send(edit, key),
+      unheard: isUnheard,
+      rest: () => new Promise((done) => setTimeout(done, REST_MS)),
+      storage,
+    });
     machine.info.subscribe((info) => {
       if (info) void this.look(info);
     });
+    this.queue.resume((answer) => void this.tell(answer));
   }
 
   private async look({ name, version }: MachineInfo): Promise<void> {
     const wanted = `${name} ${version}`;
     if (wanted === this.checked) return;
     this.checked = wanted;
-    const [machineVersions, verified] = await Promise.all([
-      api.versions(name).catch(() => []),
+    const [versions, verified] = await Promise.all([
+      edits.versions(name).catch(() => []),
       api.verify(name).catch(() => null),
     ]);
     if (wanted !== this.checked) return;
-    this.newest.value = machineVersions.at(-1) ?? null;
+    this.versions.value = versions;
     this.findings.value = verified?.findings ?? [];
   }
 
@@ -73,66 +71,98 @@ export class Editing {
     return `${measured.length} transitions and motions measured, ${limits}`;
   }
 
-  /** Keeps an edit, or only verifies it (`dry`). Throws errors other than a refusal or a conflict. */
-  async cell(place: CellPlace, text: string, dry: boolean): Promise<Answer> {
-    const machine = this.machine.info.value;
-    if (!machine) return { kind: "refused", words: "the machine is not known yet", findings: [] };
+  /** Verifies operations without keeping them; returns null if a newer request follows. */
+  try(operations: readonly Operation[]): Promise<Answer | null> {
+    return this.queue.try({ machine: this.name, operations });
+  }
+
+  /** Keeps operations as one version. */
+  keep(operations: readonly Operation[]): Promise<Answer> {
+    return this.queue.keep({ machine: this.name, operations });
+  }
+
+  /** Keeps operations as one version. A refusal is shown as a notice; returns whether they are kept. */
+  operate(operations: readonly Operation[]): Promise<boolean> {
+    return this.tell(this.keep(operations));
+  }
+
+  /** Tries or keeps a whole text of the machine file, in place of that of `version`. */
+  text(text: string, version: number, dry: boolean): Promise<Answer | null> {
+    const edit = { machine: this.name, text, version };
+    return dry ? this.queue.try(edit) : this.queue.keep(edit);
+  }
+
+  undo(): Promise<void> {
+    return this.step((name, version) => edits.undo(name, version));
+  }
+
+  redo(): Promise<void> {
+    return this.step((name, version) => edits.redo(name, version));
+  }
+
+  restore(number: number): Promise<void> {
+    return this.step((name, version) => edits.restore(name, version, number));
+  }
+
+  private get name(): string {
+    return this.machine.info.value?.name ?? "";
+  }
+
+  /** Goes to another version, after all edits that wait; a refusal is shown as a notice. */
+  private step(request: (name: string, version: number) => Promise<Edited>): Promise<void> {
+    return this.queue.next(async () => {
+      const { name, version } = this.machine.info.value ?? { name: "", version: 0 };
+      await request(name, version).then(
+        (edited) => this.machine.take(edited),
+        async (error: unknown) => {
+          this.notices.emit(reasonOf(error));
+          if (error instanceof api.ApiError && error.status === 412) await this.reload(name);
+        },
+      );
+    });
+  }
+
+  private async tell(answer: Promise<Answer>): Promise<boolean> {
+    const { kind, words, findings } = await answer.catch((error: unknown): Answer => ({
+      kind: "refused",
+      words: reasonOf(error),
+      findings: [],
+    }));
+    if (kind !== "fine") this.notices.emit(`Not kept: ${findings[0]?.message ?? words}`);
+    return kind === "fine";
+  }
+
+  /** Sends an edit, or (`key` is null) tries it. Throws errors other than a refusal or a conflict. */
+  private async send(edit: Edit, key: string | null): Promise<Answer> {
     try {
-      const edited = await api.patchCell(machine.name, machine.version, { ...place, text }, dry);
-      if (edited.result === "refused") return refusal(edited.detail, edited.findings, place);
-      if (!dry) this.take(edited);
+      const edited = await this.sent(edit, key);
+      if (edited.result === "refused") return refusal(edited.detail, edited.findings, placeOf(edit));
+      if (key !== null && edited.name === this.name) this.machine.take(edited);
       return { kind: "fine", words: "", findings: edited.findings };
     } catch (error) {
-      if (!(error instanceof api.ApiError)) throw error;
-      if (error.status !== 412) return refusal(error.message, error.findings, place);
-      await this.reload(machine.name);
+      if (!(error instanceof api.ApiError) || isUnheard(error)) throw error;
+      if (error.status !== 412) return refusal(error.message, error.findings, placeOf(edit));
+      await this.reload(edit.machine);
       return { kind: "stale", words: error.message, findings: [] };
     }
   }
 
-  /** Keeps operations as one version. A refusal is shown as a notice; returns whether they are kept. */
-  async operate(operations: Operation[]): Promise<boolean> {
-    const machine = this.machine.info.value;
-    if (!machine) return false;
-    try {
-      const edited = await api.patchMachine(machine.name, machine.version, operations, false);
-      if (edited.result === "accepted") this.take(edited);
-      return edited.result === "accepted";
-    } catch (error) {
-      const refused = error instanceof api.ApiError ? error : new api.ApiError(0, String(error));
-      this.notices.emit(`Not kept: ${refused.findings[0]?.message ?? refused.message}`);
-      if (refused.status === 412) await this.reload(machine.name);
-      return false;
-    }
-  }
-
-  /** Replaces the machine's expressions. Throws if they are refused, or the machine is newer. */
-  async expressions(text: string): Promise<void> {
-    const machine = this.machine.info.value;
-    if (!machine) return;
-    const edited = await api.patchExpressions(machine.name, machine.version, text);
-    if (edited.result === "refused") throw new api.ApiError(422, edited.detail);
-    this.take(edited);
-  }
-
-  /** Goes back to the version before; a refusal is shown as a notice. */
-  async undo(): Promise<void> {
-    const machine = this.machine.info.value;
-    if (!machine) return;
-    await api.undo(machine.name, machine.version).then(
-      (edited) => this.take(edited),
-      async (error: unknown) => {
-        this.notices.emit(reasonOf(error));
-        if (error instanceof api.ApiError && error.status === 412) await this.reload(machine.name);
-      },
-    );
-  }
-
-  private take(edited: Edited): void {
-    this.machine.take(edited);
+  private async sent(edit: Edit, key: string | null) {
+    if ("text" in edit) return edits.putMachine(edit.machine, edit.version, edit.text, key);
+    const known = this.machine.info.value;
+    const { version } = known?.name === edit.machine ? known : await api.machine(edit.machine);
+    return edits.patchMachine(edit.machine, version, edit.operations, key);
   }
 
   private async reload(name: string): Promise<void> {
     this.machine.take(await api.machine(name));
   }
+}
+
+/** Returns the cell that an edit changes, if it changes one. */
+function placeOf(edit: Edit): CellPlace | null {
+  const operation = "operations" in edit ? edit.operations[0] : undefined;
+  if (operation?.kind !== "set_cell") return null;
+  const { layer = "base", state, event } = operation;
+  return { layer, state, event };
 }

@@ -18,8 +18,12 @@ export interface Selected {
   event: string | null;
 }
 
+/** What the drawer beside the panels shows; null: it is closed. */
+export type Drawer = "cell" | "machine" | "versions" | "text" | null;
+
 export class Inspection {
   readonly selected = signal<Selected | null>(null);
+  readonly drawer = signal<Drawer>(null);
   /** The tick that is explained, or null. */
   readonly why = signal<number | null>(null);
   /** Emitted if a cell of the table shall be shown. */

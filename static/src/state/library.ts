@@ -2,13 +2,16 @@
 
 import { signal } from "@preact/signals-core";
 import * as api from "../net/api";
-import type { MachineSummary, SceneSummary } from "../net/protocol";
+import type { Clip, MachineSummary, SceneSummary } from "../net/protocol";
 import type { OwnStages } from "./ownStages";
 import type { Session } from "./session";
 
 export class Library {
   readonly machines = signal<readonly MachineSummary[]>([]);
   readonly scenes = signal<readonly SceneSummary[]>([]);
+  private readonly clips = signal<ReadonlyMap<string, readonly Clip[]>>(new Map());
+
+  private readonly reading = new Map<string, Promise<readonly Clip[]>>();
 
   constructor(
     private readonly session: Session,
@@ -21,6 +24,20 @@ export class Library {
       api.machines().catch(() => []),
       api.scenes().catch(() => []),
     ]);
+  }
+
+  /** Returns the clips of a character; asks the server the first time, and has none until it answers. */
+  clipsOf(character: string): readonly Clip[] {
+    const clips = this.clips.value.get(character);
+    if (!clips && character) void this.readClips(character);
+    return clips ?? [];
+  }
+
+  private async readClips(character: string): Promise<void> {
+    const clips = this.reading.get(character) ?? api.character(character).then((whole) => whole.clips);
+    this.reading.set(character, clips);
+    const known = await clips.catch(() => []);
+    if (!this.clips.value.has(character)) this.clips.value = new Map(this.clips.value).set(character, known);
   }
 
   /** Returns the scene of a machine, or "". */

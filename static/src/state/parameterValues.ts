@@ -1,10 +1,10 @@
 /** The parameters of the watched actor as they are set: the server's values at first, then what this page sets. */
 
+import { signal } from "@preact/signals-core";
 import { actorFacts } from "../net/actors";
 import { Latest } from "../net/latest";
 import type { MachineInfo, Parameter } from "../net/protocol";
 import type { Point } from "./points";
-import { Event } from "./event";
 import type { Line } from "./line";
 import type { Selection } from "./selection";
 import type { WatchedMachine } from "./watchedMachine";
@@ -18,9 +18,8 @@ export function within({ minimum, maximum }: Parameter, value: number): number {
 }
 
 export class ParameterValues {
-  /** Emitted with the name of a parameter that has a new value, or with null: all of them may have. */
-  readonly changed = new Event<string | null>();
-  private values = new Map<string, number>();
+  /** The numbers, and the components of points as `target.x`, by name. */
+  readonly all = signal<ReadonlyMap<string, number>>(new Map());
   private readonly senders = new Map<string, Latest<() => void>>();
   private machine: MachineInfo | null = null;
   private turn = 0;
@@ -38,7 +37,7 @@ export class ParameterValues {
 
   /** Returns the value of a number, or of a component of a point as `target.x`. */
   get(name: string): number {
-    return this.values.get(name) ?? 0;
+    return this.all.value.get(name) ?? 0;
   }
 
   point(name: string): Point {
@@ -49,24 +48,21 @@ export class ParameterValues {
   set(name: string, value: number): void {
     const parameter = this.machine?.parameters.find((known) => known.name === name);
     if (!parameter) return;
-    this.values.set(name, within(parameter, value));
+    this.take([[name, within(parameter, value)]]);
     const whole = parameter.vector || name;
-    this.changed.emit(whole);
     this.send(whole, parameter.vector ? () => this.point(whole) : () => this.get(name));
   }
 
   setPoint(name: string, point: Point): void {
-    for (const parameter of this.machine?.parameters ?? [])
-      if (parameter.vector === name)
-        this.values.set(parameter.name, within(parameter, point["xyz".indexOf(parameter.name.slice(-1))]!));
-    this.changed.emit(name);
+    const parts = (this.machine?.parameters ?? []).filter(({ vector }) => vector === name);
+    this.take(parts.map((part) => [part.name, within(part, point["xyz".indexOf(part.name.slice(-1))]!)]));
     this.send(name, () => this.point(name));
   }
 
   /** Begins with the defaults. */
   private learn(machine: MachineInfo | null): void {
     this.machine = machine;
-    this.take(new Map((machine?.parameters ?? []).map(({ name, default: value }) => [name, value])));
+    this.all.value = new Map((machine?.parameters ?? []).map(({ name, default: value }) => [name, value]));
     void this.read();
   }
 
@@ -82,12 +78,11 @@ export class ParameterValues {
         ? value.map((number, place) => [`${name}.${"xyzw"[place]}`, number])
         : [[name, value]],
     );
-    this.take(new Map(known));
+    this.all.value = new Map(known);
   }
 
-  private take(values: Map<string, number>): void {
-    this.values = values;
-    this.changed.emit(null);
+  private take(values: readonly (readonly [string, number])[]): void {
+    this.all.value = new Map([...this.all.value, ...values]);
   }
 
   private send(whole: string, value: () => number | Point): void {

@@ -100,7 +100,7 @@ export class Session {
     const same = hello.stage === stage.hello.value?.stage;
     const restarted = !same || hello.head < stage.head;
     if (restarted) past.forget();
-    if (same && restarted) machine.forget();
+    if (same && restarted) machine.doubt();
     this.tellTrouble(hello);
     stage.greet(hello);
     this.tellRestored(hello);

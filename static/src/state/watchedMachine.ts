@@ -10,6 +10,8 @@ import type { Selection } from "./selection";
 export class WatchedMachine {
   readonly info = signal<MachineInfo | null>(null);
   private playedVersion: number | undefined;
+  /** Whether the shown machine may be another one than the server has now. */
+  private doubtful = false;
 
   constructor(
     private readonly selection: Selection,
@@ -51,7 +53,9 @@ export class WatchedMachine {
   take(machine: MachineInfo, played = this.playedVersion): void {
     this.playedVersion = played;
     const known = this.info.value;
-    if (known?.name === machine.name && known.version >= machine.version) return;
+    const older = known?.name === machine.name && known.version >= machine.version;
+    if (older && !this.doubtful) return;
+    this.doubtful = false;
     batch(() => {
       if (known?.name !== machine.name || this.selection.layer.value >= machine.layers.length)
         this.selection.layer.value = 0;
@@ -59,8 +63,12 @@ export class WatchedMachine {
     });
   }
 
-  /** Forgets the machine: the server may have read another table when it started again. */
-  forget(): void {
-    this.info.value = null;
+  /**
+   * Takes the next answer in any case: the server may have read another table when it started again. Until then the
+   * known machine stays, with what is being typed in it.
+   */
+  doubt(): void {
+    this.doubtful = true;
+    this.playedVersion = undefined;
   }
 }

@@ -5,6 +5,7 @@ other.
 from pathlib import Path
 
 import httpx
+import pytest
 from browser.conftest import Server, until
 from browser.edit.conftest import CELL, NAME, NEXT_CELL, machine, type_in_cell
 from playwright.sync_api import Page, Route
@@ -36,14 +37,14 @@ def test_a_busy_server_gets_each_edit_once(own: Server, table: Page) -> None:
     first: list[Route] = []
 
     def hold_the_first(route: Route) -> None:
-        first.append(route)
-        if len(first) > 1:
+        first.extend([route] * (route.request.method == "PATCH"))
+        if route is not first[0]:
             route.continue_()
 
     table.locator(CELL).click()
     table.keyboard.type("STAT")
-    table.route(f"**/api/machines/{NAME}/cells", hold_the_first)
-    with table.expect_request(f"**/api/machines/{NAME}/cells"):
+    table.route(f"**/api/machines/{NAME}", hold_the_first)
+    with table.expect_request(f"**/api/machines/{NAME}"):
         table.keyboard.press("Enter")
     for _ in range(3):
         table.keyboard.press("Enter")
@@ -96,9 +97,12 @@ def test_the_keyboard_alone_edits(own: Server, table: Page) -> None:
     until(table, f"document.querySelector('{CELL}').textContent === 'TRGT≈'")
 
 
-def test_another_editors_change_is_not_overwritten(own: Server, table: Page, allowed: list[str]) -> None:
-    """The page has not heard of the change: it says so, shows the change, and keeps your text; Enter then
-    keeps both.
+@pytest.mark.parametrize("event", ["RIGHT", "LEFT"])
+def test_another_editors_change_is_not_overwritten(
+    own: Server, table: Page, allowed: list[str], event: str
+) -> None:
+    """The page has not heard of the change. Of another cell: both are kept. Of the same cell: the page says
+    so and keeps your text; Enter then keeps it.
     """
     allowed.append("status of 412")
     table.locator(CELL).click()
@@ -106,24 +110,70 @@ def test_another_editors_change_is_not_overwritten(own: Server, table: Page, all
     until(
         table, "document.querySelector('#cell-inspector').dataset.trial === 'fine'"
     )  # no trial is on its way any more
-    cell, held = {"state": "WALK", "event": "RIGHT", "text": "STAT"}, list[Route]()
-    seen = {"If-Match": f'"{machine(own)["version"]}"'}
     table.route(f"**/api/machines/{NAME}", lambda route: held.append(route), times=1)
+    cell, held = {"state": "WALK", "event": event, "text": "CSTP"}, list[Route]()
+    seen = {"If-Match": f'"{machine(own)["version"]}"'}
     with table.expect_request(f"**/api/machines/{NAME}"):
         httpx.patch(f"{own.url}/api/machines/{NAME}/cells", json=cell, headers=seen).raise_for_status()
-    with table.expect_response(lambda answer: answer.status == 412):  # before the page hears of the change
+    table.keyboard.press("Enter")  # before the page hears of the change
+    if event == "LEFT":
+        told = "document.querySelector('#cell-inspector .trial').textContent"
+        until(table, f"{told}.startsWith('Another editor was faster')")
+        assert table.locator(".cell-field").input_value() == "STAT"
         table.keyboard.press("Enter")
     held[0].continue_()
-    until(
-        table,
-        "document.querySelector('#cell-inspector .trial').textContent.startsWith('Another editor was "
-        "faster')",
-    )
-    assert table.locator(".cell-field").input_value() == "STAT"
-    table.keyboard.press("Enter")
     edited(table, 2)
     rows = {row[0]: row for row in machine(own)["rows"]}
-    assert rows["WALK"][2:4] == ["STAT", "STAT"]
+    assert rows["WALK"][2:4] == (["STAT", "CSTP"] if event == "RIGHT" else ["STAT", "TRGT"])
+
+
+def test_undone_edits_come_back(own: Server, table: Page) -> None:
+    """Three quick undos and three redos: one version each, and none is refused."""
+    text = machine(own)["text"]
+    for number, cell in enumerate((CELL, NEXT_CELL, "td[data-state=STWK][data-column=LEFT]")):
+        table.locator(cell).click()
+        table.keyboard.type("TRGT at end")
+        table.keyboard.press("Enter")
+        edited(table, number + 1)
+    kept = machine(own)["text"]
+    for _ in range(3):
+        table.keyboard.press("Control+z")
+    edited(table, 6)
+    assert machine(own)["text"] == text
+    for _ in range(3):
+        table.keyboard.press("Control+Shift+z")
+    edited(table, 9)
+    assert machine(own)["text"] == kept
+
+
+def test_a_version_is_restored_from_the_list(own: Server, table: Page) -> None:
+    """The list says what a version changed; "restore" makes an older one the newest."""
+    text = machine(own)["text"]
+    type_in_cell(table, "STAT")
+    table.keyboard.press("Enter")
+    edited(table)
+    table.get_by_role("button", name="versions").click()
+    row = table.locator("#versions li").first
+    row.locator(".version-row").click()
+    row.get_by_role("button", name="WALK, LEFT").wait_for()
+    assert row.locator("ins").inner_text().startswith("STAT")
+    table.get_by_role("button", name="restore").first.click()
+    edited(table, 2)
+    assert machine(own)["text"] == text
+
+
+def test_an_edit_waits_for_a_server_that_starts_again(own: Server, table: Page, allowed: list[str]) -> None:
+    """You keep a text while the server is away: it is sent when the server is back."""
+    allowed += ["ERR_CONNECTION_REFUSED", "Failed to load", "WebSocket"]
+    table.locator(CELL).click()
+    own.stop()
+    table.keyboard.type("STAT")
+    table.keyboard.press("Enter")
+    table.locator("#version .what").filter(has_text="1 edit waits").wait_for()
+    own.start()
+    until(table, f"document.querySelector('{CELL}').textContent.startsWith('STAT')")
+    rows = {row[0]: row for row in machine(own)["rows"]}
+    assert rows["WALK"][2] == "STAT"
 
 
 def test_an_edit_does_not_stop_the_motion(own: Server, table: Page) -> None:

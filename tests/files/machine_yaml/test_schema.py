@@ -21,6 +21,7 @@ SHIPPED = sorted(MACHINES.rglob("machine.yaml"))
 
 WHOLE = """semantics: 1
 title: all of it
+view: {base: {MOVE: [10, -20.5]}, arms: }
 character: faq-walker
 root: Hips
 initial: FIGHT
@@ -128,6 +129,7 @@ WRONG = {
     "resume": ("resume: true", "resume: always"),
     "base as a layer": ("  arms:", "  base:"),
     "mode": ("mode: additive", "mode: add"),
+    "place in the graph": ("[10, -20.5]", "[10]"),
     "mask": ("mask: [Spine]", "mask: Spine"),
     "key without down": ("{press: GO}", "{release: GO}"),
     "key with both": ("{press: GO}", "{press: GO, hold: GO}"),

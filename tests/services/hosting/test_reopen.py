@@ -13,7 +13,7 @@ from stages import registry
 from statwalk.errors import BusyError, ConflictError, UnknownNameError
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.commands import AddActor, SendEvent, StageSetup
-from statwalk.services.hosting.machine_edits import Request, undo
+from statwalk.services.hosting.machine_edits import EditRequest, undo
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.store import kept_keys
@@ -142,12 +142,22 @@ def test_an_edit_of_a_shipped_machine_comes_back(tmp_path: Path) -> None:
         assert held.versions.of("elbow") == before
 
 
+def test_a_renamed_machine_has_its_versions_when_the_server_starts_again(tmp_path: Path) -> None:
+    with keeping(tmp_path, Catalogue()) as held:
+        edited(held)
+        before = held.versions.of("elbow")
+        held.versions.rename("elbow", "hand")
+    with keeping(tmp_path, Catalogue()) as held:
+        kept = held.store.records.versions() if held.store else {}
+        assert (list(kept), kept["hand"]) == (["hand"], before)
+
+
 def test_an_edit_that_came_back_can_be_undone(tmp_path: Path) -> None:
     with keeping(tmp_path, Catalogue()) as held:
         shipped = held.catalogue.entry("elbow").file.text
         edited(held)
     with keeping(tmp_path, Catalogue()) as held:
-        undo(held.versions, Request("elbow", held.versions.current("elbow").version.number))
+        undo(held.versions, EditRequest("elbow", held.versions.current("elbow").version.number))
         assert held.catalogue.entry("elbow").file.text == shipped
 
 

@@ -39,7 +39,7 @@ def calls_while_held(host: StageHost, message: ask.Message[Any]) -> int:
 QUERIES = {
     "describe": ask.Describe(),
     "actors": ask.DescribeActors(),
-    "effects": ask.Effects(-1),
+    "effects": ask.Effects(0),
     "history": ask.History(),
     "log": ask.Log(),
     "frame": ask.Frame("pose"),

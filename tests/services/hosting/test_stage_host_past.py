@@ -44,7 +44,7 @@ def test_a_fork_goes_its_own_way(held: Registry, host: StageHost) -> None:
 
 
 def test_effects_are_those_after_a_tick(host: StageHost) -> None:
-    all_effects = host.handle(ask.Effects(-1))
+    all_effects = host.handle(ask.Effects(0))
     assert next(verdict.event for verdict in all_effects.verdicts if verdict.verdict == "taken") == "FORWARD"
     later = host.handle(ask.Effects(1))
     assert later.verdicts == tuple(verdict for verdict in all_effects.verdicts if verdict.tick > 1)

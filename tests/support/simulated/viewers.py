@@ -7,8 +7,8 @@ from simulated.connection import Connection
 from simulated.network import Network
 from simulated.server import Server
 from simulated.world import World
-from statwalk.services.hosting.stage_replies import StageStatus
 from statwalk.services.publish.outbox import EncodedFrame
+from statwalk.stage.state.frame import Action, Verdict
 
 SILENCE_SECONDS = 2.0
 """without any message, after which a viewer takes its connection for broken: a status comes every second"""
@@ -67,7 +67,7 @@ class Viewer:
     def told(self, connection: Connection, fact: Any) -> None:
         if connection is self.connection:
             self.heard = self.world.time
-            if not isinstance(fact, StageStatus):
+            if isinstance(fact, Action | Verdict):
                 self.checker.told(self.stage, fact)
 
     def shown(self, connection: Connection, frame: EncodedFrame, seeks: int) -> None:

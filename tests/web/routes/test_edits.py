@@ -131,8 +131,21 @@ async def test_a_dry_run_of_a_whole_text_answers_with_its_refusal(client: httpx.
 
 async def test_two_editors_are_kept_apart(client: httpx.AsyncClient) -> None:
     await patch(client, "WALK", "LEFT", "TRGT")
-    late = await patch(client, "WALK", "RIGHT", "TLFT")
-    assert (late.status_code, "version 2" in late.json()["detail"]) == (412, True)
+    late = await patch(client, "WALK", "LEFT", "STAT")
+    assert (late.status_code, "version 2 (WALK/LEFT: TRGT)" in late.json()["detail"]) == (412, True)
+
+
+async def test_two_editors_of_two_cells_lose_nothing(client: httpx.AsyncClient) -> None:
+    await patch(client, "WALK", "LEFT", "TRGT")
+    table = (await patch(client, "WALK", "RIGHT", "TLFT")).json()["table"]["WALK"]
+    assert (table["LEFT"]["to"], table["RIGHT"]["to"]) == ("TRGT", "TLFT")
+
+
+async def test_a_whole_text_for_an_older_version_is_refused(client: httpx.AsyncClient) -> None:
+    text = (await client.get(WALKER)).json()["text"]
+    await patch(client, "WALK", "LEFT", "TRGT")
+    late = await client.put(WALKER, json={"text": f"{text}# mine\n"}, headers={"If-Match": "1"})
+    assert late.status_code == 412
 
 
 @pytest.mark.parametrize(

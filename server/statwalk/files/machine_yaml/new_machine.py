@@ -78,6 +78,11 @@ def _idle_of(kinds: Mapping[str, clip_names.Kind]) -> str:
     )
 
 
+def idle_clip(character: Character) -> str:
+    """Returns the clip of a character that suits best as idle motion."""
+    return _idle_of(_kinds_of(character))
+
+
 def named_motions(character: Character, states: Mapping[str, str]) -> list[Motion]:
     """Returns the motions of the clips in `states`, with the names of their states; the idle motion comes
     first.

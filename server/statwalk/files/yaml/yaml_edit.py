@@ -6,51 +6,31 @@ list. Each function reads the text, and returns another one.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import NamedTuple
-
 from statwalk.errors import ContentError
 from statwalk.files.yaml.yaml_node import Node
+from statwalk.files.yaml.yaml_places import (
+    BLOCKS,
+    IN_BRACKETS,
+    Path,
+    Splice,
+    child,
+    content_end,
+    find,
+    line_end,
+    line_start,
+    newline_of,
+    span_of,
+    spliced,
+    steps_of,
+    value_column,
+)
 from statwalk.files.yaml.yaml_text import parse
 from statwalk.files.yaml.yaml_value import Value, after_key, flow, text_of
-
-Path = tuple[str | int, ...]
-IN_BRACKETS = "{"
-BLOCKS = ("|", ">")
-
-
-class Splice(NamedTuple):
-    """Replaces the letters from `start` up to `end`."""
-
-    start: int
-    end: int
-    new: str
-
-
-def spliced(text: str, splices: Iterable[Splice]) -> str:
-    """Returns the text with all replacements, which must not overlap."""
-    for start, end, new in sorted(splices, reverse=True):
-        text = text[:start] + new + text[end:]
-    return text
 
 
 def read(text: str) -> Node:
     """Reads the text. :raises ContentError: when it is no YAML."""
     return parse(text, "", ContentError)
-
-
-def find(root: Node, path: Path) -> Node | None:
-    """Returns the value at a path; None if there is none."""
-    node: Node | None = root
-    for step in path:
-        node = _child(node, step) if node else None
-    return node
-
-
-def _child(node: Node, step: str | int) -> Node | None:
-    if isinstance(step, int):
-        return node.value[step] if isinstance(node.value, list) and step < len(node.value) else None
-    return node.value.get(step) if isinstance(node.value, dict) else None
 
 
 def with_value(text: str, path: Path, value: Value, before: str | None = None) -> str:
@@ -60,9 +40,9 @@ def with_value(text: str, path: Path, value: Value, before: str | None = None) -
     root = read(text)
     *outer, last = path
     parent = find(root, tuple(outer))
-    if parent is None or _is_empty(parent):
+    if parent is None or not parent.value:
         return with_value(text, tuple(outer), [value] if isinstance(last, int) else {last: value})
-    node = _child(parent, last)
+    node = child(parent, last)
     if node is not None:
         return spliced(text, [_replacement(text, parent, last, node, value)])
     if isinstance(last, int):
@@ -75,7 +55,7 @@ def without(text: str, path: Path, keep: int = 0) -> str:
     the first `keep` steps of the path stay.
     """
     parent = find(read(text), path[:-1])
-    if parent is None or _child(parent, path[-1]) is None:
+    if parent is None or child(parent, path[-1]) is None:
         return text
     if len(parent.value) == 1 and len(path) - 1 > keep:
         return without(text, path[:-1], keep)
@@ -96,29 +76,29 @@ def renamed_key(text: str, parent: Node, old: str, key: str) -> Splice:
     """Returns the replacement of a key; where values stand in a column, the value stays in it."""
     start, end = parent.key_spans[old]
     in_brackets = parent.style == IN_BRACKETS
-    new, column = text_of(key, in_brackets), None if in_brackets else _column(text, parent)
+    new, column = text_of(key, in_brackets), None if in_brackets else value_column(text, parent)
     value = parent.entries()[old]
     if column is None or value.start < end or "\n" in text[end : value.start]:
         return Splice(start, end, new)
     colon = text[end : value.start].rstrip(" ")
-    used = start - _line_start(text, start) + len(new) + len(colon)
+    used = start - line_start(text, start) + len(new) + len(colon)
     return Splice(start, value.start, new + colon + " " * max(1, column - used))
 
 
 def moved(text: str, path: Path, before: str | int | None) -> str:
     """Returns the text with the entry at a path before another entry of its mapping, or at its end."""
     parent = find(read(text), path[:-1])
-    steps = _steps(parent) if parent else []
+    steps = steps_of(parent) if parent else []
     if parent is None or path[-1] not in steps or before == path[-1]:
         return text
     others = [step for step in steps if step != path[-1]]
     place = others.index(before) if before is not None else len(others)
     others.insert(place, path[-1])
-    spans = [_span(text, parent, step) for step in steps]
+    spans = [span_of(text, parent, step) for step in steps]
     return spliced(
         text,
         [
-            Splice(*span, _ended(text[slice(*_span(text, parent, step))], text[slice(*span)]))
+            Splice(*span, _ended(text[slice(*span_of(text, parent, step))], text[slice(*span)]))
             for span, step in zip(spans, others, strict=True)
         ],
     )
@@ -128,62 +108,6 @@ def _ended(new: str, old: str) -> str:
     """Returns an entry with the end of the line, or without, as the entry had it in whose place it comes."""
     body = new.rstrip("\r\n")
     return body + old[len(old.rstrip("\r\n")) :]
-
-
-def _steps(node: Node) -> list[str | int]:
-    return list(node.value) if isinstance(node.value, dict) else list(range(len(node.value)))
-
-
-def _span(text: str, parent: Node, step: str | int) -> tuple[int, int]:
-    """The letters of an entry: within brackets from key to value, else whole lines."""
-    node = _child(parent, step)
-    assert node is not None
-    start = parent.key_spans[step][0] if isinstance(step, str) else node.start
-    end = max(content_end(text, node), parent.key_spans[step][1] if isinstance(step, str) else start)
-    if parent.style == IN_BRACKETS:
-        return start, end
-    return _line_start(text, start), _line_end(text, end)
-
-
-def content_end(text: str, node: Node) -> int:
-    """Returns where a value ends, without the comment after it."""
-    if node.style in BLOCKS:
-        return node.start + len(text[node.start : node.end].rstrip())
-    if node.style == IN_BRACKETS or node.is_text:
-        return node.end
-    values = node.value.values() if isinstance(node.value, dict) else node.value
-    return max((content_end(text, value) for value in values if isinstance(value, Node)), default=node.start)
-
-
-def _is_empty(node: Node) -> bool:
-    """Whether a key has no value, or an empty collection."""
-    return not node.value
-
-
-def _line_start(text: str, place: int) -> int:
-    return text.rfind("\n", 0, place) + 1
-
-
-def _line_end(text: str, place: int) -> int:
-    end = text.find("\n", place)
-    return len(text) if end < 0 else end + 1
-
-
-def newline_of(text: str) -> str:
-    """Returns the end of a line as the text has it."""
-    return "\r\n" if "\r\n" in text else "\n"
-
-
-def _column(text: str, parent: Node) -> int | None:
-    """The column in which values of a mapping stand, if keys of different lengths have them in one."""
-    columns = set()
-    lengths = set()
-    for key, (start, end) in parent.key_spans.items():
-        value = parent.entries()[key]
-        if value.start > end and "\n" not in text[end : value.start]:
-            columns.add(value.start - _line_start(text, start))
-            lengths.add(end - start)
-    return columns.pop() if len(columns) == 1 and len(lengths) > 1 else None
 
 
 def _replacement(text: str, parent: Node, step: str | int, node: Node, value: Value) -> Splice:
@@ -197,17 +121,17 @@ def _replacement(text: str, parent: Node, step: str | int, node: Node, value: Va
         written, gap = _below(text, start, colon, value), text[colon : node.start] or " "
         end = max(colon, content_end(text, node))
         return Splice(colon, end, written if written.startswith(("\r", "\n")) else gap + written)
-    line_end = len(text[: _line_end(text, colon)].rstrip("\r\n"))
-    comment = text[colon:line_end] if node.style not in BLOCKS else ""
-    written = after_key(value, start - _line_start(text, start), colon - start, newline_of(text))
+    stop = len(text[: line_end(text, colon)].rstrip("\r\n"))
+    comment = text[colon:stop] if node.style not in BLOCKS else ""
+    written = after_key(value, start - line_start(text, start), colon - start, newline_of(text))
     head, *rest = written.split(newline_of(text), 1)
     comment = comment if comment.strip() else ""
     return Splice(colon, content_end(text, node), head + comment + newline_of(text).join(["", *rest]))
 
 
 def _below(text: str, start: int, colon: int, value: Value) -> str:
-    indent = start - _line_start(text, start)
-    return after_key(value, indent, colon - _line_start(text, start), newline_of(text)).removeprefix(" ")
+    indent = start - line_start(text, start)
+    return after_key(value, indent, colon - line_start(text, start), newline_of(text)).removeprefix(" ")
 
 
 def _new_entry(text: str, parent: Node, key: str, value: Value, before: str | None) -> Splice:
@@ -216,30 +140,30 @@ def _new_entry(text: str, parent: Node, key: str, value: Value, before: str | No
     if parent.style == IN_BRACKETS:
         entry = f"{text_of(key, True)}: {flow(value, True)}"
         if place:
-            end = _span(text, parent, steps[place - 1])[1]
+            end = span_of(text, parent, steps[place - 1])[1]
             return Splice(end, end, f", {entry}")
         start = parent.key_spans[steps[0]][0]
         return Splice(start, start, f"{entry}, ")
     first = parent.key_spans[steps[0]][0]
-    indent = first - _line_start(text, first)
+    indent = first - line_start(text, first)
     entry = " " * indent + text_of(key) + ":"
-    column = _column(text, parent)
+    column = value_column(text, parent)
     gap = " " * (column - len(entry) - 1) if column else ""
     entry += gap + after_key(value, indent, len(entry) + len(gap), newline_of(text))
     if not place:
-        return _new_line(text, _line_start(text, first), entry)
+        return _new_line(text, line_start(text, first), entry)
     blank = newline_of(text) * (not indent and newline_of(text) in entry)
-    return _new_line(text, _span(text, parent, steps[place - 1])[1], blank + entry)
+    return _new_line(text, span_of(text, parent, steps[place - 1])[1], blank + entry)
 
 
 def _new_item(text: str, parent: Node, place: int, value: Value) -> Splice:
     """An item after the item `place - 1` of a list that has items."""
     count = len(parent.value)
     place = min(place, count)
-    end = _span(text, parent, place - 1)[1] if place else 0
+    end = span_of(text, parent, place - 1)[1] if place else 0
     if parent.style == IN_BRACKETS:
         return Splice(end, end, f", {flow(value, True)}")
-    line = text[_line_start(text, parent.start) :]
+    line = text[line_start(text, parent.start) :]
     dash = line[: len(line) - len(line.lstrip(" "))] + "- "
     return _new_line(text, end, dash + flow(value))
 
@@ -252,13 +176,13 @@ def _new_line(text: str, place: int, line: str) -> Splice:
 
 
 def _removal(text: str, parent: Node, step: str | int) -> Splice:
-    steps = _steps(parent)
+    steps = steps_of(parent)
     place = steps.index(step)
-    start, end = _span(text, parent, step)
+    start, end = span_of(text, parent, step)
     if parent.style != IN_BRACKETS:
         return Splice(start, end, "")
     if place:
-        return Splice(_span(text, parent, steps[place - 1])[1], end, "")
+        return Splice(span_of(text, parent, steps[place - 1])[1], end, "")
     if len(steps) > 1:
-        return Splice(start, _span(text, parent, steps[1])[0], "")
+        return Splice(start, span_of(text, parent, steps[1])[0], "")
     return Splice(start, end, "")

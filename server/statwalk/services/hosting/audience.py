@@ -42,7 +42,7 @@ class Audience:
         """The viewers."""
         return Present(tuple(self._present.copy().values()))
 
-    def doer(self, viewer: int | None, grant: Grant) -> Doer:
+    def doer(self, viewer: int, grant: Grant) -> Doer:
         """Returns who sends a request: the `viewer` that it names, if that has the same grant, else the
         person whose token it has, else a program.
         """

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from statwalk.errors import ConflictError, VersionConflictError
 from statwalk.files.machine_yaml.edit.edited import conflict, edited
-from statwalk.files.machine_yaml.edit.operation import Operation
+from statwalk.files.machine_yaml.edit.operation import EditOperation
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.services.hosting.machine_versions import CurrentMachine, Edited, MachineVersions, Step
 from statwalk.services.hosting.store.records import MachineVersion
@@ -21,7 +21,7 @@ MOST_TRIES = 8
 LONGEST_WHAT = 200
 
 
-class Request(NamedTuple):
+class EditRequest(NamedTuple):
     """Who edits a machine, which version they have read, and what cancels the edit by raising."""
 
     name: str
@@ -30,7 +30,7 @@ class Request(NamedTuple):
     checkpoint: Checkpoint = go_on
 
 
-def change(versions: MachineVersions, request: Request, operations: Sequence[Operation]) -> Edited:
+def change(versions: MachineVersions, request: EditRequest, operations: Sequence[EditOperation]) -> Edited:
     """Applies operations to the newest version of a machine, and makes that a version.
 
     :raises UnknownNameError: when no machine has this name.
@@ -50,20 +50,20 @@ def change(versions: MachineVersions, request: Request, operations: Sequence[Ope
     raise AssertionError
 
 
-def trial(versions: MachineVersions, request: Request, operations: Sequence[Operation]) -> Edited:
+def trial(versions: MachineVersions, request: EditRequest, operations: Sequence[EditOperation]) -> Edited:
     """Returns what `change` would make, without making it; raises the same."""
     current, text = _applied(versions, request, operations)
     return versions.checked(current, text, what(operations), checkpoint=request.checkpoint)
 
 
-def what(operations: Sequence[Operation]) -> str:
+def what(operations: Sequence[EditOperation]) -> str:
     """Returns in a few words what operations do."""
     words = "; ".join(map(str, operations))
     return words if len(words) <= LONGEST_WHAT else f"{words[:LONGEST_WHAT]}…"
 
 
 def _applied(
-    versions: MachineVersions, request: Request, operations: Sequence[Operation]
+    versions: MachineVersions, request: EditRequest, operations: Sequence[EditOperation]
 ) -> tuple[CurrentMachine, str]:
     """The machine as it is, and its text after the operations."""
     current = versions.current(request.name)
@@ -74,7 +74,10 @@ def _applied(
 
 
 def _check_apart(
-    versions: MachineVersions, request: Request, newest: MachineVersion, operations: Sequence[Operation]
+    versions: MachineVersions,
+    request: EditRequest,
+    newest: MachineVersion,
+    operations: Sequence[EditOperation],
 ) -> None:
     """:raises VersionConflictError: when other edits since `request.seen` touch the same."""
     name, seen = request.name, request.seen
@@ -103,7 +106,7 @@ def _check_apart(
 # --- back and forth
 
 
-def undo(versions: MachineVersions, request: Request) -> Edited:
+def undo(versions: MachineVersions, request: EditRequest) -> Edited:
     """Makes a version with the text before the newest one; the next undo goes back further.
 
     :raises VersionConflictError: when `request.seen` is not the newest version.
@@ -115,7 +118,7 @@ def undo(versions: MachineVersions, request: Request) -> Edited:
     return _back_to(versions, request, current, target, step)
 
 
-def redo(versions: MachineVersions, request: Request) -> Edited:
+def redo(versions: MachineVersions, request: EditRequest) -> Edited:
     """Makes a version with the text that the last undo took away; the next redo goes on.
 
     :raises VersionConflictError: when `request.seen` is not the newest version.
@@ -126,7 +129,7 @@ def redo(versions: MachineVersions, request: Request) -> Edited:
     return _back_to(versions, request, current, target, Step(target.before, target.after))
 
 
-def restore(versions: MachineVersions, request: Request, number: int) -> Edited:
+def restore(versions: MachineVersions, request: EditRequest, number: int) -> Edited:
     """Makes a version with the text of an older one, as an edit that can be undone.
 
     :raises UnknownNameError: when the version is not kept.
@@ -146,7 +149,7 @@ def _step(versions: MachineVersions, name: str, number: int, way: str) -> Machin
 
 def _back_to(
     versions: MachineVersions,
-    request: Request,
+    request: EditRequest,
     current: CurrentMachine,
     target: MachineVersion,
     step: Step | None,

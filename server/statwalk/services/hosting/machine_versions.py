@@ -8,7 +8,6 @@ import threading
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Literal, NamedTuple
 
 from statwalk.character.role import Role
@@ -24,7 +23,7 @@ from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.entry import Entry
 from statwalk.services.library.load import shipped_machines_folder
-from statwalk.services.library.put_in_place import put_in_place
+from statwalk.services.library.put_in_place import put_machine_in_place
 
 MOST_VERSIONS = 200
 Saved = Literal["file", "memory"]
@@ -182,7 +181,7 @@ class MachineVersions:
             if self.store:
                 self.store.writer.check()
             if write and saved(entry) == "file":
-                _write(entry.folder, MachineText.of(edited.version.text))
+                put_machine_in_place(entry.folder, MachineText.of(edited.version.text))
             versions = [*self.of(name), edited.version]
             self.keep(name, versions)
             with self.lock:
@@ -212,6 +211,18 @@ class MachineVersions:
         if self.store:
             self.store.forget_versions(name)
 
+    def rename(self, name: str, new: str) -> None:
+        """Keeps the versions of a machine under its new name.
+
+        :raises StorageError: when the disk refuses.
+        """
+        with self.lock:
+            kept = self.versions_of.pop(name, None)
+            if kept:
+                self.versions_of[new] = kept
+        if self.store and kept:
+            self.store.rename_versions(name, new, kept)
+
     def follow(self, name: str) -> Edited | None:
         """Makes the text of the machine's file the newest version; returns None if the text is unchanged.
 
@@ -223,18 +234,6 @@ class MachineVersions:
         if text == entry.file.text:
             return None
         return self.change(current, text, "the file was saved", write=False)
-
-
-def _write(folder: Path, text: MachineText) -> None:
-    """Writes a machine file, and before it the tables that have changed.
-
-    :raises StorageError: when a file cannot be written.
-    """
-    for name, table in text.tables.items():
-        path = folder / name
-        if not path.is_file() or path.read_bytes() != table.encode():
-            put_in_place(path, table)
-    put_in_place(folder / FILE_NAME, text.yaml)
 
 
 def _errors_in(findings: Iterable[Finding]) -> list[Finding]:

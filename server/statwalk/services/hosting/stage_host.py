@@ -14,7 +14,7 @@ from typing import Any, Protocol
 
 from statwalk.errors import CancelledError, LimitError
 from statwalk.services.access.roles import EVERYTHING, Grant
-from statwalk.services.cancel import NEVER, CancelToken
+from statwalk.services.cancel import LOOK_SECONDS, NEVER, CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.apply_commands import packed, roles_to_add
 from statwalk.services.hosting.attention import Attention
@@ -23,7 +23,7 @@ from statwalk.services.hosting.live_stage import LiveStage
 from statwalk.services.hosting.past_stages import PastStages, branch_at
 from statwalk.services.hosting.stage_lock import RETRY_SECONDS, StageLock
 from statwalk.services.hosting.stage_moves import AT_ONCE, IN_SLICES
-from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, LOOK_SECONDS, ON_A_COPY, finished
+from statwalk.services.hosting.stage_queries import AT_PLAYHEAD, ON_A_COPY, finished
 from statwalk.services.hosting.stage_replies import Posted, StageStatus
 from statwalk.services.hosting.stage_services import StageServices
 from statwalk.services.hosting.store.committer import Statement

@@ -158,7 +158,9 @@ class Machines(Message[tuple[str, ...]]):
 
 @dataclass(frozen=True)
 class Effects(Message[replies.EffectsSince]):
-    """Asks for the actions and verdicts after the tick `since` that the stage still holds."""
+    """Asks for the actions and verdicts after the tick `since`; the reply waits until a crash can take none
+    of them back, as viewers do.
+    """
 
     since: int
 

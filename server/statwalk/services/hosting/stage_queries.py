@@ -7,6 +7,7 @@ from functools import partial
 from itertools import islice
 from typing import Any, TypeVar
 
+from statwalk.errors import StageError
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.actor_facts import ActorColumns, columns_of, facts_in
 from statwalk.services.hosting.joint_tracks import joint_tracks
@@ -22,7 +23,7 @@ from statwalk.services.hosting.stage_replies import (
     StageSnapshot,
     StateHistory,
 )
-from statwalk.services.hosting.state_history import MOST_CHANGES, state_changes
+from statwalk.services.hosting.state_history import MOST_CHANGES, oldest_facts, state_changes
 from statwalk.services.hosting.stick_figures import stick_figures
 from statwalk.services.publish.gltf_frames import whole
 from statwalk.stage.explain.why import Why, why
@@ -36,8 +37,6 @@ Pieces = Generator[None, None, Reply]
 """work that yields every few milliseconds, and returns a reply"""
 PIECE = 256
 """items that take one or two milliseconds together"""
-LOOK_SECONDS = 0.1
-"""between two looks at the token while a log makes commands durable"""
 
 
 def finished(work: Pieces[Reply], check: Callable[[], None]) -> Reply:
@@ -102,14 +101,19 @@ def _pose(live: LiveStage, message: ask.PoseOf) -> Pieces[ActorPose]:
 
 
 def _effects(live: LiveStage, message: ask.Effects) -> Pieces[EffectsSince]:
-    """Waits until the commands before the effects are durable, as viewers do."""
-    stage, head, number = live.stage, live.stage.head, live.stage.newest
+    """:raises StageError: when the stage has forgotten some of them.
+
+    :raises StorageError: when the disk refuses to keep how far the stage is.
+    """
+    stage, head, oldest = live.stage, live.stage.head, oldest_facts(live.stage)
+    if message.since < oldest:
+        raise StageError(f"the stage holds the actions and verdicts after tick {oldest}; ask since {oldest}")
     actions, verdicts = stage.actions.copy(), stage.verdicts.after(message.since)
+    live.save()
     yield
     recent = tuple(action for action in actions if action.tick > message.since)
     effects = EffectsSince(head, recent, (yield from _listed(verdicts)))
-    while not stage.durable(number, LOOK_SECONDS):
-        yield
+    live.services.flush()
     return effects
 
 

@@ -18,7 +18,7 @@ def state_changes(stage: Stage) -> list[StateChange]:
     later = [
         StateChange(verdict.tick, verdict.actor, verdict.layer, verdict.to_state)
         for verdict in stage.verdicts
-        if verdict.verdict == "taken" and verdict.to_state and verdict.tick >= _oldest(stage)
+        if verdict.verdict == "taken" and verdict.to_state and verdict.tick >= oldest_verdicts(stage)
     ]
     return sorted([*_beginnings(stage), *later], key=lambda change: change.tick)
 
@@ -27,7 +27,7 @@ def _beginnings(stage: Stage) -> Iterator[StateChange]:
     """Yields the first state of each layer of each actor: at the actor's arrival, or at the oldest tick whose
     verdicts the stage still holds.
     """
-    oldest = _oldest(stage)
+    oldest = oldest_verdicts(stage)
     first: dict[tuple[int, int], Verdict] = {}
     for verdict in stage.verdicts:
         if verdict.tick >= oldest:
@@ -45,10 +45,16 @@ def _beginnings(stage: Stage) -> Iterator[StateChange]:
                 yield StateChange(oldest, present.id, layer, state)
 
 
-def _oldest(stage: Stage) -> int:
-    """The oldest tick whose verdicts the stage still holds."""
+def oldest_verdicts(stage: Stage) -> int:
+    """Returns the oldest tick whose verdicts the stage still holds."""
     known = max(stage.first, stage.remembered_from)
     return max(known, stage.verdicts[0].tick) if len(stage.verdicts) == LONGEST_HISTORY else known
+
+
+def oldest_facts(stage: Stage) -> int:
+    """Returns the tick after which the stage still holds all actions and verdicts."""
+    oldest = oldest_verdicts(stage)
+    return max(oldest, stage.actions[0].tick) if len(stage.actions) == LONGEST_HISTORY else oldest
 
 
 def _arrivals(stage: Stage, oldest: int) -> Iterator[StateChange]:

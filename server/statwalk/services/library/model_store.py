@@ -27,7 +27,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from statwalk.character.character import Character
-from statwalk.errors import ContentError, StorageError
+from statwalk.errors import ConflictError, ContentError, StorageError
 from statwalk.files.character_archive import read_character
 from statwalk.files.machine_yaml.machine_file import FILE_NAME
 from statwalk.services.library.upload_sandbox import checked_beside, read_in_child
@@ -164,10 +164,13 @@ class ModelStore:
             return upload
 
     def keep_machine(self, name: str, written: Path) -> Path:
-        """Moves a machine folder from a `working` folder to its place, and returns the place; no machine may
-        have the name.
+        """Moves a machine folder from a `working` folder to its place, and returns the place.
+
+        :raises ConflictError: when a machine has the name.
         """
         with self.lock:
+            if (self.machines / name).exists():
+                raise ConflictError(f"a machine is called {name!r} already", field="name")
             self.machines.mkdir(parents=True, exist_ok=True)
             for path in written.iterdir():
                 _flush(path)
@@ -189,6 +192,13 @@ class ModelStore:
                 (self.machines / name).rename(folder / name)
                 _flush_folder(self.machines)
             self._drop_unused()
+
+    def rename_machine(self, name: str, new: str) -> Path:
+        """Gives a machine another name, which no machine may have; returns its folder."""
+        with self.lock:
+            (self.machines / name).rename(self.machines / new)
+            _flush_folder(self.machines)
+            return self.machines / new
 
     def _drop_unused(self) -> None:
         """Deletes the models that no name means and no machine uses."""

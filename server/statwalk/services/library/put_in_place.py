@@ -9,6 +9,8 @@ from contextlib import suppress
 from pathlib import Path
 
 from statwalk.errors import StorageError
+from statwalk.files.machine_yaml.machine_file import FILE_NAME
+from statwalk.files.machine_yaml.machine_text import MachineText
 
 
 def put_in_place(path: Path, text: str) -> None:
@@ -29,3 +31,15 @@ def put_in_place(path: Path, text: str) -> None:
         with suppress(OSError):
             unfinished.unlink(missing_ok=True)
         raise StorageError.of(error, path.name) from None
+
+
+def put_machine_in_place(folder: Path, text: MachineText) -> None:
+    """Replaces a machine file, and before it the tables that have changed.
+
+    :raises StorageError: when a file cannot be written.
+    """
+    for name, table in text.tables.items():
+        path = folder / name
+        if not path.is_file() or path.read_bytes() != table.encode():
+            put_in_place(path, table)
+    put_in_place(folder / FILE_NAME, text.yaml)

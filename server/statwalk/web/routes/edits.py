@@ -17,6 +17,7 @@ from statwalk.files.machine_yaml.edit import operations as edit
 from statwalk.files.machine_yaml.machine_file import SCHEMA_PATH
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.services.hosting import machine_edits
+from statwalk.services.hosting.machine_edits import EditRequest
 from statwalk.services.hosting.machine_versions import Edited, MachineVersions
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, grant_of, registry_in
@@ -25,7 +26,7 @@ from statwalk.web.routes.machines import encoded, machine_members
 from statwalk.web.schemas.base import Flag
 from statwalk.web.schemas.finding import FindingView, finding_views
 from statwalk.web.schemas.machine import EditedMachine, NewCell, NewExpressions, NewText, RefusedTrial
-from statwalk.web.schemas.part_operations import NewOperations
+from statwalk.web.schemas.machine_operations import NewOperations
 from statwalk.web.schemas.problem import FieldError
 
 SCHEMA: dict[int | str, dict[str, Any]] = {
@@ -70,12 +71,12 @@ Versions = Annotated[MachineVersions, Depends(_versions_of)]
 SeenVersion = Annotated[int, Depends(_version_of)]
 
 
-def _editor(name: str, request: Request, seen: SeenVersion, token: LongWorkToken) -> machine_edits.Request:
+def _editor(name: str, request: Request, seen: SeenVersion, token: LongWorkToken) -> EditRequest:
     """Returns who edits which machine, and what cancels it."""
-    return machine_edits.Request(name, seen, grant_of(request).name, token.check)
+    return EditRequest(name, seen, grant_of(request).name, token.check)
 
 
-Editor = Annotated[machine_edits.Request, Depends(_editor)]
+Editor = Annotated[EditRequest, Depends(_editor)]
 
 
 def answer(versions: MachineVersions, name: str, edited: Edited) -> Response:
@@ -102,7 +103,10 @@ def _answered(act: Callable[[], Response], dry: bool) -> Response:
 
 
 def _operate(
-    versions: MachineVersions, editor: machine_edits.Request, operations: Sequence[edit.Operation], dry: bool
+    versions: MachineVersions,
+    editor: EditRequest,
+    operations: Sequence[edit.EditOperation],
+    dry: bool,
 ) -> Response:
     act = machine_edits.trial if dry else machine_edits.change
     return _answered(lambda: answer(versions, editor.name, act(versions, editor, operations)), dry)

@@ -1,8 +1,7 @@
-"""POST and DELETE /api/machines: make a machine from a character, and delete it."""
+"""POST and DELETE /api/machines, …/rename: make a machine, rename it, delete it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
@@ -11,12 +10,13 @@ from fastapi import APIRouter, Depends, Response
 from statwalk.character.character import Character
 from statwalk.character.role import Role
 from statwalk.errors import ContentError
-from statwalk.files.machine_yaml.machine_file import load_machine
-from statwalk.files.machine_yaml.new_machine import named_motions, write_folder
+from statwalk.files.machine_yaml.new_machine import idle_clip
 from statwalk.files.machine_yaml.state_names import proposed
+from statwalk.files.simple_character import simple_character
 from statwalk.machine.definition.state_table import NAME as STATE
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_messages import Machines
+from statwalk.services.library import made_machines
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import ModelStore
 from statwalk.services.limits import MOST_UPLOADS
@@ -25,7 +25,7 @@ from statwalk.web.dependencies import LongWorkToken, registry_of
 from statwalk.web.errors import Problem
 from statwalk.web.routes.machines import machine_members
 from statwalk.web.routes.uploads import check_name, model_store_of, room_on_disk
-from statwalk.web.schemas.machine import MachineView, NewMachine
+from statwalk.web.schemas.machine import MachineView, NewMachine, NewName
 
 router = APIRouter(prefix="/api/machines", tags=["machines"], route_class=BoundedRoute)
 RegistryDep = Annotated[Registry, Depends(registry_of)]
@@ -60,7 +60,7 @@ def _states_of(new: NewMachine, character: Character) -> dict[str, str]:
     return states
 
 
-def _check_free(name: str, catalogue: Catalogue, store: ModelStore) -> None:
+def check_free_machine(name: str, catalogue: Catalogue, store: ModelStore) -> None:
     """Checks that a machine may be made.
 
     :raises Problem: 409, when a machine or scene has this name, or the data folder holds too many machines.
@@ -75,42 +75,31 @@ def _check_free(name: str, catalogue: Catalogue, store: ModelStore) -> None:
         raise Problem(409, f"the data folder holds {MOST_UPLOADS} machines, and no more; delete one first")
 
 
-def write(
-    name: str, states: Mapping[str, str], character: Character, store: ModelStore, root: str = ""
-) -> tuple[Path, Role]:
-    """Writes a machine folder, loads it once, and moves it to its place in the store; returns the place and
-    the role.
-
-    :raises ContentError: when the machine is refused.
-    :raises UnknownNameError: when the character has no clip with a name in `states`.
-    """
-    with store.working() as folder, store.working() as written:
-        (folder / "model.glb").write_bytes(character.model_glb)
-        sha256, _ = store.keep_model(folder / "model.glb")
-        # the same relative path from the working folder and from the folder's place
-        model = Path("..", "..", store.models.name, f"{sha256}.glb")
-        write_folder(name, named_motions(character, states), model, written, root)
-        file = load_machine(written)
-        file.check_root(character.skeleton.names)
-        role = Role.build(name, character, file.definition, file.root_joint)
-        return store.keep_machine(name, written), role
+def _make(new: NewMachine, catalogue: Catalogue, store: ModelStore) -> tuple[Path, Role]:
+    """Writes the machine that a client asks for; returns its folder and its role."""
+    if new.copy_of is not None:
+        if new.character is not None or new.mapping is not None or new.empty:
+            raise Problem(422, "a copy has the states and the character of its origin", field="copy_of")
+        return made_machines.copy(new.name, catalogue.entry(new.copy_of), catalogue, store)
+    character = simple_character() if new.character is None else catalogue.character(new.character)
+    states = {idle_clip(character): "STAND"} if new.empty and character.clips else _states_of(new, character)
+    return made_machines.write(new.name, states, character, store, new.root)
 
 
 @router.post("", status_code=201)
 def make_machine(new: NewMachine, registry: RegistryDep, response: Response, _: LongWorkToken) -> MachineView:
-    """Makes a machine from a character: a state for each clip, a complete table, an event on a key for each
-    state. A character without clips gets one state, its pose at rest.
+    """Makes a machine: a copy of another (`copy_of`); from a character, with a state for each clip, a
+    complete table, an event on a key for each state, or (`empty`) with one state; or, with neither, from
+    nothing: a simple skeleton at rest, in one state.
 
     You can play it at once.
     """
     catalogue = registry.catalogue
     store = model_store_of(catalogue)
-    character = catalogue.character(new.character)
     with store.lock, room_on_disk():
-        _check_free(check_name(new.name), catalogue, store)
-        states = _states_of(new, character)
+        check_free_machine(check_name(new.name), catalogue, store)
         try:
-            catalogue.adopt(*write(new.name, states, character, store, new.root))
+            catalogue.adopt(*_make(new, catalogue, store))
         except ContentError as error:
             raise Problem(422, error.message, field=error.place) from None
     response.headers["Location"] = f"/api/machines/{new.name}"
@@ -124,10 +113,43 @@ def delete_machine(name: str, registry: RegistryDep) -> None:
     409 for other machines, and while a stage plays the machine or has it in its past.
     """
     catalogue = registry.catalogue
-    if not catalogue.entry(name).made:
+    check_unused(name, registry)
+    store = model_store_of(catalogue)
+    with store.lock, room_on_disk():
+        store.forget_machine(name)
+        catalogue.drop(name)
+        registry.versions.forget(name)
+
+
+@router.post("/{name}/rename")
+def rename_machine(name: str, new: NewName, registry: RegistryDep) -> MachineView:
+    """Gives a machine that POST made another name; its versions come along.
+
+    409 for other machines, and while a stage plays the machine or has it in its past.
+    """
+    catalogue = registry.catalogue
+    check_unused(name, registry)
+    store = model_store_of(catalogue)
+    with store.lock, room_on_disk():
+        if new.to != name:
+            check_free_machine(check_name(new.to), catalogue, store)
+            folder = store.rename_machine(name, new.to)
+            catalogue.drop(name)
+            catalogue.adopt(folder)
+            registry.versions.rename(name, new.to)
+    return MachineView(**machine_members(*registry.versions.current(new.to)))
+
+
+def check_unused(name: str, registry: Registry) -> None:
+    """Checks that a machine can go.
+
+    :raises Problem: 409, when it belongs to the server, or a stage plays it or has it in its past.
+    """
+    if not registry.catalogue.entry(name).made:
         raise Problem(
             409,
-            f"the machine {name!r} belongs to the server; you can delete only machines that you made",
+            f"the machine {name!r} belongs to the server; you can rename and delete only machines that you "
+            "made",
             field="name",
         )
     stages = [host.id for host in registry.all() if name in host.look(Machines())]
@@ -135,8 +157,3 @@ def delete_machine(name: str, registry: RegistryDep) -> None:
         raise Problem(
             409, f"first delete the stages that play {name!r}: {', '.join(stages[:20])}", field="name"
         )
-    store = model_store_of(catalogue)
-    with store.lock, room_on_disk():
-        store.forget_machine(name)
-        catalogue.drop(name)
-        registry.versions.forget(name)

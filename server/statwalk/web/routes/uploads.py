@@ -156,7 +156,7 @@ async def take(
     Stops if the client disconnects.
     """
     async with working_folder(store) as folder:
-        await _receive(request, folder / "upload")
+        await receive(request, folder / "upload")
         async with asynccontextmanager(token_of)(request) as token:
             read = partial(read_in_child, folder / "upload", folder / "model.glb", name, token, how)
             facts = await to_thread.run_sync(read, limiter=children)
@@ -179,7 +179,7 @@ async def working_folder(store: ModelStore) -> AsyncIterator[Path]:
             await to_thread.run_sync(working.__exit__, None, None, None)
 
 
-async def _receive(request: Request, file: Path) -> None:
+async def receive(request: Request, file: Path) -> None:
     """Writes the body to a file while it arrives; the guard limits its size.
 
     :raises Problem: 400, when the body is empty or ends early; 408, when it takes too long.

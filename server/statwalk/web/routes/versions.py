@@ -16,9 +16,9 @@ from statwalk.web.routes.edits import Editor, Versions, answer
 from statwalk.web.schemas.machine import EditedMachine
 from statwalk.web.schemas.version import (
     CellDifferenceView,
-    DifferencesView,
     NameDifferenceView,
     PartDifferenceView,
+    VersionDifferencesView,
     VersionText,
     VersionView,
 )
@@ -61,11 +61,11 @@ def get_differences(
     since: Annotated[int, Query(ge=1, le=LARGEST_NUMBER)],
     versions: Versions,
     _: LongWorkToken,
-) -> DifferencesView:
+) -> VersionDifferencesView:
     """Returns what a version says otherwise than an older one: cells, states, events, other parts by name."""
     older, newer = versions.version(name, since), versions.version(name, number)
     found = differences(older.text, newer.text)
-    return DifferencesView(
+    return VersionDifferencesView(
         version=number,
         since=since,
         names=[NameDifferenceView.model_validate(difference) for difference in found.names],

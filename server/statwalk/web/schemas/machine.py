@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from statwalk.files.machine_yaml.edit.cells import LONGEST_CELL
+from statwalk.files.machine_yaml.edit.cell_edits import LONGEST_CELL
 from statwalk.machine.definition.machine_definition import BASE
 from statwalk.web.schemas.base import FileName, Name, RequestModel, ResponseModel
 from statwalk.web.schemas.finding import FindingView
@@ -30,13 +30,23 @@ Table = Annotated[str, StringConstraints(max_length=LONGEST_TEXT)]
 NewState = Annotated[str, StringConstraints(max_length=80)]
 
 
+class NewName(RequestModel):
+    """Another name for a machine."""
+
+    to: FileName
+
+
 class NewMachine(RequestModel):
-    """A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-    left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
+    """A machine to make: a copy of the machine `copy_of`, or from a character, or from nothing: then it has
+    a simple skeleton. `mapping` gives a state for each clip (a clip without a state is left out), by default
+    the proposed mapping; `empty`: one state only. `root`: the joint that moves the character through the
+    world.
     """
 
     name: FileName
-    character: Name
+    character: Name | None = None
+    copy_of: Name | None = None
+    empty: bool = False
     mapping: Annotated[dict[str, NewState | None], Field(max_length=1_000)] | None = None
     root: Annotated[str, StringConstraints(max_length=200)] = ""
 

@@ -39,7 +39,7 @@ class BlendTime(RequestModel):
 BlendField = Annotated[float, Field(ge=0, le=60)] | BlendTime
 
 
-class Alternative(RequestModel):
+class AlternativeField(RequestModel):
     """An alternative of a cell: `to` if the condition `if` is true; without `if` always."""
 
     model_config = ConfigDict(validate_by_name=False)
@@ -60,7 +60,7 @@ class CellFields(Fields):
     action: Words | None = None
     off: bool | None = None
     alternatives: (
-        Annotated[list[Alternative], Field(min_length=1, max_length=32)]
+        Annotated[list[AlternativeField], Field(min_length=1, max_length=32)]
         | Annotated[dict[Name, float], Field(min_length=1, max_length=32)]
         | None
     ) = None

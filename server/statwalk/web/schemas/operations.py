@@ -1,6 +1,6 @@
 """The operations that edit a machine's states, cells and events, one model for each kind.
 
-The rest is in `part_operations`; docs/edits.md has all of them in one table.
+The rest is in `part_operations` and `machine_operations`; docs/edits.md has all of them in one table.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, StringConstraints
 
 from statwalk.files.machine_yaml.edit import operations as edit
-from statwalk.files.machine_yaml.edit.cells import LONGEST_CELL
+from statwalk.files.machine_yaml.edit.cell_edits import LONGEST_CELL
 from statwalk.machine.definition.machine_definition import BASE
 from statwalk.web.schemas.base import Name, RequestModel
 from statwalk.web.schemas.operation_fields import CellFields, Fields, Point, StateFields, Words
@@ -23,9 +23,9 @@ Composite = Annotated[str, StringConstraints(max_length=80)]
 class OperationModel(RequestModel):
     """The base of all operations; `of` makes what it means from the members, by their names."""
 
-    of: ClassVar[Callable[..., edit.Operation]]
+    of: ClassVar[Callable[..., edit.EditOperation]]
 
-    def operation(self) -> edit.Operation:
+    def operation(self) -> edit.EditOperation:
         """Returns the operation on the machine's text."""
         members = {name: getattr(self, name) for name in type(self).model_fields if name != "kind"}
         return type(self).of(
@@ -33,7 +33,7 @@ class OperationModel(RequestModel):
         )
 
 
-class SetCell(OperationModel):
+class SetCellOperation(OperationModel):
     """Changes a cell: `text` as in the table (empty: blank), and `fields`. `*` as `state` or `event`: the
     default of a column, or of a row.
     """
@@ -57,7 +57,7 @@ class OfState(OperationModel):
     layer: Name = BASE
 
 
-class AddState(OfState):
+class AddStateOperation(OfState):
     """Adds a state with a row of blank cells, before the state `before` or last; without a `motion` its
     character is at rest.
     """
@@ -68,7 +68,7 @@ class AddState(OfState):
     before: Name | None = None
 
 
-class SetState(OfState):
+class SetStateOperation(OfState):
     """Changes members of a state."""
 
     of = edit.SetState
@@ -76,7 +76,7 @@ class SetState(OfState):
     fields: StateFields
 
 
-class RenameState(OfState):
+class RenameStateOperation(OfState):
     """Renames a state everywhere; `to` is the name without the composite state around it."""
 
     of = edit.RenameState
@@ -84,7 +84,7 @@ class RenameState(OfState):
     to: Name
 
 
-class DeleteState(OfState):
+class DeleteStateOperation(OfState):
     """Deletes a state with its row; refused while cells lead to it, unless `also_cells` makes them blank."""
 
     of = edit.DeleteState
@@ -92,7 +92,7 @@ class DeleteState(OfState):
     also_cells: bool = False
 
 
-class MoveState(OfState):
+class MoveStateOperation(OfState):
     """Moves a state and its row before another state, or (null) to the end."""
 
     of = edit.MoveState
@@ -100,14 +100,14 @@ class MoveState(OfState):
     before: Name | None = None
 
 
-class SetInitial(OfState):
+class SetInitialOperation(OfState):
     """Makes a state the initial one of its layer, or of the machine around it."""
 
     of = edit.SetInitial
     kind: Literal["set_initial"]
 
 
-class SetBlendClip(OfState):
+class SetBlendClipOperation(OfState):
     """Puts a clip at a point of a state's blend: a number, or two."""
 
     of = edit.SetBlendClip
@@ -116,7 +116,7 @@ class SetBlendClip(OfState):
     at: float | Point
 
 
-class DeleteBlendClip(OfState):
+class DeleteBlendClipOperation(OfState):
     """Takes a clip out of a state's blend, with its markers."""
 
     of = edit.DeleteBlendClip
@@ -124,7 +124,7 @@ class DeleteBlendClip(OfState):
     clip: Words
 
 
-class SetMarker(OfState):
+class SetMarkerOperation(OfState):
     """Puts a marker at a phase of a state's motion, or of one `clip` of its blend; null takes it away."""
 
     of = edit.SetMarker
@@ -137,7 +137,7 @@ class SetMarker(OfState):
 # --- events
 
 
-class AddEvent(OperationModel):
+class AddEventOperation(OperationModel):
     """Adds an event: a column of blank cells in the table of a layer, or of a `composite` state; `buffer` in
     seconds.
     """
@@ -151,7 +151,7 @@ class AddEvent(OperationModel):
     buffer: Buffer | None = None
 
 
-class SetEvent(OperationModel):
+class SetEventOperation(OperationModel):
     """Changes the buffer of an event, seconds; null: as the defaults say."""
 
     of = edit.SetEvent
@@ -160,7 +160,7 @@ class SetEvent(OperationModel):
     buffer: Buffer | None
 
 
-class RenameEvent(OperationModel):
+class RenameEventOperation(OperationModel):
     """Renames an event, or a marker, everywhere; keys follow."""
 
     of = edit.RenameEvent
@@ -169,7 +169,7 @@ class RenameEvent(OperationModel):
     to: Name
 
 
-class DeleteEvent(OperationModel):
+class DeleteEventOperation(OperationModel):
     """Deletes an event; refused while cells or keys have it, unless `also_cells` deletes these too."""
 
     of = edit.DeleteEvent
@@ -178,7 +178,7 @@ class DeleteEvent(OperationModel):
     also_cells: bool = False
 
 
-class MoveEvent(OperationModel):
+class MoveEventOperation(OperationModel):
     """Moves a column before another, or (null) to the end."""
 
     of = edit.MoveEvent

@@ -1,35 +1,23 @@
-"""The operations that edit the other parts of a machine, and the list of operations that a client sends."""
+"""The operations that edit a machine's parameters, senses, keys, colliders and layers."""
 
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated, Literal
-
-from pydantic import Field, StringConstraints
+from typing import Literal
 
 from statwalk.files.machine_yaml.edit import operations as edit
-from statwalk.machine.definition.machine_definition import BASE
-from statwalk.web.schemas import operations
-from statwalk.web.schemas.base import Name, RequestModel
+from statwalk.web.schemas.base import Name
 from statwalk.web.schemas.operation_fields import (
-    MOST_ENTRIES,
     ColliderFields,
-    DefaultsFields,
     KeyFields,
     LayerFields,
-    MachineFields,
     ParameterFields,
-    Point,
     SenseFields,
-    Words,
 )
 from statwalk.web.schemas.operations import OperationModel
 
-LONGEST_TEXT = 1 << 18
-MOST_OPERATIONS = 200
 
-
-class AddParameter(OperationModel):
+class AddParameterOperation(OperationModel):
     """Adds a parameter."""
 
     of = partial(edit.AddEntry, "parameters")
@@ -39,7 +27,7 @@ class AddParameter(OperationModel):
     before: Name | None = None
 
 
-class SetParameter(OperationModel):
+class SetParameterOperation(OperationModel):
     """Changes members of a parameter."""
 
     of = partial(edit.SetEntry, "parameters")
@@ -48,7 +36,7 @@ class SetParameter(OperationModel):
     fields: ParameterFields
 
 
-class RenameParameter(OperationModel):
+class RenameParameterOperation(OperationModel):
     """Renames a parameter everywhere."""
 
     of = edit.RenameParameter
@@ -57,7 +45,7 @@ class RenameParameter(OperationModel):
     to: Name
 
 
-class AddSense(OperationModel):
+class AddSenseOperation(OperationModel):
     """Adds a sense; `name` is the event that it raises."""
 
     of = partial(edit.AddEntry, "senses")
@@ -67,7 +55,7 @@ class AddSense(OperationModel):
     before: Name | None = None
 
 
-class SetSense(OperationModel):
+class SetSenseOperation(OperationModel):
     """Changes members of a sense."""
 
     of = partial(edit.SetEntry, "senses")
@@ -76,7 +64,7 @@ class SetSense(OperationModel):
     fields: SenseFields
 
 
-class AddKey(OperationModel):
+class AddKeyOperation(OperationModel):
     """Gives a key events, or parameters that it moves; `name` as the browser names it, but `Space`."""
 
     of = partial(edit.AddEntry, "keys")
@@ -86,7 +74,7 @@ class AddKey(OperationModel):
     before: Name | None = None
 
 
-class SetKey(OperationModel):
+class SetKeyOperation(OperationModel):
     """Changes members of a key."""
 
     of = partial(edit.SetEntry, "keys")
@@ -95,7 +83,7 @@ class SetKey(OperationModel):
     fields: KeyFields
 
 
-class AddCollider(OperationModel):
+class AddColliderOperation(OperationModel):
     """Adds a collider."""
 
     of = partial(edit.AddEntry, "colliders")
@@ -105,7 +93,7 @@ class AddCollider(OperationModel):
     before: Name | None = None
 
 
-class SetCollider(OperationModel):
+class SetColliderOperation(OperationModel):
     """Changes members of a collider."""
 
     of = partial(edit.SetEntry, "colliders")
@@ -114,7 +102,7 @@ class SetCollider(OperationModel):
     fields: ColliderFields
 
 
-class RenameCollider(OperationModel):
+class RenameColliderOperation(OperationModel):
     """Renames a collider, also in touches of this machine."""
 
     of = edit.RenameCollider
@@ -123,7 +111,7 @@ class RenameCollider(OperationModel):
     to: Name
 
 
-class DeleteEntry(OperationModel):
+class DeleteEntryOperation(OperationModel):
     """Deletes a parameter, a sense (its event), a key or a collider; refused while something names it."""
 
     of = edit.DeleteEntry
@@ -132,7 +120,7 @@ class DeleteEntry(OperationModel):
     name: Name
 
 
-class MoveEntry(OperationModel):
+class MoveEntryOperation(OperationModel):
     """Moves a parameter, a sense, a key or a collider before another, or (null) to the end."""
 
     of = edit.MoveEntry
@@ -145,7 +133,7 @@ class MoveEntry(OperationModel):
 # --- layers
 
 
-class AddLayer(OperationModel):
+class AddLayerOperation(OperationModel):
     """Adds a layer with one state, which leaves the pose as it is, below the layer `before` or on top."""
 
     of = edit.AddLayer
@@ -156,7 +144,7 @@ class AddLayer(OperationModel):
     before: Name | None = None
 
 
-class SetLayer(OperationModel):
+class SetLayerOperation(OperationModel):
     """Changes members of a layer."""
 
     of = edit.SetLayer
@@ -165,7 +153,7 @@ class SetLayer(OperationModel):
     fields: LayerFields
 
 
-class RenameLayer(OperationModel):
+class RenameLayerOperation(OperationModel):
     """Renames a layer."""
 
     of = edit.RenameLayer
@@ -174,7 +162,7 @@ class RenameLayer(OperationModel):
     to: Name
 
 
-class DeleteLayer(OperationModel):
+class DeleteLayerOperation(OperationModel):
     """Deletes a layer with its table."""
 
     of = edit.DeleteLayer
@@ -182,122 +170,10 @@ class DeleteLayer(OperationModel):
     layer: Name
 
 
-class MoveLayer(OperationModel):
+class MoveLayerOperation(OperationModel):
     """Moves a layer below the layer `before`, or (null) on top."""
 
     of = edit.MoveLayer
     kind: Literal["move_layer"]
     layer: Name
     before: Name | None = None
-
-
-# --- the machine
-
-
-class SetMachine(OperationModel):
-    """Changes what a machine says of itself."""
-
-    of = edit.SetMachine
-    kind: Literal["set_machine"]
-    fields: MachineFields
-
-
-class SetDefaults(OperationModel):
-    """Changes what cells take that say nothing."""
-
-    of = edit.SetDefaults
-    kind: Literal["set_defaults"]
-    fields: DefaultsFields
-
-
-class AddProperty(OperationModel):
-    """Adds a property: `JUMP only after WALK`."""
-
-    of = edit.AddProperty
-    kind: Literal["add_property"]
-    text: Words
-
-
-class SetProperty(OperationModel):
-    """Replaces a property, named by its text; null deletes it."""
-
-    of = edit.SetProperty
-    kind: Literal["set_property"]
-    property: Words
-    text: Words | None
-
-
-class MoveProperty(OperationModel):
-    """Moves a property before another, or (null) to the end."""
-
-    of = edit.MoveProperty
-    kind: Literal["move_property"]
-    property: Words
-    before: Words | None = None
-
-
-class SetExpressions(OperationModel):
-    """Replaces the machine's expressions, a line each; blank: none."""
-
-    of = edit.SetExpressions
-    kind: Literal["set_expressions"]
-    text: Annotated[str, StringConstraints(max_length=LONGEST_TEXT)]
-
-
-class SetView(OperationModel):
-    """Keeps where states of a layer stand in the graph, x and y; null: where the page puts them."""
-
-    of = edit.SetView
-    kind: Literal["set_view"]
-    layer: Name = BASE
-    positions: Annotated[dict[Name, Point | None], Field(min_length=1, max_length=MOST_ENTRIES)]
-
-
-AnyOperation = Annotated[
-    operations.SetCell
-    | operations.AddState
-    | operations.SetState
-    | operations.RenameState
-    | operations.DeleteState
-    | operations.MoveState
-    | operations.SetInitial
-    | operations.SetBlendClip
-    | operations.DeleteBlendClip
-    | operations.SetMarker
-    | operations.AddEvent
-    | operations.SetEvent
-    | operations.RenameEvent
-    | operations.DeleteEvent
-    | operations.MoveEvent
-    | AddParameter
-    | SetParameter
-    | RenameParameter
-    | AddSense
-    | SetSense
-    | AddKey
-    | SetKey
-    | AddCollider
-    | SetCollider
-    | RenameCollider
-    | DeleteEntry
-    | MoveEntry
-    | AddLayer
-    | SetLayer
-    | RenameLayer
-    | DeleteLayer
-    | MoveLayer
-    | SetMachine
-    | SetDefaults
-    | AddProperty
-    | SetProperty
-    | MoveProperty
-    | SetExpressions
-    | SetView,
-    Field(discriminator="kind"),
-]
-
-
-class NewOperations(RequestModel):
-    """Operations on a machine, applied in their order; together they make one version."""
-
-    operations: Annotated[list[AnyOperation], Field(min_length=1, max_length=MOST_OPERATIONS)]

@@ -58,7 +58,7 @@ class PartDifferenceView(ResponseModel):
     after: str | None
 
 
-class DifferencesView(ResponseModel):
+class VersionDifferencesView(ResponseModel):
     """What differs between two versions; states and events by their names in the newer one."""
 
     version: int

@@ -345,6 +345,49 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/machines/{name}/export.zip": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Machine
+         * @description Returns the newest version of a machine with its tables and its character, as a zip; `statwalk serve`
+         *     plays the unpacked folder.
+         */
+        get: operations["export_machine_api_machines__name__export_zip_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/import.zip": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Import Machine
+         * @description Makes a machine of a zip, as `export.zip` gives it, or of a folder with a machine.yaml and a model.
+         *
+         *     409 if the name is taken.
+         */
+        put: operations["import_machine_api_machines__name__import_zip_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/machines": {
         parameters: {
             query?: never;
@@ -360,8 +403,9 @@ export interface paths {
         put?: never;
         /**
          * Make Machine
-         * @description Makes a machine from a character: a state for each clip, a complete table, an event on a key for each
-         *     state. A character without clips gets one state, its pose at rest.
+         * @description Makes a machine: a copy of another (`copy_of`); from a character, with a state for each clip, a
+         *     complete table, an event on a key for each state, or (`empty`) with one state; or, with neither, from
+         *     nothing: a simple skeleton at rest, in one state.
          *
          *     You can play it at once.
          */
@@ -470,6 +514,28 @@ export interface paths {
         get: operations["get_feet_api_machines__name__feet_get"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/rename": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rename Machine
+         * @description Gives a machine that POST made another name; its versions come along.
+         *
+         *     409 for other machines, and while a stage plays the machine or has it in its past.
+         */
+        post: operations["rename_machine_api_machines__name__rename_post"];
         delete?: never;
         options?: never;
         head?: never;
@@ -766,6 +832,26 @@ export interface paths {
          * @description Lists the scenes with their numbers of actors.
          */
         get: operations["list_scenes_api_scenes_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/stages/{stage_id}/facts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Facts
+         * @description Lists the actions and verdicts after tick `since`; 409 if the stage has forgotten some of them.
+         */
+        get: operations["get_facts_api_stages__stage_id__facts_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1373,6 +1459,21 @@ export interface components {
             role: "view" | "drive" | "admin";
             stage: string | null;
         };
+        /** @description An action of a machine; `seq` numbers all actions of a stage from 1. */
+        ActionMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "action";
+            seq: number;
+            tick: number;
+            actor: number;
+            name: string;
+            arguments: (string | number)[];
+            /** @description the actor that was touched, or that raised the event; -1: none */
+            other: number;
+        };
         /**
          * @description How far an actor is from the actor with its id on the other stage. A list has a number for each tick of
          *     `ticks`, or for each joint of `joints`.
@@ -1428,7 +1529,7 @@ export interface components {
             reached: components["schemas"]["ReachedView"][];
         };
         /** @description Adds a collider. */
-        AddCollider: {
+        AddColliderOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1442,7 +1543,7 @@ export interface components {
          * @description Adds an event: a column of blank cells in the table of a layer, or of a `composite` state; `buffer` in
          *     seconds.
          */
-        AddEvent: {
+        AddEventOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1457,7 +1558,7 @@ export interface components {
             buffer?: number | null;
         };
         /** @description Gives a key events, or parameters that it moves; `name` as the browser names it, but `Space`. */
-        AddKey: {
+        AddKeyOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1468,7 +1569,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Adds a layer with one state, which leaves the pose as it is, below the layer `before` or on top. */
-        AddLayer: {
+        AddLayerOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1482,7 +1583,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Adds a parameter. */
-        AddParameter: {
+        AddParameterOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1493,7 +1594,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Adds a property: `JUMP only after WALK`. */
-        AddProperty: {
+        AddPropertyOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1502,7 +1603,7 @@ export interface components {
             text: string;
         };
         /** @description Adds a sense; `name` is the event that it raises. */
-        AddSense: {
+        AddSenseOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1516,7 +1617,7 @@ export interface components {
          * @description Adds a state with a row of blank cells, before the state `before` or last; without a `motion` its
          *     character is at rest.
          */
-        AddState: {
+        AddStateOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -1534,7 +1635,7 @@ export interface components {
             before?: string | null;
         };
         /** @description An alternative of a cell: `to` if the condition `if` is true; without `if` always. */
-        Alternative: {
+        AlternativeField: {
             /** @default  */
             if?: string;
             to: string;
@@ -1639,7 +1740,7 @@ export interface components {
             enter?: number | "match" | null;
             action?: string | null;
             off?: boolean | null;
-            alternatives?: components["schemas"]["Alternative"][] | {
+            alternatives?: components["schemas"]["AlternativeField"][] | {
                 [key: string]: number;
             } | null;
         };
@@ -1824,7 +1925,7 @@ export interface components {
             buffer?: number | null;
         };
         /** @description Takes a clip out of a state's blend, with its markers. */
-        DeleteBlendClip: {
+        DeleteBlendClipOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -1836,7 +1937,7 @@ export interface components {
             clip: string;
         };
         /** @description Deletes a parameter, a sense (its event), a key or a collider; refused while something names it. */
-        DeleteEntry: {
+        DeleteEntryOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1847,7 +1948,7 @@ export interface components {
             name: string;
         };
         /** @description Deletes an event; refused while cells or keys have it, unless `also_cells` deletes these too. */
-        DeleteEvent: {
+        DeleteEventOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1858,7 +1959,7 @@ export interface components {
             also_cells?: boolean;
         };
         /** @description Deletes a layer with its table. */
-        DeleteLayer: {
+        DeleteLayerOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1867,7 +1968,7 @@ export interface components {
             layer: string;
         };
         /** @description Deletes a state with its row; refused while cells lead to it, unless `also_cells` makes them blank. */
-        DeleteState: {
+        DeleteStateOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -1878,6 +1979,21 @@ export interface components {
             kind: "delete_state";
             /** @default false */
             also_cells?: boolean;
+        };
+        /** @description The differences of two stages in the ticks `from` to `to`. */
+        DifferencesView: {
+            stage: string;
+            other: string;
+            from: number;
+            to: number;
+            /** @description the first of these ticks at which an actor differs; null: none does */
+            first_difference: number | null;
+            /** @description why nothing is compared; empty if something is */
+            note: string;
+            /** @description actors that only the stage has in these ticks */
+            only_here: number[];
+            only_there: number[];
+            actors: components["schemas"]["ActorDifferenceView"][];
         };
         /** @description An edge of the state graph, and the events that take it. */
         EdgeView: {
@@ -1993,6 +2109,12 @@ export interface components {
         /** @description A motion that expressions drive, a line each; "": the pose at rest. */
         ExpressionsMotion: {
             expressions: string;
+        };
+        /** @description All actions and verdicts after the tick that was asked for, up to `tick`; oldest first. */
+        FactsView: {
+            tick: number;
+            actions: components["schemas"]["ActionMessage"][];
+            verdicts: components["schemas"]["VerdictMessage"][];
         };
         /** @description The feet of a character and their contacts in its clips. */
         FeetView: {
@@ -2490,7 +2612,7 @@ export interface components {
             ][];
         };
         /** @description Moves a parameter, a sense, a key or a collider before another, or (null) to the end. */
-        MoveEntry: {
+        MoveEntryOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2502,7 +2624,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Moves a column before another, or (null) to the end. */
-        MoveEvent: {
+        MoveEventOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2516,7 +2638,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Moves a layer below the layer `before`, or (null) on top. */
-        MoveLayer: {
+        MoveLayerOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2526,7 +2648,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Moves a property before another, or (null) to the end. */
-        MoveProperty: {
+        MovePropertyOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2536,7 +2658,7 @@ export interface components {
             before?: string | null;
         };
         /** @description Moves a state and its row before another state, or (null) to the end. */
-        MoveState: {
+        MoveStateOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -2726,21 +2848,30 @@ export interface components {
             seconds?: number;
         };
         /**
-         * @description A machine to make from a character; `mapping` gives a state for each clip (a clip without a state is
-         *     left out), by default the proposed mapping. `root`: the joint that moves the character through the world.
+         * @description A machine to make: a copy of the machine `copy_of`, or from a character, or from nothing: then it has
+         *     a simple skeleton. `mapping` gives a state for each clip (a clip without a state is left out), by default
+         *     the proposed mapping; `empty`: one state only. `root`: the joint that moves the character through the
+         *     world.
          */
         NewMachine: {
             name: string;
-            character: string;
+            character?: string | null;
+            copy_of?: string | null;
+            /** @default false */
+            empty?: boolean;
             mapping?: {
                 [key: string]: string | null;
             } | null;
             /** @default  */
             root?: string;
         };
+        /** @description Another name for a machine. */
+        NewName: {
+            to: string;
+        };
         /** @description Operations on a machine, applied in their order; together they make one version. */
         NewOperations: {
-            operations: (components["schemas"]["SetCell"] | components["schemas"]["AddState"] | components["schemas"]["SetState"] | components["schemas"]["RenameState"] | components["schemas"]["DeleteState"] | components["schemas"]["MoveState"] | components["schemas"]["SetInitial"] | components["schemas"]["SetBlendClip"] | components["schemas"]["DeleteBlendClip"] | components["schemas"]["SetMarker"] | components["schemas"]["AddEvent"] | components["schemas"]["SetEvent"] | components["schemas"]["RenameEvent"] | components["schemas"]["DeleteEvent"] | components["schemas"]["MoveEvent"] | components["schemas"]["AddParameter"] | components["schemas"]["SetParameter"] | components["schemas"]["RenameParameter"] | components["schemas"]["AddSense"] | components["schemas"]["SetSense"] | components["schemas"]["AddKey"] | components["schemas"]["SetKey"] | components["schemas"]["AddCollider"] | components["schemas"]["SetCollider"] | components["schemas"]["RenameCollider"] | components["schemas"]["DeleteEntry"] | components["schemas"]["MoveEntry"] | components["schemas"]["AddLayer"] | components["schemas"]["SetLayer"] | components["schemas"]["RenameLayer"] | components["schemas"]["DeleteLayer"] | components["schemas"]["MoveLayer"] | components["schemas"]["SetMachine"] | components["schemas"]["SetDefaults"] | components["schemas"]["AddProperty"] | components["schemas"]["SetProperty"] | components["schemas"]["MoveProperty"] | components["schemas"]["SetExpressions"] | components["schemas"]["SetView"])[];
+            operations: (components["schemas"]["SetCellOperation"] | components["schemas"]["AddStateOperation"] | components["schemas"]["SetStateOperation"] | components["schemas"]["RenameStateOperation"] | components["schemas"]["DeleteStateOperation"] | components["schemas"]["MoveStateOperation"] | components["schemas"]["SetInitialOperation"] | components["schemas"]["SetBlendClipOperation"] | components["schemas"]["DeleteBlendClipOperation"] | components["schemas"]["SetMarkerOperation"] | components["schemas"]["AddEventOperation"] | components["schemas"]["SetEventOperation"] | components["schemas"]["RenameEventOperation"] | components["schemas"]["DeleteEventOperation"] | components["schemas"]["MoveEventOperation"] | components["schemas"]["AddParameterOperation"] | components["schemas"]["SetParameterOperation"] | components["schemas"]["RenameParameterOperation"] | components["schemas"]["AddSenseOperation"] | components["schemas"]["SetSenseOperation"] | components["schemas"]["AddKeyOperation"] | components["schemas"]["SetKeyOperation"] | components["schemas"]["AddColliderOperation"] | components["schemas"]["SetColliderOperation"] | components["schemas"]["RenameColliderOperation"] | components["schemas"]["DeleteEntryOperation"] | components["schemas"]["MoveEntryOperation"] | components["schemas"]["AddLayerOperation"] | components["schemas"]["SetLayerOperation"] | components["schemas"]["RenameLayerOperation"] | components["schemas"]["DeleteLayerOperation"] | components["schemas"]["MoveLayerOperation"] | components["schemas"]["SetMachineOperation"] | components["schemas"]["SetDefaultsOperation"] | components["schemas"]["AddPropertyOperation"] | components["schemas"]["SetPropertyOperation"] | components["schemas"]["MovePropertyOperation"] | components["schemas"]["SetExpressionsOperation"] | components["schemas"]["SetViewOperation"])[];
         };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
@@ -3054,7 +3185,7 @@ export interface components {
             fires: number;
         };
         /** @description Renames a collider, also in touches of this machine. */
-        RenameCollider: {
+        RenameColliderOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3064,7 +3195,7 @@ export interface components {
             to: string;
         };
         /** @description Renames an event, or a marker, everywhere; keys follow. */
-        RenameEvent: {
+        RenameEventOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3074,7 +3205,7 @@ export interface components {
             to: string;
         };
         /** @description Renames a layer. */
-        RenameLayer: {
+        RenameLayerOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3084,7 +3215,7 @@ export interface components {
             to: string;
         };
         /** @description Renames a parameter everywhere. */
-        RenameParameter: {
+        RenameParameterOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3094,7 +3225,7 @@ export interface components {
             to: string;
         };
         /** @description Renames a state everywhere; `to` is the name without the composite state around it. */
-        RenameState: {
+        RenameStateOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -3139,7 +3270,7 @@ export interface components {
             on?: ("enter" | "stay" | "leave") | null;
         };
         /** @description Puts a clip at a point of a state's blend: a number, or two. */
-        SetBlendClip: {
+        SetBlendClipOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -3155,7 +3286,7 @@ export interface components {
          * @description Changes a cell: `text` as in the table (empty: blank), and `fields`. `*` as `state` or `event`: the
          *     default of a column, or of a row.
          */
-        SetCell: {
+        SetCellOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3181,7 +3312,7 @@ export interface components {
             tick: number;
         };
         /** @description Changes members of a collider. */
-        SetCollider: {
+        SetColliderOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3191,7 +3322,7 @@ export interface components {
             fields: components["schemas"]["ColliderFields"];
         };
         /** @description Changes what cells take that say nothing. */
-        SetDefaults: {
+        SetDefaultsOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3200,7 +3331,7 @@ export interface components {
             fields: components["schemas"]["DefaultsFields"];
         };
         /** @description Changes the buffer of an event, seconds; null: as the defaults say. */
-        SetEvent: {
+        SetEventOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3210,7 +3341,7 @@ export interface components {
             buffer: number | null;
         };
         /** @description Replaces the machine's expressions, a line each; blank: none. */
-        SetExpressions: {
+        SetExpressionsOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3219,7 +3350,7 @@ export interface components {
             text: string;
         };
         /** @description Makes a state the initial one of its layer, or of the machine around it. */
-        SetInitial: {
+        SetInitialOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -3230,7 +3361,7 @@ export interface components {
             kind: "set_initial";
         };
         /** @description Changes members of a key. */
-        SetKey: {
+        SetKeyOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3240,7 +3371,7 @@ export interface components {
             fields: components["schemas"]["KeyFields"];
         };
         /** @description Changes members of a layer. */
-        SetLayer: {
+        SetLayerOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3250,7 +3381,7 @@ export interface components {
             fields: components["schemas"]["LayerFields"];
         };
         /** @description Changes what a machine says of itself. */
-        SetMachine: {
+        SetMachineOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3259,7 +3390,7 @@ export interface components {
             fields: components["schemas"]["MachineFields"];
         };
         /** @description Puts a marker at a phase of a state's motion, or of one `clip` of its blend; null takes it away. */
-        SetMarker: {
+        SetMarkerOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -3274,7 +3405,7 @@ export interface components {
             clip?: string;
         };
         /** @description Changes members of a parameter. */
-        SetParameter: {
+        SetParameterOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3284,7 +3415,7 @@ export interface components {
             fields: components["schemas"]["ParameterFields"];
         };
         /** @description Replaces a property, named by its text; null deletes it. */
-        SetProperty: {
+        SetPropertyOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3294,7 +3425,7 @@ export interface components {
             text: string | null;
         };
         /** @description Changes members of a sense. */
-        SetSense: {
+        SetSenseOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3304,7 +3435,7 @@ export interface components {
             fields: components["schemas"]["SenseFields"];
         };
         /** @description Changes members of a state. */
-        SetState: {
+        SetStateOperation: {
             state: string;
             /** @default base */
             layer?: string;
@@ -3316,7 +3447,7 @@ export interface components {
             fields: components["schemas"]["StateFields"];
         };
         /** @description Keeps where states of a layer stand in the graph, x and y; null: where the page puts them. */
-        SetView: {
+        SetViewOperation: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -3575,6 +3706,45 @@ export interface components {
             bytes: number;
             machines: string[];
         };
+        /**
+         * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
+         *     the event has no cell.
+         */
+        VerdictMessage: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "verdict";
+            tick: number;
+            actor: number;
+            layer: number;
+            event: string;
+            /** @enum {string} */
+            verdict: "taken" | "waits" | "dropped";
+            reason: string;
+            from: string;
+            to: string;
+            cell: [
+                string,
+                string
+            ] | null;
+            source: string;
+            line: number;
+            /** @description the values that the cell's condition read */
+            values: {
+                [key: string]: number;
+            };
+            other: number;
+        };
+        /** @description What differs between two versions; states and events by their names in the newer one. */
+        VersionDifferencesView: {
+            version: number;
+            since: number;
+            names: components["schemas"]["NameDifferenceView"][];
+            cells: components["schemas"]["CellDifferenceView"][];
+            parts: components["schemas"]["PartDifferenceView"][];
+        };
         /** @description A version with its text: the machine file, and its .csv tables by the names of their files. */
         VersionText: {
             version: number;
@@ -3643,29 +3813,6 @@ export interface components {
             since: number[];
             events: components["schemas"]["ExplainedView"][];
         };
-        /** @description The differences of two stages in the ticks `from` to `to`. */
-        statwalk__web__schemas__difference__DifferencesView: {
-            stage: string;
-            other: string;
-            from: number;
-            to: number;
-            /** @description the first of these ticks at which an actor differs; null: none does */
-            first_difference: number | null;
-            /** @description why nothing is compared; empty if something is */
-            note: string;
-            /** @description actors that only the stage has in these ticks */
-            only_here: number[];
-            only_there: number[];
-            actors: components["schemas"]["ActorDifferenceView"][];
-        };
-        /** @description What differs between two versions; states and events by their names in the newer one. */
-        statwalk__web__schemas__version__DifferencesView: {
-            version: number;
-            since: number;
-            names: components["schemas"]["NameDifferenceView"][];
-            cells: components["schemas"]["CellDifferenceView"][];
-            parts: components["schemas"]["PartDifferenceView"][];
-        };
         /**
          * @description An error: the wrong fields, the `known` names if a name is unknown, and the verifier's `findings` if an
          *     edit is refused.
@@ -3692,21 +3839,6 @@ export interface components {
              */
             type: "accepted";
             ref: string | number | null;
-        };
-        /** @description An action of a machine; `seq` numbers all actions of a stage from 1. */
-        ActionMessage: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "action";
-            seq: number;
-            tick: number;
-            actor: number;
-            name: string;
-            arguments: (string | number)[];
-            /** @description the actor that was touched, or that raised the event; -1: none */
-            other: number;
         };
         /** @description An actor of a cast. */
         ActorName: {
@@ -3874,37 +4006,6 @@ export interface components {
             trouble: string;
             /** @description null: nobody has touched the clock since the stage was opened or came back */
             changed: components["schemas"]["ClockChangeView"] | null;
-        };
-        /**
-         * @description The verdict on an event, and its reason; `to` is empty if the state did not change, `cell` is null if
-         *     the event has no cell.
-         */
-        VerdictMessage: {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "verdict";
-            tick: number;
-            actor: number;
-            layer: number;
-            event: string;
-            /** @enum {string} */
-            verdict: "taken" | "waits" | "dropped";
-            reason: string;
-            from: string;
-            to: string;
-            cell: [
-                string,
-                string
-            ] | null;
-            source: string;
-            line: number;
-            /** @description the values that the cell's condition read */
-            values: {
-                [key: string]: number;
-            };
-            other: number;
         };
         /** @description Who watches the stage, in the order in which they came: sent when it changes, at most once a second. */
         ViewersMessage: {
@@ -4311,17 +4412,18 @@ export interface components {
 }
 export type Accepted = components['schemas']['Accepted'];
 export type AccessView = components['schemas']['AccessView'];
+export type ActionMessage = components['schemas']['ActionMessage'];
 export type ActorDifferenceView = components['schemas']['ActorDifferenceView'];
 export type ActorView = components['schemas']['ActorView'];
-export type AddCollider = components['schemas']['AddCollider'];
-export type AddEvent = components['schemas']['AddEvent'];
-export type AddKey = components['schemas']['AddKey'];
-export type AddLayer = components['schemas']['AddLayer'];
-export type AddParameter = components['schemas']['AddParameter'];
-export type AddProperty = components['schemas']['AddProperty'];
-export type AddSense = components['schemas']['AddSense'];
-export type AddState = components['schemas']['AddState'];
-export type Alternative = components['schemas']['Alternative'];
+export type AddColliderOperation = components['schemas']['AddColliderOperation'];
+export type AddEventOperation = components['schemas']['AddEventOperation'];
+export type AddKeyOperation = components['schemas']['AddKeyOperation'];
+export type AddLayerOperation = components['schemas']['AddLayerOperation'];
+export type AddParameterOperation = components['schemas']['AddParameterOperation'];
+export type AddPropertyOperation = components['schemas']['AddPropertyOperation'];
+export type AddSenseOperation = components['schemas']['AddSenseOperation'];
+export type AddStateOperation = components['schemas']['AddStateOperation'];
+export type AlternativeField = components['schemas']['AlternativeField'];
 export type AlternativeView = components['schemas']['AlternativeView'];
 export type BlendMotion = components['schemas']['BlendMotion'];
 export type BlendTime = components['schemas']['BlendTime'];
@@ -4345,16 +4447,18 @@ export type CurvesView = components['schemas']['CurvesView'];
 export type DeducedBoneView = components['schemas']['DeducedBoneView'];
 export type DeductionView = components['schemas']['DeductionView'];
 export type DefaultsFields = components['schemas']['DefaultsFields'];
-export type DeleteBlendClip = components['schemas']['DeleteBlendClip'];
-export type DeleteEntry = components['schemas']['DeleteEntry'];
-export type DeleteEvent = components['schemas']['DeleteEvent'];
-export type DeleteLayer = components['schemas']['DeleteLayer'];
-export type DeleteState = components['schemas']['DeleteState'];
+export type DeleteBlendClipOperation = components['schemas']['DeleteBlendClipOperation'];
+export type DeleteEntryOperation = components['schemas']['DeleteEntryOperation'];
+export type DeleteEventOperation = components['schemas']['DeleteEventOperation'];
+export type DeleteLayerOperation = components['schemas']['DeleteLayerOperation'];
+export type DeleteStateOperation = components['schemas']['DeleteStateOperation'];
+export type DifferencesView = components['schemas']['DifferencesView'];
 export type EdgeView = components['schemas']['EdgeView'];
 export type EditedMachine = components['schemas']['EditedMachine'];
 export type ExplainedView = components['schemas']['ExplainedView'];
 export type ExpressionView = components['schemas']['ExpressionView'];
 export type ExpressionsMotion = components['schemas']['ExpressionsMotion'];
+export type FactsView = components['schemas']['FactsView'];
 export type FeetView = components['schemas']['FeetView'];
 export type FieldError = components['schemas']['FieldError'];
 export type FigureView = components['schemas']['FigureView'];
@@ -4395,11 +4499,11 @@ export type MeasuredView = components['schemas']['MeasuredView'];
 export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
 export type MotionPathView = components['schemas']['MotionPathView'];
-export type MoveEntry = components['schemas']['MoveEntry'];
-export type MoveEvent = components['schemas']['MoveEvent'];
-export type MoveLayer = components['schemas']['MoveLayer'];
-export type MoveProperty = components['schemas']['MoveProperty'];
-export type MoveState = components['schemas']['MoveState'];
+export type MoveEntryOperation = components['schemas']['MoveEntryOperation'];
+export type MoveEventOperation = components['schemas']['MoveEventOperation'];
+export type MoveLayerOperation = components['schemas']['MoveLayerOperation'];
+export type MovePropertyOperation = components['schemas']['MovePropertyOperation'];
+export type MoveStateOperation = components['schemas']['MoveStateOperation'];
 export type MovedView = components['schemas']['MovedView'];
 export type NameDifferenceView = components['schemas']['NameDifferenceView'];
 export type NewActor = components['schemas']['NewActor'];
@@ -4415,6 +4519,7 @@ export type NewFork = components['schemas']['NewFork'];
 export type NewKey = components['schemas']['NewKey'];
 export type NewLink = components['schemas']['NewLink'];
 export type NewMachine = components['schemas']['NewMachine'];
+export type NewName = components['schemas']['NewName'];
 export type NewOperations = components['schemas']['NewOperations'];
 export type NewParameter = components['schemas']['NewParameter'];
 export type NewRig = components['schemas']['NewRig'];
@@ -4435,33 +4540,33 @@ export type ReachedView = components['schemas']['ReachedView'];
 export type ReadyView = components['schemas']['ReadyView'];
 export type RefusedTrial = components['schemas']['RefusedTrial'];
 export type RemedyView = components['schemas']['RemedyView'];
-export type RenameCollider = components['schemas']['RenameCollider'];
-export type RenameEvent = components['schemas']['RenameEvent'];
-export type RenameLayer = components['schemas']['RenameLayer'];
-export type RenameParameter = components['schemas']['RenameParameter'];
-export type RenameState = components['schemas']['RenameState'];
+export type RenameColliderOperation = components['schemas']['RenameColliderOperation'];
+export type RenameEventOperation = components['schemas']['RenameEventOperation'];
+export type RenameLayerOperation = components['schemas']['RenameLayerOperation'];
+export type RenameParameterOperation = components['schemas']['RenameParameterOperation'];
+export type RenameStateOperation = components['schemas']['RenameStateOperation'];
 export type RootView = components['schemas']['RootView'];
 export type SceneView = components['schemas']['SceneView'];
 export type SeekBody = components['schemas']['SeekBody'];
 export type SendChange = components['schemas']['SendChange'];
 export type SenseFields = components['schemas']['SenseFields'];
-export type SetBlendClip = components['schemas']['SetBlendClip'];
-export type SetCell = components['schemas']['SetCell'];
+export type SetBlendClipOperation = components['schemas']['SetBlendClipOperation'];
+export type SetCellOperation = components['schemas']['SetCellOperation'];
 export type SetChange = components['schemas']['SetChange'];
-export type SetCollider = components['schemas']['SetCollider'];
-export type SetDefaults = components['schemas']['SetDefaults'];
-export type SetEvent = components['schemas']['SetEvent'];
-export type SetExpressions = components['schemas']['SetExpressions'];
-export type SetInitial = components['schemas']['SetInitial'];
-export type SetKey = components['schemas']['SetKey'];
-export type SetLayer = components['schemas']['SetLayer'];
-export type SetMachine = components['schemas']['SetMachine'];
-export type SetMarker = components['schemas']['SetMarker'];
-export type SetParameter = components['schemas']['SetParameter'];
-export type SetProperty = components['schemas']['SetProperty'];
-export type SetSense = components['schemas']['SetSense'];
-export type SetState = components['schemas']['SetState'];
-export type SetView = components['schemas']['SetView'];
+export type SetColliderOperation = components['schemas']['SetColliderOperation'];
+export type SetDefaultsOperation = components['schemas']['SetDefaultsOperation'];
+export type SetEventOperation = components['schemas']['SetEventOperation'];
+export type SetExpressionsOperation = components['schemas']['SetExpressionsOperation'];
+export type SetInitialOperation = components['schemas']['SetInitialOperation'];
+export type SetKeyOperation = components['schemas']['SetKeyOperation'];
+export type SetLayerOperation = components['schemas']['SetLayerOperation'];
+export type SetMachineOperation = components['schemas']['SetMachineOperation'];
+export type SetMarkerOperation = components['schemas']['SetMarkerOperation'];
+export type SetParameterOperation = components['schemas']['SetParameterOperation'];
+export type SetPropertyOperation = components['schemas']['SetPropertyOperation'];
+export type SetSenseOperation = components['schemas']['SetSenseOperation'];
+export type SetStateOperation = components['schemas']['SetStateOperation'];
+export type SetViewOperation = components['schemas']['SetViewOperation'];
 export type ShippedCharacterView = components['schemas']['ShippedCharacterView'];
 export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
@@ -4481,16 +4586,15 @@ export type TwinView = components['schemas']['TwinView'];
 export type TwinningView = components['schemas']['TwinningView'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
+export type VerdictMessage = components['schemas']['VerdictMessage'];
+export type VersionDifferencesView = components['schemas']['VersionDifferencesView'];
 export type VersionText = components['schemas']['VersionText'];
 export type VersionView = components['schemas']['VersionView'];
 export type ViewerView = components['schemas']['ViewerView'];
 export type WhyNotView = components['schemas']['WhyNotView'];
 export type WhyView = components['schemas']['WhyView'];
-export type statwalk__web__schemas__difference__DifferencesView = components['schemas']['statwalk__web__schemas__difference__DifferencesView'];
-export type statwalk__web__schemas__version__DifferencesView = components['schemas']['statwalk__web__schemas__version__DifferencesView'];
 export type ProblemView = components['schemas']['ProblemView'];
 export type AcceptedMessage = components['schemas']['AcceptedMessage'];
-export type ActionMessage = components['schemas']['ActionMessage'];
 export type ActorName = components['schemas']['ActorName'];
 export type CameraMessage = components['schemas']['CameraMessage'];
 export type CastCollider = components['schemas']['CastCollider'];
@@ -4500,7 +4604,6 @@ export type Forked = components['schemas']['Forked'];
 export type Hello = components['schemas']['Hello'];
 export type Pong = components['schemas']['Pong'];
 export type StatusMessage = components['schemas']['StatusMessage'];
-export type VerdictMessage = components['schemas']['VerdictMessage'];
 export type ViewersMessage = components['schemas']['ViewersMessage'];
 export type ServerMessage = components['schemas']['ServerMessage'];
 export type Ack = components['schemas']['Ack'];
@@ -5098,7 +5201,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["statwalk__web__schemas__version__DifferencesView"];
+                    "application/json": components["schemas"]["VersionDifferencesView"];
                 };
             };
             401: components["responses"]["401"];
@@ -5143,6 +5246,73 @@ export interface operations {
             421: components["responses"]["421"];
             422: components["responses"]["422"];
             428: components["responses"]["428"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
+    export_machine_api_machines__name__export_zip_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": unknown;
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    import_machine_api_machines__name__import_zip_put: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/zip": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            408: components["responses"]["408"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
             429: components["responses"]["429"];
             503: components["responses"]["503"];
             507: components["responses"]["507"];
@@ -5445,6 +5615,44 @@ export interface operations {
             503: components["responses"]["503"];
         };
     };
+    rename_machine_api_machines__name__rename_post: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewName"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineView"];
+                };
+            };
+            400: components["responses"]["400"];
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            413: components["responses"]["413"];
+            415: components["responses"]["415"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     patch_cell_api_machines__name__cells_patch: {
         parameters: {
             query?: {
@@ -5717,8 +5925,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -5758,8 +5966,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -5799,8 +6007,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -5840,8 +6048,8 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description your number in the hello of the socket */
-                "Statwalk-Viewer"?: number | null;
+                /** @description your number in the hello of the socket; 0: none */
+                "Statwalk-Viewer"?: number;
             };
             path: {
                 stage_id: string;
@@ -6034,6 +6242,39 @@ export interface operations {
             503: components["responses"]["503"];
         };
     };
+    get_facts_api_stages__stage_id__facts_get: {
+        parameters: {
+            query?: {
+                since?: number;
+            };
+            header?: never;
+            path: {
+                stage_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FactsView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+            507: components["responses"]["507"];
+        };
+    };
     get_history_api_stages__stage_id__history_get: {
         parameters: {
             query?: never;
@@ -6084,7 +6325,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["statwalk__web__schemas__difference__DifferencesView"];
+                    "application/json": components["schemas"]["DifferencesView"];
                 };
             };
             401: components["responses"]["401"];

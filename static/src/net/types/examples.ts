@@ -1,7 +1,7 @@
 /** Whole values of the server's types, for tests: a test names the members that it is about. */
 
-import type { Alternative, Cell, Finding, KeyBinding, StateInfo } from "./machine";
-import type { Verdict } from "./messages";
+import type { Alternative, Cell, Finding, KeyBinding, MachineInfo, Parameter, StateInfo } from "./machine";
+import type { CastHello, Hello, Verdict } from "./messages";
 
 export function cell(members: Partial<Cell>): Cell {
   const plain = {
@@ -77,6 +77,43 @@ export function verdict(members: Partial<Verdict>): Verdict {
     source: "",
     line: 0,
     values: {},
+    ...members,
+  };
+}
+
+export function parameter(members: Partial<Parameter>): Parameter {
+  const range = { default: 0, minimum: 0, maximum: 1 };
+  const kind = { kind: "number" as const, vector: "", joint: "", freedom: "", event: "", driven: false };
+  return { name: "", smooth: 0, ...range, ...kind, ...members };
+}
+
+export function machine(members: Partial<MachineInfo>): MachineInfo {
+  const facts = { name: "m", title: "M", description: "", character: "c", scene: "" };
+  const version = { version: 1, saved: "memory" as const, undo: 0, redo: 0 };
+  const states = { initial: "", idle: null, states: [], table: {}, rows: [], edges: [], layers: [] };
+  const inputs = { events: [], keys: {}, parameters: [], variables: [], senses: {} };
+  const world = { colliders: {}, ground: [], limits: [], solvers: [], chains: [] };
+  const texts = { expressions: [], expression_text: "", text: "", tables: {}, view: {} };
+  return { ...facts, ...version, ...states, ...inputs, ...world, ...texts, ...members };
+}
+
+export function cast(members: Partial<CastHello>): CastHello {
+  const model = { role: "", character: "c", model: "", machine: "m", version: 1, joints: 0, weights: 0 };
+  const joints = { names: [], nodes: [], parents: [], muscle_bones: [], colliders: [] };
+  const states = { layers: ["base"], states: [], state_layers: [], events: [] };
+  return { ...model, ...joints, ...states, actors: [], skinning: "linear", ...members };
+}
+
+export function hello(members: Partial<Hello>): Hello {
+  const stream = { epoch: 1, rate: 60, clock: "real" as const, frames: "pose" as const, skinning: null };
+  const ticks = { tick: 0, head: 0, first: 0, restored: null };
+  const status = { paused: false, speed: 1, viewers: 1, pace: 1, trouble: "", changed: null };
+  return {
+    ...{ type: "hello", version: "0", stage: "main", viewer: 1 },
+    ...stream,
+    ...ticks,
+    ...status,
+    casts: [],
     ...members,
   };
 }

@@ -16,6 +16,7 @@ export type {
   SolveView as Solved,
   ParameterView as Parameter,
   StateView as StateInfo,
+  VersionDifferencesView as VersionDifferences,
   VersionView as MachineVersion,
 } from "./api.generated";
 

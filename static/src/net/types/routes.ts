@@ -2,7 +2,7 @@
 
 import type { paths } from "./api.generated";
 
-export type Method = "get" | "post" | "patch" | "delete";
+export type Method = "get" | "post" | "put" | "patch" | "delete";
 /** The paths that know a method. */
 export type Route<M extends Method> = {
   [P in keyof paths]: paths[P] extends Record<M, object> ? P : never;
@@ -24,10 +24,14 @@ export type Places<M extends Method, P extends Route<M>> =
 export type Query<M extends Method, P extends Route<M>> =
   Operation<M, P> extends { parameters: { query?: infer All } } ? All : undefined;
 
-/** A request beside its path; `version` is that of the machine that an edit is based on. */
+/**
+ * A request beside its path; `version` is that of the machine that an edit is based on; requests with the same `key`
+ * count once.
+ */
 export interface Extras<M extends Method, P extends Route<M>> {
   query?: Query<M, P>;
   body?: Body<M, P>;
   version?: number;
+  key?: string;
   signal?: AbortSignal;
 }

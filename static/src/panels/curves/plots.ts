@@ -1,9 +1,9 @@
 /** Angle, angular speed and acceleration of all curves over time, one plot each. */
 
-import uPlot from "uplot";
-import "uplot/dist/uPlot.min.css";
+import type uPlot from "uplot";
 import type { CurvesView, CurveView } from "../../net/types/api.generated";
 import { el, token } from "../../ui/dom";
+import type { Plotting } from "../../ui/plotting";
 import { METHODS } from "./methods";
 
 type Quantity = "angle_deg" | "speed_deg" | "acceleration_deg";
@@ -41,13 +41,16 @@ export class Plots {
   private keys: readonly { time: number; angle: number }[] = [];
   private readonly plots: { name: Quantity; plot: uPlot }[];
 
-  constructor(private readonly root: HTMLElement) {
+  constructor(
+    plotting: Plotting,
+    private readonly root: HTMLElement,
+  ) {
     this.plots = PLOTS.map(({ name, words }) => {
       const box = el("div", { class: "plot", "data-quantity": name });
       root.append(el("h2", {}, words), box);
       const last = name === PLOTS.at(-1)?.name;
       const options = this.options(name === "angle_deg", last ? "time, s" : "");
-      return { name, plot: new uPlot(options, [[], ...METHODS.map(() => [])], box) };
+      return { name, plot: new plotting(options, [[], ...METHODS.map(() => [])], box) };
     });
     new ResizeObserver(() => this.resize()).observe(root);
   }

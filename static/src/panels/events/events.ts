@@ -4,23 +4,20 @@
  */
 
 import "./events.css";
-import { HeldKeys, type Intent, cap, mainEvent } from "../../state/keyBindings";
-import type { KeyBinding, MachineInfo, Verdict } from "../../net/protocol";
+import { effect, signal } from "@preact/signals-core";
+import { html, type TemplateResult } from "lit-html";
+import { classMap } from "lit-html/directives/class-map.js";
+import { repeat } from "lit-html/directives/repeat.js";
+import { cap, mainEvent } from "../../state/keyBindings";
+import type { KeyBinding } from "../../net/protocol";
 import type { App } from "../../view/app";
-import { el, flash } from "../../ui/dom";
+import { flash } from "../../ui/dom";
+import { draw } from "../../ui/draw";
+import { EventPresses } from "./eventPresses";
 import { Keyboard } from "./keyboard";
 
-const LONG_PRESS_MS = 300;
 /** With more buttons than this they are drawn smaller. */
 const MANY = 8;
-
-/** Returns the binding that a button without a key stands for. */
-const keyFor = (event: string, hold: boolean): KeyBinding => ({
-  press: event,
-  hold,
-  release: null,
-  change: {},
-});
 
 interface Keyed {
   key: string;
@@ -34,75 +31,48 @@ export function keysFor(event: string, keys: Record<string, KeyBinding>): Keyed[
     .map(([key, binding]) => ({ key, binding }));
 }
 
-class EventsPanel {
-  private buttons = new Map<string, HTMLButtonElement>();
-  private readonly held: HeldKeys;
-
-  constructor(
-    private readonly host: HTMLElement,
-    private readonly app: App,
-  ) {
-    this.held = new HeldKeys(({ kind, event }: Intent) => app.session.event(kind, event));
-    app.machine.info.subscribe((machine) => {
-      if (machine) this.draw(machine);
-    });
-    app.session.verdicts.on((verdict) => this.judge(verdict));
-    for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.held.releaseAll());
-  }
-
-  private draw(machine: MachineInfo): void {
-    const events = machine.events.filter((event) => event !== "END");
-    this.buttons = new Map(events.map((event) => [event, this.button(event, keysFor(event, machine.keys))]));
-    this.host.classList.toggle("many", events.length > MANY);
-    this.host.replaceChildren(...this.buttons.values());
-  }
-
-  private button(event: string, keyed: Keyed[]): HTMLButtonElement {
-    const caps = keyed.map(({ key }) => el("kbd", {}, cap(key)));
-    const made = el(
-      "button",
-      { type: "button", class: "event", "data-event": event },
-      el("span", {}, event),
-      ...caps,
-    );
-    const binding = keyed[0]?.binding;
-    made.addEventListener(
-      "pointerdown",
-      (pointer) => pointer.button === 0 && this.down(made, event, binding),
-    );
-    for (const end of ["pointerup", "pointercancel", "pointerleave"])
-      made.addEventListener(end, () => this.up(made, event));
-    // `detail` is 0 if the keyboard clicks.
-    made.addEventListener("click", (click) => click.detail === 0 && this.app.session.event("press", event));
-    return made;
-  }
-
-  private down(button: HTMLButtonElement, event: string, binding: KeyBinding | undefined): void {
-    this.held.press(event, binding ?? keyFor(event, false));
-    if (binding) return;
-    button.dataset["timer"] = String(
-      setTimeout(() => this.held.press(`${event} held`, keyFor(event, true)), LONG_PRESS_MS),
-    );
-  }
-
-  private up(button: HTMLButtonElement, event: string): void {
-    clearTimeout(Number(button.dataset["timer"]));
-    this.held.release(`${event} held`);
-    this.held.release(event);
-  }
-
-  /** Shows a button as held down. */
-  press(event: string, down: boolean): void {
-    this.buttons.get(event)?.classList.toggle("down", down);
-  }
-
-  private judge({ event, verdict }: Verdict): void {
-    const button = this.buttons.get(event);
-    if (button) flash(button, verdict);
-  }
-}
-
 export function eventsPanel(host: HTMLElement, app: App): void {
-  const panel = new EventsPanel(host, app);
-  new Keyboard(app, (event, down) => panel.press(event, down));
+  const { machine, session } = app;
+  const presses = new EventPresses(({ kind, event }) => session.event(kind, event));
+  /** The events whose keys are down. */
+  const down = signal<ReadonlySet<string>>(new Set());
+  new Keyboard(app, (event, isDown) => {
+    const others = [...down.value].filter((other) => other !== event);
+    down.value = new Set(isDown ? [...others, event] : others);
+  });
+
+  const events = (): string[] => (machine.info.value?.events ?? []).filter((event) => event !== "END");
+
+  function button(event: string): TemplateResult {
+    const keyed = keysFor(event, machine.info.value?.keys ?? {});
+    const end = (): void => presses.end(event);
+    const begin = (pointer: PointerEvent): void => {
+      if (pointer.button === 0) presses.begin(event, keyed[0]?.binding);
+    };
+    // `detail` is 0 if the keyboard clicks.
+    const click = ({ detail }: MouseEvent): void => {
+      if (detail === 0) session.event("press", event);
+    };
+    return html`<button
+      type="button"
+      class=${classMap({ event: true, down: down.value.has(event) })}
+      data-event=${event}
+      @pointerdown=${begin}
+      @pointerup=${end}
+      @pointercancel=${end}
+      @pointerleave=${end}
+      @click=${click}
+    >
+      <span .textContent=${event}></span>${keyed.map(({ key }) => html`<kbd .textContent=${cap(key)}></kbd>`)}
+    </button>`;
+  }
+
+  effect(() => {
+    host.classList.toggle("many", events().length > MANY);
+  });
+  draw(host, () => html`${repeat(events(), (event) => event, button)}`);
+  session.verdicts.on(({ event, verdict }) => {
+    const shown = host.querySelector(`[data-event="${CSS.escape(event)}"]`);
+    if (shown) flash(shown, verdict);
+  });
 }

@@ -1,32 +1,69 @@
-import { expect, test } from "vitest";
-import type { ActorView, ExpressionView } from "../../net/types/api.generated";
-import { fault, rounded, sides, valueOf } from "./expressions";
+// @vitest-environment happy-dom
+import { expect, test, vi } from "vitest";
+import { state } from "../../net/types/examples";
+import { exampleApp, watch } from "../../view/exampleApp";
+import { expressionsPanel } from "./expressions";
 
-test("a line has a name and a formula", () => {
-  expect(sides("a.rotate_z = if(x == 1, 2, 3)")).toEqual(["a.rotate_z", "if(x == 1, 2, 3)"]);
-});
+const lines = [{ line: 7, name: "a", formula: "b * 2", source: "machine" as const }];
+const layer = {
+  mode: "override" as const,
+  mask: [],
+  weight: 1,
+  initial: "A",
+  table: {},
+  rows: [],
+  edges: [],
+};
+const layers = [{ ...layer, name: "base", states: [state({ name: "A", expressions: ["c = 1"] })] }];
 
-test("values have at most four digits after the point", () => {
-  expect(rounded(Math.PI)).toBe("3.1416");
-  expect(rounded(8)).toBe("8");
-});
-
-test("a line shows the value of its channel or variable", () => {
-  const facts = { channels: { "a.rotate_z": 20 }, variables: { half: 0.5 } } as unknown as ActorView;
-  const line = (name: string): ExpressionView => ({ line: 1, name, formula: "", source: "machine" });
-  expect(valueOf(line("a.rotate_z"), facts)).toBe("20");
-  expect(valueOf(line("half"), facts)).toBe("0.5");
-  expect(valueOf(line("other"), facts)).toBe("");
-  expect(valueOf(line("half"), null)).toBe("");
-});
-
-test("a fault names the line of the edited text", () => {
-  const file = "initial: A\ntable: |\n  state\nexpressions: |\n  a = 1\n  b = 2\n";
-  expect(fault("machine.yaml, line 6: no variable is called 'x'", file)).toEqual({
-    line: 2,
-    words: "line 2: no variable is called 'x'",
+function shown() {
+  const app = exampleApp();
+  const host = document.createElement("section");
+  document.body.append(host);
+  expressionsPanel(host, app);
+  watch(app, {
+    expressions: lines,
+    expression_text: "a = b * 2",
+    layers,
+    text: "expressions:\n  - a = b * 2\n",
   });
-  const none = "initial: A\ntable: |\n  state\n";
-  expect(fault("line 5: wrong", none)).toEqual({ line: 1, words: "line 1: wrong" });
-  expect(fault("the machine is gone", file)).toEqual({ line: 0, words: "the machine is gone" });
+  const button = (name: string): HTMLButtonElement =>
+    [...host.querySelectorAll("button")].find(({ textContent }) => textContent === name)!;
+  return { app, host, button, field: host.querySelector("textarea")!, form: host.querySelector("form")! };
+}
+
+test("lists the lines of the machine, and those of the present states", () => {
+  const { app, host } = shown();
+  const rows = (): string[] =>
+    [...host.querySelectorAll("dl > div")].map((row) => row.textContent.replace(/\s+/g, " ").trim());
+  expect(rows()).toEqual(["7 a b * 2"]);
+  app.selection.tellStates(["A"]);
+  expect(rows()).toEqual(["7 a b * 2", "cA 1"]);
+});
+
+test("a text that is kept closes the form", async () => {
+  const { app, button, field, form } = shown();
+  button("edit").click();
+  expect([form.hidden, field.value]).toEqual([false, "a = b * 2"]);
+  const keep = vi.spyOn(app.editing, "keep").mockResolvedValue({ kind: "fine", words: "", findings: [] });
+  field.value = "a = 3";
+  form.dispatchEvent(new Event("submit"));
+  await vi.waitFor(() => expect(form.hidden).toBe(true));
+  expect(keep).toHaveBeenCalledWith([{ kind: "set_expressions", text: "a = 3" }]);
+});
+
+test("a text that is refused stays, with its line selected", async () => {
+  const { app, host, button, field, form } = shown();
+  button("edit").click();
+  const words = "machine.yaml, line 2: no variable is called 'x'";
+  vi.spyOn(app.editing, "keep").mockResolvedValue({ kind: "refused", words, findings: [] });
+  field.value = "a = x";
+  form.dispatchEvent(new Event("submit"));
+  await vi.waitFor(() => expect(host.querySelector(".refused")!.textContent).not.toBe(""));
+  expect([form.hidden, field.value, field.selectionStart, field.selectionEnd]).toEqual([
+    false,
+    "a = x",
+    0,
+    5,
+  ]);
 });

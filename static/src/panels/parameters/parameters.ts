@@ -4,11 +4,15 @@
  */
 
 import "./parameters.css";
+import { computed, effect } from "@preact/signals-core";
+import { html, type TemplateResult } from "lit-html";
+import { repeat } from "lit-html/directives/repeat.js";
+import { live } from "lit-html/directives/live.js";
 import type { MachineInfo, Parameter } from "../../net/protocol";
 import { changedIn } from "../../state/keyChanges";
 import { canLook, gripsOf } from "../../state/points";
+import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
-import { el, say } from "../../ui/dom";
 
 const STEPS = 200;
 /** With more sliders than this they stand in two columns. */
@@ -19,53 +23,40 @@ export function short(value: number): string {
   return String(Number(value.toPrecision(3)));
 }
 
-class ParametersPanel {
-  private readonly sliders = new Map<string, (value: number) => void>();
-
-  constructor(
-    private readonly host: HTMLElement,
-    private readonly app: App,
-  ) {
-    app.machine.info.subscribe((machine) => this.draw(machine));
-    app.selection.layerStates.subscribe(() => this.draw(app.machine.info.value));
-    app.parameters.changed.on((name) => this.follow(name));
-  }
-
-  private draw(machine: MachineInfo | null): void {
-    this.sliders.clear();
-    // These have a button or a handle of their own, as points have.
-    const others = new Set([...gripsOf(machine).values()].map(({ weight }) => weight));
-    if (canLook(machine)) others.add("look");
-    const rows = (machine?.parameters ?? [])
-      .filter(({ name, driven, kind }) => !driven && !others.has(name) && kind !== "point")
-      .filter(({ name }) => changedIn(machine?.keys ?? {}, name, this.app.selection.layerStates.value))
-      .map((parameter) => this.row(parameter));
-    this.host.hidden = !rows.length;
-    this.host.classList.toggle("many", rows.length > MANY);
-    this.host.replaceChildren(...rows);
-  }
-
-  /** Moves a slider, or all, to their values. */
-  private follow(changed: string | null): void {
-    for (const [name, show] of this.sliders)
-      if (changed === null || changed === name) show(this.app.parameters.get(name));
-  }
-
-  private row({ name, minimum, maximum }: Parameter): HTMLElement {
-    const step = (maximum - minimum) / STEPS || 1;
-    const slider = el("input", { type: "range", "aria-label": name, min: minimum, max: maximum, step });
-    const shown = el("output");
-    const show = (value: number): void => {
-      slider.valueAsNumber = value;
-      say(shown, short(value));
-    };
-    show(this.app.parameters.get(name));
-    this.sliders.set(name, show);
-    slider.addEventListener("input", () => this.app.parameters.set(name, slider.valueAsNumber));
-    return el("label", {}, el("span", { title: name }, name), slider, shown);
-  }
+/** Returns the parameters that have a slider in these states. */
+function withSlider(machine: MachineInfo | null, states: readonly string[]): Parameter[] {
+  // These have a button or a handle of their own, as points have.
+  const others = new Set([...gripsOf(machine).values()].map(({ weight }) => weight));
+  if (canLook(machine)) others.add("look");
+  return (machine?.parameters ?? [])
+    .filter(({ name, driven, kind }) => !driven && !others.has(name) && kind !== "point")
+    .filter(({ name }) => changedIn(machine?.keys ?? {}, name, states));
 }
 
-export function parametersPanel(host: HTMLElement, app: App): void {
-  new ParametersPanel(host, app);
+export function parametersPanel(host: HTMLElement, { machine, parameters, selection }: App): void {
+  const shown = computed(() => withSlider(machine.info.value, selection.layerStates.value));
+
+  function row({ name, minimum, maximum }: Parameter): TemplateResult {
+    const value = parameters.get(name);
+    const set = ({ target }: Event): void => parameters.set(name, (target as HTMLInputElement).valueAsNumber);
+    return html`<label>
+      <span title=${name} .textContent=${name}></span>
+      <input
+        type="range"
+        aria-label=${name}
+        min=${minimum}
+        max=${maximum}
+        step=${(maximum - minimum) / STEPS || 1}
+        .valueAsNumber=${live(value)}
+        @input=${set}
+      />
+      <output .textContent=${short(value)}></output>
+    </label>`;
+  }
+
+  effect(() => {
+    host.hidden = !shown.value.length;
+    host.classList.toggle("many", shown.value.length > MANY);
+  });
+  draw(host, () => html`${repeat(shown.value, ({ name }) => name, row)}`);
 }

@@ -1,15 +1,14 @@
 /** Edits a cell: a field over it, completions, a trial of the text; Enter keeps it, Escape drops it. */
 
 import "./editor.css";
-import type { Answer, CellPlace } from "../../state/editing";
-import { EditQueue } from "../../state/editQueue";
-import type { LayerInfo } from "../../net/protocol";
+import type { Answer, CellPlace } from "../../state/editAnswer";
+import type { LayerInfo, Operation } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import type { App } from "../../view/app";
 import { el, flash } from "../../ui/dom";
 import { writtenText } from "./cellText";
 import { completions, markersOf, targets } from "./completion";
-import type { CellInspector } from "./cellInspector";
+import type { TrialReport } from "./trialReport";
 import { Suggestions } from "./suggestions";
 
 const TRIAL_PAUSE_MS = 180;
@@ -17,6 +16,7 @@ const TRIAL_PAUSE_MS = 180;
 const [MOST_WIDTH, LETTER_WIDTH, PADDING] = [170, 9, 20];
 
 const cellOf = ({ layer, state, event }: CellPlace): string => JSON.stringify([layer, state, event]);
+const setting = (place: CellPlace, text: string): Operation[] => [{ kind: "set_cell", ...place, text }];
 const failed = (error: unknown): Answer => ({ kind: "refused", words: reasonOf(error), findings: [] });
 
 export class CellEditor {
@@ -37,16 +37,14 @@ export class CellEditor {
   /** The answer to the text in the field, if it is refused. */
   private refusal: Answer | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
-  private readonly queue: EditQueue<CellPlace, Answer>;
 
   constructor(
     private readonly host: HTMLElement,
     private readonly app: App,
-    private readonly inspector: CellInspector,
+    private readonly inspector: TrialReport,
     private readonly cellAt: (state: string, event: string) => HTMLTableCellElement | null,
   ) {
     host.append(this.field);
-    this.queue = new EditQueue((place, text, dry) => app.editing.cell(place, text, dry));
     this.suggestions = new Suggestions(inspector.suggestions, (text) => this.complete(text));
     this.field.addEventListener("input", () => this.typed());
     this.field.addEventListener("keydown", (press) => this.pressed(press));
@@ -178,7 +176,7 @@ export class CellEditor {
       return;
     }
     this.inspector.trying();
-    const answer = await this.queue.try(place, this.field.value).catch(failed);
+    const answer = await this.app.editing.try(setting(place, this.field.value)).catch(failed);
     if (answer && place === this.place) this.show(answer);
   }
 
@@ -195,8 +193,7 @@ export class CellEditor {
       return;
     }
     this.inspector.trying();
-    const answer = await this.queue.keep(place, text).catch(failed);
-    if (!answer) return;
+    const answer = await this.app.editing.keep(setting(place, text)).catch(failed);
     if (answer.kind === "fine") this.kept(place, text);
     else if (place === this.place) this.show(answer);
     else if (answer.kind === "stale" && this.written(place) === before) await this.keepAgain(place, text);
@@ -205,9 +202,9 @@ export class CellEditor {
 
   /** Sends the text again, on top of another editor's change of another cell. */
   private async keepAgain(place: CellPlace, text: string): Promise<void> {
-    const answer = await this.queue.keep(place, text).catch(failed);
-    if (answer?.kind === "fine") this.kept(place, text);
-    else if (answer) this.tell(place, text, answer);
+    const answer = await this.app.editing.keep(setting(place, text)).catch(failed);
+    if (answer.kind === "fine") this.kept(place, text);
+    else this.tell(place, text, answer);
   }
 
   private tell({ state, event }: CellPlace, text: string, { words, findings }: Answer): void {

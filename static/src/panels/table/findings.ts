@@ -1,7 +1,7 @@
 /** Lists the verifier's findings, new ones first. */
 
+import { html, nothing, type TemplateResult } from "lit-html";
 import type { Finding } from "../../net/protocol";
-import { el } from "../../ui/dom";
 
 export interface MarkedFinding extends Finding {
   isNew: boolean;
@@ -37,23 +37,19 @@ export function countWords(findings: readonly Finding[]): string {
 export function findingItems(
   findings: readonly MarkedFinding[],
   go: (finding: Finding) => void,
-): HTMLLIElement[] {
+): TemplateResult[] {
   return findings.map((finding) => {
     const { severity, message, line, state, event, isNew } = finding;
     const place = [state && event ? `${state}/${event}` : (state ?? ""), line ? `line ${line}` : ""]
       .filter(Boolean)
       .join(", ");
     const where = state
-      ? el("button", { type: "button", class: "where" }, place)
-      : el("span", { class: "where" }, place);
-    if (state) where.addEventListener("click", () => go(finding));
-    const sign = el("i", { class: "severity", "aria-hidden": true });
-    return el(
-      "li",
-      { "data-severity": severity, class: isNew ? "new" : undefined },
-      sign,
-      el("span", { class: "said" }, el("b", {}, isNew ? `new ${severity}: ` : `${severity}: `), message),
-      place ? where : null,
-    );
+      ? html`<button type="button" class="where" .textContent=${place} @click=${() => go(finding)}></button>`
+      : html`<span class="where" .textContent=${place}></span>`;
+    return html`<li data-severity=${severity} class=${isNew ? "new" : nothing}>
+      <i class="severity" aria-hidden="true"></i>
+      <span class="said"><b>${isNew ? "new " : ""}${severity}: </b>${message}</span>
+      ${place ? where : null}
+    </li>`;
   });
 }

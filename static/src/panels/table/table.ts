@@ -32,6 +32,7 @@ export class Table {
     app.selection.layer.subscribe(() => this.draw());
     app.selection.layerStates.subscribe(() => this.mark());
     app.session.verdicts.on((verdict) => this.judge(verdict));
+    this.table.addEventListener("focusin", (focus) => this.select(focus.target));
     this.table.addEventListener("click", (click) => this.clicked(click));
     this.table.addEventListener("contextmenu", (click) => this.travelTo(click));
     this.table.addEventListener("keydown", (press) => this.pressed(press));
@@ -80,8 +81,17 @@ export class Table {
     cell.focus({ preventScroll: true });
   }
 
+  /** Tells the other panels which cell or state is meant. */
+  private select(target: EventTarget | null): void {
+    const layer = this.app.machine.layerInfo;
+    const { state, column } = target instanceof HTMLTableCellElement ? target.dataset : {};
+    if (layer && state)
+      this.app.inspection.selected.value = { layer: layer.name, state, event: column ?? null };
+  }
+
   private clicked({ target }: Event): void {
     const cell = target instanceof Element ? target.closest("td") : null;
+    this.select(cell);
     if (cell) this.edit(cell, null);
   }
 
@@ -96,6 +106,11 @@ export class Table {
   /** Handles the keys of the focused cell; they do not reach the character. */
   private pressed(press: KeyboardEvent): void {
     const cell = press.target;
+    if (press.altKey && press.key === "Enter") {
+      this.app.inspection.drawer.value = "cell";
+      press.preventDefault();
+      return;
+    }
     if (
       !(cell instanceof HTMLTableCellElement) ||
       press.ctrlKey ||

@@ -1,20 +1,20 @@
-/** Connects the table with its cell editor, cell inspector, version bar and the line of the last verdict. */
+/** Connects the table with its cell editor, trial report, version bar and the line of the last verdict. */
 
 import type { CellRequest } from "../../state/inspection";
 import type { App } from "../../view/app";
 import { byId } from "../../ui/dom";
 import { CellEditor } from "./cellEditor";
-import { CellInspector } from "./cellInspector";
+import { TrialReport } from "./trialReport";
 import { Table } from "./table";
-import { VersionBar } from "./versionBar";
+import { versionBar } from "./versionBar";
 
 export function tablePanel(_host: HTMLElement, app: App): void {
   const table: Table = new Table(byId("table"), byId("verdict"), app, (cell, typed) =>
     editor.open(cell, typed),
   );
-  const inspector = new CellInspector(byId("cell-inspector"), app.editing, (finding) => table.go(finding));
+  const inspector = new TrialReport(byId("cell-inspector"), app.editing, (finding) => table.go(finding));
   const editor = new CellEditor(byId("table"), app, inspector, (state, event) => table.cell(state, event));
-  new VersionBar(byId("version"), app, () => inspector.toggle());
+  versionBar(byId("version"), app, () => inspector.toggle());
   app.inspection.cells.on(({ layer, state, event, text }: CellRequest) => {
     table.go({ state, event, layer: app.machine.info.value?.layers[layer]?.name ?? "" });
     if (text !== null) editor.propose(table.cell(state, event), text);

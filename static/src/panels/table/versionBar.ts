@@ -1,82 +1,114 @@
-/** Shows the version, the last edit and the number of findings above the table, and a button to undo. */
+/** Shows the version, the last edit and the number of findings above the table; buttons to undo and redo. */
 
-import { effect } from "@preact/signals-core";
-import type { App } from "../../view/app";
-import { el, say } from "../../ui/dom";
-import { countWords } from "./findings";
+import { signal } from "@preact/signals-core";
+import { html } from "lit-html";
 import { reasonOf } from "../../net/reason";
+import type { Drawer } from "../../state/inspection";
+import { draw } from "../../ui/draw";
+import type { App } from "../../view/app";
+import { countWords } from "./findings";
 
-export class VersionBar {
-  private readonly version = el("b", { class: "version" });
-  private readonly what = el("span", { class: "what" });
-  private readonly findings = el("button", {
-    type: "button",
-    class: "plain count",
-    title: "what the verifier says of the table",
+/** Says how the newest version came about, or which edits the server has not answered. */
+function editWords({ machine, editing }: App): string {
+  const info = machine.info.value;
+  const [newest, waiting] = [editing.newest.value, editing.queue.waiting.value.length];
+  if (editing.queue.away.value)
+    return `the server does not answer: ${waiting} ${waiting > 1 ? "edits wait" : "edit waits"} here for it`;
+  if (!info) return "";
+  const kept = info.saved === "file" ? "in machine.yaml" : "by the server, not in its file";
+  const edited = info.version > 1 && newest?.version === info.version;
+  return edited ? `${newest.what}, kept ${kept}` : `edits are kept ${kept}`;
+}
+
+export function versionBar(host: HTMLElement, app: App, showFindings: () => void): void {
+  const { editing, machine, inspection } = app;
+  const measuring = signal(false);
+
+  async function measure(): Promise<void> {
+    measuring.value = true;
+    app.notices.emit(await editing.measure().catch(reasonOf));
+    measuring.value = false;
+  }
+
+  const toggle = (part: Drawer): void => {
+    inspection.drawer.value = inspection.drawer.value === part ? null : part;
+  };
+
+  draw(host, () => {
+    const info = machine.info.value;
+    const findings = countWords(editing.findings.value);
+    const words = editWords(app);
+    return html`<b class="version" .textContent=${info ? `v${info.version}` : ""}></b>
+      <span class="what" role="status" title=${words} .textContent=${words}></span>
+      <button
+        type="button"
+        class="plain count"
+        title="what the verifier says of the table"
+        aria-label=${`findings: ${findings}`}
+        .textContent=${findings === "nothing is wrong" ? "✓" : findings}
+        @click=${showFindings}
+      ></button>
+      <button
+        type="button"
+        class="plain"
+        title="play every transition, and measure it: feet, knees, hands, jumps"
+        ?disabled=${measuring.value}
+        .textContent=${measuring.value ? "measuring …" : "measure"}
+        @click=${() => void measure()}
+      ></button>
+      <button
+        type="button"
+        class="undo"
+        title="undo: the version before (Ctrl+Z)"
+        ?disabled=${!info?.undo}
+        @click=${() => void editing.undo()}
+      >
+        undo
+      </button>
+      <button
+        type="button"
+        class="redo"
+        title="redo: take the undo back (Ctrl+Shift+Z)"
+        ?disabled=${!info?.redo}
+        @click=${() => void editing.redo()}
+      >
+        redo
+      </button>
+      <button
+        type="button"
+        class="plain"
+        title="the selected cell or state, field by field (Alt+Enter)"
+        aria-expanded=${inspection.drawer.value === "cell"}
+        @click=${() => toggle("cell")}
+      >
+        inspect
+      </button>
+      <button
+        type="button"
+        class="plain"
+        title="all versions, and what each changed"
+        aria-expanded=${inspection.drawer.value === "versions"}
+        @click=${() => toggle("versions")}
+      >
+        versions
+      </button>`;
   });
-  private readonly measure = el(
-    "button",
-    {
-      type: "button",
-      class: "plain",
-      title: "play every transition, and measure it: feet, knees, hands, jumps",
-    },
-    "measure",
-  );
-  private readonly undo = el(
-    "button",
-    { type: "button", class: "undo", title: "the version before (Ctrl+Z)" },
-    "undo",
-  );
+  window.addEventListener("keydown", (press) => pressed(press, app));
+}
 
-  constructor(
-    host: HTMLElement,
-    private readonly app: App,
-    showFindings: () => void,
-  ) {
-    host.append(this.version, this.what, this.findings, this.measure, this.undo);
-    this.findings.addEventListener("click", showFindings);
-    this.measure.addEventListener("click", () => void this.measured());
-    this.undo.addEventListener("click", () => void app.editing.undo());
-    window.addEventListener("keydown", (press) => this.pressed(press));
-    effect(() => this.show());
-  }
+/** Undoes by Ctrl+Z, redoes by Ctrl+Shift+Z or Ctrl+Y; text fields have their own undo. */
+function pressed(press: KeyboardEvent, { machine, editing }: App): void {
+  const key = press.key.toLowerCase();
+  if (isTyping(press.composedPath()[0]) || !(press.ctrlKey || press.metaKey) || (key !== "z" && key !== "y"))
+    return;
+  const { undo, redo } = machine.info.value ?? { undo: 0, redo: 0 };
+  const again = press.shiftKey || key === "y";
+  if (!(again ? redo : undo)) return;
+  press.preventDefault();
+  void (again ? editing.redo() : editing.undo());
+}
 
-  private async measured(): Promise<void> {
-    this.measure.disabled = true;
-    say(this.measure, "measuring …");
-    const words = await this.app.editing.measure().catch(reasonOf);
-    this.app.notices.emit(words);
-    say(this.measure, "measure");
-    this.measure.disabled = false;
-  }
-
-  private pressed(press: KeyboardEvent): void {
-    const typing = press.target instanceof HTMLInputElement && press.target.type === "text";
-    if (
-      typing ||
-      press.key.toLowerCase() !== "z" ||
-      !(press.ctrlKey || press.metaKey) ||
-      press.shiftKey ||
-      this.undo.disabled
-    )
-      return;
-    press.preventDefault();
-    void this.app.editing.undo();
-  }
-
-  private show(): void {
-    const machine = this.app.machine.info.value;
-    const newest = this.app.editing.newest.value;
-    if (!machine) return;
-    say(this.version, `v${machine.version}`);
-    const kept = machine.saved === "file" ? "in machine.yaml" : "by the server, not in its file";
-    const edited = machine.version > 1 && newest?.version === machine.version;
-    say(this.what, edited ? `${newest.what}, kept ${kept}` : `edits are kept ${kept}`);
-    this.what.title = this.what.textContent;
-    const words = countWords(this.app.editing.findings.value);
-    say(this.findings, words === "nothing is wrong" ? "✓" : words);
-    this.findings.setAttribute("aria-label", `findings: ${words}`);
-    this.undo.disabled = machine.version < 2 || (edited && newest.before === 0);
-  }
+function isTyping(target: EventTarget | undefined): boolean {
+  if (target instanceof HTMLInputElement) return !["range", "checkbox", "radio"].includes(target.type);
+  return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
 }

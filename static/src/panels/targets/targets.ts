@@ -41,7 +41,7 @@ class TargetsPanel {
     app.machine.info.subscribe(begin);
     app.selection.actor.subscribe(begin);
     app.selection.layerStates.subscribe(([base]) => this.enter(base ?? ""));
-    app.parameters.changed.on(() => this.place());
+    app.parameters.all.subscribe(() => this.place());
     scene.canvas.addEventListener("pointermove", (event) => this.follow(event));
     app.frame.on(() => this.update());
   }

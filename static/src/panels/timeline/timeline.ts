@@ -121,7 +121,7 @@ class Timeline {
       quiet: token("--ink-2"),
       accent: token("--accent"),
       empty: token("--raise"),
-      font: `500 11px ${token("--font")}`,
+      font: `500 ${token("--text-xs")} ${token("--font")}`,
     };
     this.drawn = "";
   }

@@ -6,21 +6,22 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from statwalk.errors import RefusedEditError
-from statwalk.files.machine_yaml.edit.cells import events_of
-from statwalk.files.machine_yaml.edit.levels import Level, levels, raw_table, read, table_changes
-from statwalk.files.machine_yaml.edit.names import same, sentence_renamed
-from statwalk.files.machine_yaml.edit.operation import Operation, Part
+from statwalk.files.machine_yaml.edit.cell_edits import events_of
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
 from statwalk.files.machine_yaml.edit.raw_table import RawTable
-from statwalk.files.machine_yaml.edit.states import entries_at
+from statwalk.files.machine_yaml.edit.renaming import same, sentence_renamed
+from statwalk.files.machine_yaml.edit.state_edits import entries_at
+from statwalk.files.machine_yaml.edit.table_levels import TableLevel, levels, raw_table, read, table_changes
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.files.yaml.yaml_edit import Path, find, without
+from statwalk.files.yaml.yaml_edit import without
 from statwalk.files.yaml.yaml_node import Node
+from statwalk.files.yaml.yaml_places import Path, find
 from statwalk.machine.definition.machine_definition import BASE
 from statwalk.machine.lint.findings import Finding
 
 
 @dataclass(frozen=True)
-class DeleteEvent(Operation):
+class DeleteEvent(EditOperation):
     """Deletes an event, with its columns. `also_cells`: also the cells that answer it, its keys, its sense
     and the other lines about it; without, it is refused if there are any.
     """
@@ -52,7 +53,7 @@ class DeleteEvent(Operation):
         text = text._replace(yaml=without(text.yaml, ("events", self.event)))
         return table_changes(text, self._leave).applied(text)
 
-    def _leave(self, _: Level, table: RawTable) -> None:
+    def _leave(self, _: TableLevel, table: RawTable) -> None:
         if self.event in table.columns():
             table.remove_column(self.event)
 

@@ -6,22 +6,23 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from statwalk.errors import MachineError, RefusedEditError
-from statwalk.files.machine_yaml.edit.cells import has_fields, target_of
-from statwalk.files.machine_yaml.edit.levels import (
-    Level,
+from statwalk.files.machine_yaml.edit.cell_edits import has_fields, target_of
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
+from statwalk.files.machine_yaml.edit.raw_table import RawTable
+from statwalk.files.machine_yaml.edit.renaming import StateNames, same, sentence_renamed
+from statwalk.files.machine_yaml.edit.state_edits import entries_at, state_names
+from statwalk.files.machine_yaml.edit.table_levels import (
+    TableLevel,
     existing_state,
     levels_of,
     raw_table,
     read,
     table_changes,
 )
-from statwalk.files.machine_yaml.edit.names import StateNames, same, sentence_renamed
-from statwalk.files.machine_yaml.edit.operation import Operation, Part
-from statwalk.files.machine_yaml.edit.raw_table import RawTable
-from statwalk.files.machine_yaml.edit.states import entries_at, state_names
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.files.yaml.yaml_edit import Path, find, with_value, without
+from statwalk.files.yaml.yaml_edit import with_value, without
 from statwalk.files.yaml.yaml_node import Node
+from statwalk.files.yaml.yaml_places import Path, find
 from statwalk.files.yaml.yaml_value import Value
 from statwalk.machine.definition.machine_definition import BASE
 from statwalk.machine.definition.state_table import CELL
@@ -29,7 +30,7 @@ from statwalk.machine.lint.findings import Finding
 
 
 @dataclass(frozen=True)
-class DeleteState(Operation):
+class DeleteState(EditOperation):
     """Deletes a state, with its row. `also_cells`: makes the cells blank that lead to it, and deletes the
     properties and other lines about it; without, it is refused if there are any.
     """
@@ -86,13 +87,13 @@ class _Gone:
         match = CELL.fullmatch(cell)
         return match is not None and self.has(self.names.meant(composite, match["state"]))
 
-    def leave_table(self, level: Level, table: RawTable) -> None:
+    def leave_table(self, level: TableLevel, table: RawTable) -> None:
         for row in table.names():
             if self.has(level.full(row)):
                 table.remove_row(row)
         table.change(lambda cell: "" if self.is_goal(level.composite, cell) else cell)
 
-    def goals(self, level: Level) -> Iterator[tuple[str, Node]]:
+    def goals(self, level: TableLevel) -> Iterator[tuple[str, Node]]:
         """The entries under `cells` of a level that lead there, from elsewhere."""
         cells = level.entry("cells")
         for name, node in cells.entries().items() if cells is not None and cells.is_mapping else ():
@@ -114,7 +115,7 @@ def _goals(target: Node | None) -> list[str]:
     ]
 
 
-def _check_initial(level: Level, name: str) -> None:
+def _check_initial(level: TableLevel, name: str) -> None:
     """:raises MachineError: when the machine begins with the state, or has no other."""
     initial = level.entry("initial")
     if initial is not None and initial.value == name:
@@ -197,7 +198,9 @@ def _changes_elsewhere(text: MachineText, root: Node, gone: _Gone) -> Iterator[t
             yield from _changes_of_cells(text, level, gone)
 
 
-def _changes_of_cells(text: MachineText, level: Level, gone: _Gone) -> Iterator[tuple[Path, Value | None]]:
+def _changes_of_cells(
+    text: MachineText, level: TableLevel, gone: _Gone
+) -> Iterator[tuple[Path, Value | None]]:
     """What changes under `cells` of a level: entries of the state's rows, targets, fields of blank cells."""
     table, cells = raw_table(text, level), level.entry("cells")
     for name, node in cells.entries().items() if cells is not None and cells.is_mapping else ():
@@ -212,7 +215,7 @@ def _changes_of_cells(text: MachineText, level: Level, gone: _Gone) -> Iterator[
             yield (*path, "to") if inner and rest else path, rest
 
 
-def _rest(target: Node | None, level: Level, gone: _Gone) -> Value | None:
+def _rest(target: Node | None, level: TableLevel, gone: _Gone) -> Value | None:
     """The next states that are left; None if there are none."""
     if target is None or target.is_text:
         return None

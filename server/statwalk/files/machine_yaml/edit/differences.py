@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 from statwalk.errors import ContentError
 from statwalk.files.machine_yaml.edit.edited import edited
-from statwalk.files.machine_yaml.edit.events import RenameEvent
-from statwalk.files.machine_yaml.edit.operation import Operation, Part, Parts
+from statwalk.files.machine_yaml.edit.event_edits import RenameEvent
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part, Parts
 from statwalk.files.machine_yaml.edit.parts import parts_of
-from statwalk.files.machine_yaml.edit.states import RenameState
+from statwalk.files.machine_yaml.edit.state_edits import RenameState
 from statwalk.files.machine_yaml.machine_text import MachineText
 
 MOST_PAIRS = 64
@@ -74,7 +74,7 @@ def differences(older: str, newer: str) -> Differences:
     )
 
 
-def _renaming(text: str, after: Parts) -> tuple[NameDifference, Operation] | None:
+def _renaming(text: str, after: Parts) -> tuple[NameDifference, EditOperation] | None:
     """A renaming that makes an older text more like the newer one; None if there is none."""
     before = parts_of(MachineText.of(text))
     gone = [part for part in before if part[:2] in NAMED and part not in after]
@@ -91,7 +91,7 @@ def _renaming(text: str, after: Parts) -> tuple[NameDifference, Operation] | Non
 NAMED = ("name", STATE), ("name", EVENT)
 
 
-def _operation(old: Part, new: Part) -> Operation | None:
+def _operation(old: Part, new: Part) -> EditOperation | None:
     """The renaming of one name to the other, if both stand in the same place."""
     if old[1] == EVENT:
         return RenameEvent(old[2], new[2])
@@ -99,7 +99,7 @@ def _operation(old: Part, new: Part) -> Operation | None:
     return RenameState(old[3], name, old[2]) if old[3].rpartition(".")[0] == outer else None
 
 
-def _is_alike(text: str, operation: Operation, after: Parts, most: int) -> bool:
+def _is_alike(text: str, operation: EditOperation, after: Parts, most: int) -> bool:
     """Whether fewer parts differ after an operation, by more than the name itself."""
     try:
         parts = parts_of(MachineText.of(edited(text, [operation])))

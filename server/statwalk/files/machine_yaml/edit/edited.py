@@ -6,12 +6,12 @@ import re
 from collections.abc import Iterable, Sequence
 
 from statwalk.errors import ContentError, MachineError
-from statwalk.files.machine_yaml.edit.operation import Operation, Part, Parts
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part, Parts
 from statwalk.files.machine_yaml.edit.parts import parts_of
 from statwalk.files.machine_yaml.machine_text import MachineText
 
 
-def edited(text: str, operations: Iterable[Operation]) -> str:
+def edited(text: str, operations: Iterable[EditOperation]) -> str:
     """Returns a machine's whole text (`machine_text`) after operations, one after the other.
 
     :raises MachineError: when the text cannot be read, or an operation is not possible.
@@ -28,7 +28,7 @@ def edited(text: str, operations: Iterable[Operation]) -> str:
     return parts.whole()
 
 
-def conflict(base: str, newest: str, operations: Sequence[Operation]) -> Part | None:
+def conflict(base: str, newest: str, operations: Sequence[EditOperation]) -> Part | None:
     """Returns a part that operations touch, and that two texts say differently; None if there is none.
 
     Operations that were made for the text `base` may be applied to `newest` if there is none.

@@ -5,12 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from statwalk.files.machine_yaml.edit.levels import Level, levels, read, table_changes
-from statwalk.files.machine_yaml.edit.names import Rename, keys_renamed, same, sentence_renamed, value_renamed
 from statwalk.files.machine_yaml.edit.raw_table import RawTable
+from statwalk.files.machine_yaml.edit.renaming import (
+    Rename,
+    keys_renamed,
+    same,
+    sentence_renamed,
+    value_renamed,
+)
+from statwalk.files.machine_yaml.edit.table_levels import TableLevel, levels, read, table_changes
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.files.yaml.yaml_edit import Splice, find
 from statwalk.files.yaml.yaml_node import Node
+from statwalk.files.yaml.yaml_places import Splice, find
 from statwalk.machine.definition.state_table import CELL
 
 RAISED = re.compile(r"\s*raise\s*\(\s*([^,()\s]+)")
@@ -20,7 +26,7 @@ MARKER = "marker "
 def event_renamed(text: MachineText, old: str, new: str) -> MachineText:
     """Returns the text with another name for an event, and for the markers of this name."""
 
-    def in_table(_: Level, table: RawTable) -> None:
+    def in_table(_: TableLevel, table: RawTable) -> None:
         if old in table.columns():
             table.rename_column(old, new)
         table.change(lambda cell: _cell(cell, old, new))
@@ -59,7 +65,7 @@ def _splices(text: str, root: Node, old: str, new: str) -> Iterator[Splice]:
         yield from value_renamed(sentence, changed, bool(properties and properties.style))
 
 
-def _in_cells(text: str, level: Level, old: str, new: str) -> Iterator[Splice]:
+def _in_cells(text: str, level: TableLevel, old: str, new: str) -> Iterator[Splice]:
     """The replacements under `cells`: the names of cells, moments at a marker, raised events."""
     cells = level.entry("cells")
 

@@ -13,7 +13,7 @@ Parts = Mapping[Part, str]
 """what a machine says in each of its parts"""
 
 
-class Operation(ABC):
+class EditOperation(ABC):
     """One change; it prints as a few words for people."""
 
     @abstractmethod

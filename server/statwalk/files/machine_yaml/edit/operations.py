@@ -1,15 +1,21 @@
 """All operations on a machine's text."""
 
-from statwalk.files.machine_yaml.edit.cells import SetCell
+from statwalk.files.machine_yaml.edit.cell_edits import SetCell
 from statwalk.files.machine_yaml.edit.deleted_event import DeleteEvent
 from statwalk.files.machine_yaml.edit.deleted_state import DeleteState
-from statwalk.files.machine_yaml.edit.entries import AddEntry, DeleteEntry, MoveEntry, SetEntry
-from statwalk.files.machine_yaml.edit.events import AddEvent, MoveEvent, RenameEvent, SetEvent
-from statwalk.files.machine_yaml.edit.layers import AddLayer, DeleteLayer, MoveLayer, RenameLayer, SetLayer
-from statwalk.files.machine_yaml.edit.motions import DeleteBlendClip, SetBlendClip, SetMarker
-from statwalk.files.machine_yaml.edit.operation import Operation
+from statwalk.files.machine_yaml.edit.entry_edits import AddEntry, DeleteEntry, MoveEntry, SetEntry
+from statwalk.files.machine_yaml.edit.event_edits import AddEvent, MoveEvent, RenameEvent, SetEvent
+from statwalk.files.machine_yaml.edit.layer_edits import (
+    AddLayer,
+    DeleteLayer,
+    MoveLayer,
+    RenameLayer,
+    SetLayer,
+)
+from statwalk.files.machine_yaml.edit.motion_edits import DeleteBlendClip, SetBlendClip, SetMarker
+from statwalk.files.machine_yaml.edit.operation import EditOperation
 from statwalk.files.machine_yaml.edit.parameter_names import RenameCollider, RenameParameter
-from statwalk.files.machine_yaml.edit.settings import (
+from statwalk.files.machine_yaml.edit.setting_edits import (
     AddProperty,
     MoveProperty,
     SetDefaults,
@@ -19,7 +25,7 @@ from statwalk.files.machine_yaml.edit.settings import (
     SetProperty,
     SetView,
 )
-from statwalk.files.machine_yaml.edit.states import AddState, MoveState, RenameState, SetState
+from statwalk.files.machine_yaml.edit.state_edits import AddState, MoveState, RenameState, SetState
 
 __all__ = [
     "AddEntry",
@@ -32,12 +38,12 @@ __all__ = [
     "DeleteEvent",
     "DeleteLayer",
     "DeleteState",
+    "EditOperation",
     "MoveEntry",
     "MoveEvent",
     "MoveLayer",
     "MoveProperty",
     "MoveState",
-    "Operation",
     "RenameCollider",
     "RenameEvent",
     "RenameLayer",

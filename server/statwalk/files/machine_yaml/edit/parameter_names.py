@@ -7,19 +7,20 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml.edit.entries import check_entry
-from statwalk.files.machine_yaml.edit.levels import levels, read
-from statwalk.files.machine_yaml.edit.names import check_name, keys_renamed, value_renamed
-from statwalk.files.machine_yaml.edit.operation import Operation, Part
-from statwalk.files.machine_yaml.edit.states import entries_at
+from statwalk.files.machine_yaml.edit.entry_edits import check_entry
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
+from statwalk.files.machine_yaml.edit.renaming import check_name, keys_renamed, value_renamed
+from statwalk.files.machine_yaml.edit.state_edits import entries_at
+from statwalk.files.machine_yaml.edit.table_levels import levels, read
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.files.yaml.yaml_edit import BLOCKS, Splice, find, renamed_key, spliced
+from statwalk.files.yaml.yaml_edit import renamed_key
 from statwalk.files.yaml.yaml_node import Node
+from statwalk.files.yaml.yaml_places import BLOCKS, Splice, find, spliced
 from statwalk.machine.definition.parameter_definition import COMPONENTS
 
 
 @dataclass(frozen=True)
-class RenameParameter(Operation):
+class RenameParameter(EditOperation):
     """Renames a parameter, also in conditions, expressions, blends, solvers and keys."""
 
     name: str
@@ -121,7 +122,7 @@ def _nodes(node: Node | None) -> list[Node]:
 
 
 @dataclass(frozen=True)
-class RenameCollider(Operation):
+class RenameCollider(EditOperation):
     """Renames a collider, also in the touches of this machine."""
 
     name: str

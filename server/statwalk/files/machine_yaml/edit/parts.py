@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from statwalk.files.machine_yaml.edit.cells import events_of, has_fields
-from statwalk.files.machine_yaml.edit.entries import KINDS
-from statwalk.files.machine_yaml.edit.levels import Level, levels, raw_table, read
+from statwalk.files.machine_yaml.edit.cell_edits import events_of, has_fields
+from statwalk.files.machine_yaml.edit.entry_edits import KINDS
 from statwalk.files.machine_yaml.edit.operation import Part, Parts
-from statwalk.files.machine_yaml.edit.settings import SETTINGS
-from statwalk.files.machine_yaml.edit.states import entries_at
+from statwalk.files.machine_yaml.edit.setting_edits import SETTINGS
+from statwalk.files.machine_yaml.edit.state_edits import entries_at
+from statwalk.files.machine_yaml.edit.table_levels import TableLevel, levels, raw_table, read
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_node import Node
 from statwalk.files.yaml.yaml_value import flow
@@ -40,7 +40,7 @@ def parts_of(text: MachineText) -> Parts:
     return found
 
 
-def _parts_of_level(text: MachineText, level: Level) -> dict[Part, str]:
+def _parts_of_level(text: MachineText, level: TableLevel) -> dict[Part, str]:
     found: dict[Part, str] = {}
     if level.layer != BASE and not level.composite:
         found["name", "layer", level.layer] = ""
@@ -58,7 +58,7 @@ def _parts_of_level(text: MachineText, level: Level) -> dict[Part, str]:
     return found | _parts_of_cells(text, level)
 
 
-def _parts_of_cells(text: MachineText, level: Level) -> dict[Part, str]:
+def _parts_of_cells(text: MachineText, level: TableLevel) -> dict[Part, str]:
     found: dict[Part, str] = {}
     table, cells = raw_table(text, level), level.entry("cells")
     for column in table.columns() if table else ():

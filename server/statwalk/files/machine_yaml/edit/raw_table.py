@@ -2,30 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
-from statwalk.machine.definition.state_table import bars, is_rule
-
-CSV_CELL = re.compile(r'"(?:[^"]|"")*"|[^,]*')
-
-
-@dataclass(frozen=True)
-class Line:
-    """A line; `cells` is empty for a line that is no row, `head` and `end` stand around the cells."""
-
-    head: str
-    cells: tuple[str, ...]
-    end: str
-    is_rule: bool = False
+from statwalk.files.machine_yaml.edit.table_lines import TableLine, bar_line, csv_line
 
 
 @dataclass
 class RawTable:
     """The lines of a table; `bar` stands between cells."""
 
-    lines: list[Line]
+    lines: list[TableLine]
     bar: str
 
     def text(self) -> str:
@@ -34,7 +21,7 @@ class RawTable:
 
     # --- names
 
-    def content(self, line: Line, column: int) -> str:
+    def content(self, line: TableLine, column: int) -> str:
         """Returns what a cell says."""
         cell = line.cells[column].strip()
         return cell[1:-1].replace('""', '"').strip() if self.bar == "," and cell[:1] == '"' else cell
@@ -62,10 +49,10 @@ class RawTable:
                 if text := self.content(line, place):
                     yield self.content(line, 0), column, text
 
-    def _rows(self) -> list[Line]:
+    def _rows(self) -> list[TableLine]:
         return [line for line in self.lines if line.cells and not line.is_rule]
 
-    def _line(self, row: str) -> Line:
+    def _line(self, row: str) -> TableLine:
         return next(line for line in self._rows()[1:] if self.content(line, 0) == row)
 
     # --- cells
@@ -88,7 +75,7 @@ class RawTable:
         for column in wider:
             self._widen(column)
 
-    def _put(self, line: Line, column: int, text: str) -> Line:
+    def _put(self, line: TableLine, column: int, text: str) -> TableLine:
         """Replaces a line by one with another cell."""
         cells = list(line.cells)
         cells[column] = self._padded(line, column, text, len(cells[column]))
@@ -96,7 +83,7 @@ class RawTable:
         self.lines[self.lines.index(line)] = changed
         return changed
 
-    def _padded(self, line: Line, column: int, text: str, width: int) -> str:
+    def _padded(self, line: TableLine, column: int, text: str, width: int) -> str:
         if self.bar != "|":
             return text
         if line.is_rule:
@@ -152,7 +139,7 @@ class RawTable:
             if line.cells:
                 self.lines[at] = self._with_cell(line, place, name if line is header else "", len(name) + 2)
 
-    def _with_cell(self, line: Line, place: int, text: str, width: int) -> Line:
+    def _with_cell(self, line: TableLine, place: int, text: str, width: int) -> TableLine:
         cells = list(line.cells)
         if place == len(cells) and self.bar == "|" and not line.end.startswith("|"):
             widths = [len(row.cells[-1]) for row in self._rows()]
@@ -198,7 +185,7 @@ class RawTable:
         if is_even:
             self._widen(column)
 
-    def _widths(self, column: int, without: Line) -> set[int]:
+    def _widths(self, column: int, without: TableLine) -> set[int]:
         """The widths of a column in all lines but one."""
         return {len(line.cells[column]) for line in self.lines if line.cells and line is not without}
 
@@ -217,40 +204,9 @@ class RawTable:
 
 def table_with_bars(text: str) -> RawTable:
     """Returns the table of lines with `|` between cells."""
-    return RawTable([_bar_line(line) for line in text.splitlines(keepends=True)], "|")
-
-
-def _bar_line(line: str) -> Line:
-    body = line.strip()
-    if not body:
-        return Line(line, (), "")
-    start = line.index(body)
-    head = line[:start] + "|" * body.startswith("|")
-    inner = line[len(head) :]
-    ending = inner[len(inner.rstrip("\r\n")) :]
-    inner = inner.rstrip("\r\n")
-    if body.startswith("|") and inner.rstrip().endswith("|"):
-        closing = inner.rindex("|")
-        inner, ending = inner[:closing], inner[closing:] + ending
-    cells = tuple(inner.split("|"))
-    assert [cell.strip() for cell in cells] == bars(body)
-    return Line(head, cells, ending, is_rule(body))
+    return RawTable([bar_line(line) for line in text.splitlines(keepends=True)], "|")
 
 
 def table_of_csv(text: str) -> RawTable:
     """Returns the table of comma-separated values."""
-    return RawTable([_csv_line(line) for line in text.splitlines(keepends=True)], ",")
-
-
-def _csv_line(line: str) -> Line:
-    body = line.rstrip("\r\n")
-    if not body.strip(", "):
-        return Line(line, (), "")
-    cells = []
-    place = 0
-    while place <= len(body):
-        match = CSV_CELL.match(body, place)
-        assert match is not None
-        cells.append(match[0])
-        place = match.end() + 1
-    return Line("", tuple(cells), line[len(body) :])
+    return RawTable([csv_line(line) for line in text.splitlines(keepends=True)], ",")

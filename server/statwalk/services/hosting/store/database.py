@@ -81,6 +81,7 @@ INSERT INTO commits VALUES (1, 0);
 """
 
 
+DAMAGED = "the database is damaged where it says which tables it has"
 _ORPHANS = "DELETE FROM {0} WHERE stage NOT IN (SELECT id FROM stages UNION SELECT stage FROM ends)"
 """a command may have followed the end of its stage; where a log has an end, the stage's row is missing"""
 
@@ -133,6 +134,9 @@ def opened(path: Path) -> sqlite3.Connection:
                 f"the folder cannot keep a database in WAL mode (it has {mode}); use one on a local disk",
                 file=str(path),
             )
+    except UnicodeDecodeError as error:  # SQLite's message repeats what is damaged
+        connection.close()
+        raise sqlite3.DatabaseError(DAMAGED) from error
     except BaseException:
         connection.close()
         raise

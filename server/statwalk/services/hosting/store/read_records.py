@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from statwalk.errors import StorageError
-from statwalk.services.hosting.store.database import SEALED, STAGES
+from statwalk.services.hosting.store.database import DAMAGED, SEALED, STAGES
 from statwalk.services.hosting.store.records import (
     KeptBeginning,
     KeptKey,
@@ -104,7 +104,7 @@ class KeptRecords:
         for place, line, link in self._rows(
             "SELECT place, line, chain FROM commands WHERE stage = ? ORDER BY place", stage
         ):
-            chain = chained(chain, line)
+            chain = chained(chain, line) if isinstance(line, str) else b""  # a flip may make it no text
             lines.append(line)
             if place != len(lines) or link != chain:
                 raise StorageError(f"entry {place} of the log is damaged")
@@ -176,5 +176,7 @@ class KeptRecords:
                 yield from reader.execute(sql, values).fetchall()
             finally:
                 reader.close()
+        except UnicodeDecodeError as error:  # SQLite's message repeats what is damaged
+            raise StorageError(f"{self.path}: {DAMAGED}") from error
         except sqlite3.Error as error:
             raise StorageError(f"the database {self.path} is damaged: {error}") from error

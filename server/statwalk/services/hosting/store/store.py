@@ -90,6 +90,20 @@ class Store:
         )
         self.flush()
 
+    def rename_versions(self, machine: str, new: str, versions: Iterable[MachineVersion]) -> None:
+        """Keeps the versions of a machine under another name, and waits until that is durable.
+
+        :raises StorageError: when the disk refuses.
+        """
+        rows = [version_row(new, version) for version in versions]
+        self.writer.put(
+            [
+                Statement("DELETE FROM versions WHERE machine = ?", [(machine,), (new,)]),
+                Statement("INSERT INTO versions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows),
+            ]
+        )
+        self.flush()
+
     def forget_versions(self, machine: str) -> None:
         """Forgets the versions of a machine, and waits until that is durable.
 

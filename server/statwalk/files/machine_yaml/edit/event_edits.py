@@ -6,25 +6,25 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml.edit.cells import events_of
+from statwalk.files.machine_yaml.edit.cell_edits import events_of
 from statwalk.files.machine_yaml.edit.event_names import event_renamed, markers_of
-from statwalk.files.machine_yaml.edit.levels import (
-    Level,
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
+from statwalk.files.machine_yaml.edit.raw_table import RawTable
+from statwalk.files.machine_yaml.edit.renaming import check_name
+from statwalk.files.machine_yaml.edit.table_levels import (
+    TableLevel,
     level_of,
     raw_table,
     read,
     with_table,
 )
-from statwalk.files.machine_yaml.edit.names import check_name
-from statwalk.files.machine_yaml.edit.operation import Operation, Part
-from statwalk.files.machine_yaml.edit.raw_table import RawTable
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import with_value, without
 from statwalk.machine.definition.machine_definition import BASE, END
 
 
 @dataclass(frozen=True)
-class AddEvent(Operation):
+class AddEvent(EditOperation):
     """Adds an event: a column of blank cells in the table of a layer, before the column `before` or last.
     `composite`: the state whose own table gets the column; `buffer` in seconds.
     """
@@ -52,7 +52,7 @@ class AddEvent(Operation):
         text = with_table(text, level, table)
         return text if self.buffer is None else SetEvent(self.event, self.buffer).apply(text)
 
-    def _table(self, text: MachineText) -> tuple[Level, RawTable | None]:
+    def _table(self, text: MachineText) -> tuple[TableLevel, RawTable | None]:
         level, _ = level_of(read(text), self.layer, f"{self.composite}.*" if self.composite else "*")
         return level, raw_table(text, level)
 
@@ -62,7 +62,7 @@ class AddEvent(Operation):
 
 
 @dataclass(frozen=True)
-class SetEvent(Operation):
+class SetEvent(EditOperation):
     """Changes the buffer of an event, in seconds; None: as the defaults say."""
 
     event: str
@@ -86,7 +86,7 @@ class SetEvent(Operation):
 
 
 @dataclass(frozen=True)
-class RenameEvent(Operation):
+class RenameEvent(EditOperation):
     """Renames an event everywhere in the file, also in keys and properties; a marker of the same name too."""
 
     event: str
@@ -114,7 +114,7 @@ class RenameEvent(Operation):
 
 
 @dataclass(frozen=True)
-class MoveEvent(Operation):
+class MoveEvent(EditOperation):
     """Moves a column of a layer's table before another, or to the end."""
 
     event: str

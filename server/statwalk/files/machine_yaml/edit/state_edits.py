@@ -6,18 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml.edit.levels import (
-    Level,
-    existing_state,
-    level_of,
-    levels,
-    own_name,
-    raw_table,
-    read,
-    table_changes,
-    with_table,
-)
-from statwalk.files.machine_yaml.edit.names import (
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
+from statwalk.files.machine_yaml.edit.raw_table import RawTable
+from statwalk.files.machine_yaml.edit.renaming import (
     StateNames,
     StateRename,
     check_name,
@@ -27,11 +18,21 @@ from statwalk.files.machine_yaml.edit.names import (
     targets_renamed,
     value_renamed,
 )
-from statwalk.files.machine_yaml.edit.operation import Operation, Part
-from statwalk.files.machine_yaml.edit.raw_table import RawTable
+from statwalk.files.machine_yaml.edit.table_levels import (
+    TableLevel,
+    existing_state,
+    level_of,
+    levels,
+    own_name,
+    raw_table,
+    read,
+    table_changes,
+    with_table,
+)
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.files.yaml.yaml_edit import Path, Splice, find, moved, renamed_key, with_value, without
+from statwalk.files.yaml.yaml_edit import moved, renamed_key, with_value, without
 from statwalk.files.yaml.yaml_node import Node
+from statwalk.files.yaml.yaml_places import Path, Splice, find
 from statwalk.files.yaml.yaml_value import Value
 from statwalk.machine.definition.machine_definition import BASE
 
@@ -41,7 +42,7 @@ NO_MOTION = "none"
 
 
 @dataclass(frozen=True)
-class AddState(Operation):
+class AddState(EditOperation):
     """Adds a state with a row of blank cells; `fields` as in the file. Without a `motion` it is at rest (in a
     layer above the base: `none`). It comes before the state `before`, or last.
     """
@@ -75,7 +76,7 @@ class AddState(Operation):
 
 
 @dataclass(frozen=True)
-class SetState(Operation):
+class SetState(EditOperation):
     """Changes `motion`, `loop`, `speed`, `final`, `resume` or `markers` of a state; None removes one."""
 
     state: str
@@ -98,7 +99,7 @@ class SetState(Operation):
 
 
 @dataclass(frozen=True)
-class RenameState(Operation):
+class RenameState(EditOperation):
     """Renames a state everywhere in the file; `to` is its new name, without the composite state around it."""
 
     state: str
@@ -137,14 +138,14 @@ def state_names(root: Node, layer: str) -> StateNames:
     )
 
 
-def _rename_in_table(level: Level, table: RawTable, rename: StateRename) -> None:
+def _rename_in_table(level: TableLevel, table: RawTable, rename: StateRename) -> None:
     for row in table.names():
         if (new := _row(level, row, rename)) != row:
             table.rename_row(row, new)
     table.change(lambda cell: rename.of_cell(level.composite, cell))
 
 
-def _row(level: Level, row: str, rename: StateRename) -> str:
+def _row(level: TableLevel, row: str, rename: StateRename) -> str:
     """The new name of a row of a level, by which a state of the level or within is called there."""
     new = rename.full(level.full(row))
     return new.removeprefix(f"{rename.full(level.composite)}.") if level.composite else new
@@ -168,7 +169,7 @@ def _renamed_in_file(text: str, root: Node, layer: str, rename: StateRename) -> 
         )
 
 
-def _renamed_in_level(text: str, level: Level, rename: StateRename) -> Iterator[Splice]:
+def _renamed_in_level(text: str, level: TableLevel, rename: StateRename) -> Iterator[Splice]:
     initial = level.entry("initial")
     if initial is not None:
         yield from value_renamed(initial, _row(level, initial.text(), rename))
@@ -214,7 +215,7 @@ def with_fields(text: MachineText, path: Path, fields: Mapping[str, Value | None
 
 
 @dataclass(frozen=True)
-class MoveState(Operation):
+class MoveState(EditOperation):
     """Moves a state, and its row, before another state of its machine, or to the end."""
 
     state: str

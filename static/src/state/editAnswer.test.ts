@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { refusal } from "./editing";
+import { refusal } from "./editAnswer";
 
 const place = { layer: "base", state: "WALK", event: "LEFT" };
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml.edit.levels import read
-from statwalk.files.machine_yaml.edit.names import check_name
-from statwalk.files.machine_yaml.edit.operation import Operation, Part
-from statwalk.files.machine_yaml.edit.states import entries_at, with_fields
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
+from statwalk.files.machine_yaml.edit.renaming import check_name
+from statwalk.files.machine_yaml.edit.state_edits import entries_at, with_fields
+from statwalk.files.machine_yaml.edit.table_levels import read
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_value, without
 from statwalk.files.yaml.yaml_value import Value
@@ -25,7 +25,7 @@ KINDS: Mapping[Section, str] = {
 
 
 @dataclass(frozen=True)
-class AddEntry(Operation):
+class AddEntry(EditOperation):
     """Adds an entry with its fields as in the file, before another or last."""
 
     section: Section
@@ -54,7 +54,7 @@ class AddEntry(Operation):
 
 
 @dataclass(frozen=True)
-class SetEntry(Operation):
+class SetEntry(EditOperation):
     """Changes fields of an entry; None removes a field."""
 
     section: Section
@@ -77,7 +77,7 @@ class SetEntry(Operation):
 
 
 @dataclass(frozen=True)
-class DeleteEntry(Operation):
+class DeleteEntry(EditOperation):
     """Deletes an entry; the reader refuses the machine if something still names it."""
 
     section: Section
@@ -98,7 +98,7 @@ class DeleteEntry(Operation):
 
 
 @dataclass(frozen=True)
-class MoveEntry(Operation):
+class MoveEntry(EditOperation):
     """Moves an entry before another, or to the end."""
 
     section: Section

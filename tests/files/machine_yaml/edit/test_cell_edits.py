@@ -7,7 +7,7 @@ import difflib
 import pytest
 from paths import MACHINES
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml.edit.cells import SetCell
+from statwalk.files.machine_yaml.edit.cell_edits import SetCell
 from statwalk.files.machine_yaml.edit.edited import edited
 
 WALKER = (MACHINES / "faq-walker" / "machine.yaml").read_text()

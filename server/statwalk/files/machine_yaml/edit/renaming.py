@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.cells import CELL_KEYS
-from statwalk.files.machine_yaml.edit.levels import Level
-from statwalk.files.yaml.yaml_edit import Splice, renamed_key
+from statwalk.files.machine_yaml.edit.table_levels import TableLevel
+from statwalk.files.yaml.yaml_edit import renamed_key
 from statwalk.files.yaml.yaml_node import Node
+from statwalk.files.yaml.yaml_places import Splice
 from statwalk.files.yaml.yaml_value import text_of
 from statwalk.machine.definition.state_table import CELL, NAME
 from statwalk.machine.model_checker.properties import LEADS, NEVER, ONLY_AFTER, REACHES
@@ -109,7 +110,7 @@ def keys_renamed(text: str, node: Node | None, new: Rename) -> Iterator[Splice]:
                 yield renamed_key(text, node, key, changed)
 
 
-def targets_renamed(text: str, level: Level, rename: StateRename) -> Iterator[Splice]:
+def targets_renamed(text: str, level: TableLevel, rename: StateRename) -> Iterator[Splice]:
     """Yields the replacements of next states that `cells` of a level names."""
     cells = level.entry("cells")
     if cells is None or not cells.is_mapping:

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from statwalk.files.machine_yaml.edit.levels import existing_state, read
-from statwalk.files.machine_yaml.edit.operation import Operation, Part
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
+from statwalk.files.machine_yaml.edit.table_levels import existing_state, read
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.files.yaml.yaml_edit import Path, find, with_value, without
+from statwalk.files.yaml.yaml_edit import with_value, without
+from statwalk.files.yaml.yaml_places import Path, find
 from statwalk.machine.definition.machine_definition import BASE
 
 
 @dataclass(frozen=True)
-class SetBlendClip(Operation):
+class SetBlendClip(EditOperation):
     """Puts a clip at a point of a state's blend, or moves it there; `at` has a number for each parameter."""
 
     state: str
@@ -36,7 +37,7 @@ class SetBlendClip(Operation):
 
 
 @dataclass(frozen=True)
-class DeleteBlendClip(Operation):
+class DeleteBlendClip(EditOperation):
     """Takes a clip out of a state's blend, with its markers."""
 
     state: str
@@ -75,7 +76,7 @@ def _blend(text: MachineText, where: SetBlendClip | DeleteBlendClip) -> Path:
 
 
 @dataclass(frozen=True)
-class SetMarker(Operation):
+class SetMarker(EditOperation):
     """Puts a marker at a phase 0…1 of a state's motion (`clip`: of one clip of its blend), or (None) removes
     it.
     """

@@ -9,13 +9,13 @@ from typing import NamedTuple
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.raw_table import RawTable, table_of_csv, table_with_bars
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.files.yaml.yaml_edit import Path, Splice, spliced
+from statwalk.files.yaml.yaml_places import Path, Splice, spliced
 from statwalk.files.yaml.yaml_text import Node, parse
 from statwalk.machine.definition.machine_definition import ANY, BASE
 
 
 @dataclass(frozen=True)
-class Level:
+class TableLevel:
     """The part of a file that has states and a table: `path` leads to it; `composite` is the state around
     it, empty at the top of a layer.
     """
@@ -47,27 +47,27 @@ def read(text: MachineText) -> Node:
     return root
 
 
-def levels(root: Node) -> list[Level]:
+def levels(root: Node) -> list[TableLevel]:
     """Returns all levels: the base and the machines within its states, then each layer."""
     layers = root.entries().get("layers")
-    found = list(_levels_in(Level(BASE, "", (), root)))
+    found = list(_levels_in(TableLevel(BASE, "", (), root)))
     if layers is not None and layers.is_mapping:
         for name, node in layers.entries().items():
             if node.is_mapping:
-                found += _levels_in(Level(name, "", ("layers", name), node))
+                found += _levels_in(TableLevel(name, "", ("layers", name), node))
     return found
 
 
-def _levels_in(level: Level) -> Iterator[Level]:
+def _levels_in(level: TableLevel) -> Iterator[TableLevel]:
     yield level
     for name, state in level.states().items():
         machine = state.entries().get("machine") if state.is_mapping else None
         if machine is not None and machine.is_mapping:
             path = (*level.path, "states", name, "machine")
-            yield from _levels_in(Level(level.layer, level.full(name), path, machine))
+            yield from _levels_in(TableLevel(level.layer, level.full(name), path, machine))
 
 
-def level_of(root: Node, layer: str, state: str) -> tuple[Level, str]:
+def level_of(root: Node, layer: str, state: str) -> tuple[TableLevel, str]:
     """Returns the level that has a state (a full name, or OUTER.*), and the state's own name there; the state
     need not exist.
 
@@ -88,12 +88,12 @@ def level_of(root: Node, layer: str, state: str) -> tuple[Level, str]:
     return at, name
 
 
-def levels_of(root: Node, layer: str) -> list[Level]:
+def levels_of(root: Node, layer: str) -> list[TableLevel]:
     """Returns the levels of one layer."""
     return [level for level in levels(root) if level.layer == layer]
 
 
-def own_name(level: Level, state: str | None) -> str | None:
+def own_name(level: TableLevel, state: str | None) -> str | None:
     """Returns the own name of a state of a level; None for None.
 
     :raises MachineError: when the level has no state of this full name.
@@ -106,7 +106,7 @@ def own_name(level: Level, state: str | None) -> str | None:
     raise level.node.unknown("state", state, [level.full(own) for own in level.states()])
 
 
-def existing_state(root: Node, layer: str, state: str) -> tuple[Level, str]:
+def existing_state(root: Node, layer: str, state: str) -> tuple[TableLevel, str]:
     """Returns the level that has a state, and the state's own name there; `*` is no state, but a row.
 
     :raises MachineError: when there is no state of this name.
@@ -117,7 +117,7 @@ def existing_state(root: Node, layer: str, state: str) -> tuple[Level, str]:
     return level, name
 
 
-def raw_table(text: MachineText, level: Level) -> RawTable | None:
+def raw_table(text: MachineText, level: TableLevel) -> RawTable | None:
     """Returns the table of a level as it is written; None if it has none.
 
     :raises MachineError: when it is written in another way than as a block (`table: |`) or a .csv file.
@@ -145,7 +145,7 @@ class TableChanges(NamedTuple):
 
 
 def table_changes(
-    text: MachineText, change: Callable[[Level, RawTable], None], layer: str = ""
+    text: MachineText, change: Callable[[TableLevel, RawTable], None], layer: str = ""
 ) -> TableChanges:
     """Returns what changes if `change` is made in the tables of all levels, or of those of one layer."""
     changes = TableChanges([], dict(text.tables))
@@ -158,14 +158,14 @@ def table_changes(
     return changes
 
 
-def with_table(text: MachineText, level: Level, table: RawTable) -> MachineText:
+def with_table(text: MachineText, level: TableLevel, table: RawTable) -> MachineText:
     """Returns the text with another table in a level; the text is the one that the level was read from."""
     changes = TableChanges([], dict(text.tables))
     _note(changes, text, level, table)
     return changes.applied(text)
 
 
-def _note(changes: TableChanges, text: MachineText, level: Level, table: RawTable) -> None:
+def _note(changes: TableChanges, text: MachineText, level: TableLevel, table: RawTable) -> None:
     node = level.node.entries()["table"]
     if (name := _file_of(text, node)) is not None:
         changes.tables[name] = table.text()

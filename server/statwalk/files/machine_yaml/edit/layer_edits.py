@@ -6,10 +6,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml.edit.levels import read
-from statwalk.files.machine_yaml.edit.names import check_name
-from statwalk.files.machine_yaml.edit.operation import Operation, Part
-from statwalk.files.machine_yaml.edit.states import NO_MOTION, entries_at, with_fields
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
+from statwalk.files.machine_yaml.edit.renaming import check_name
+from statwalk.files.machine_yaml.edit.state_edits import NO_MOTION, entries_at, with_fields
+from statwalk.files.machine_yaml.edit.table_levels import read
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_key, with_value, without
 from statwalk.files.yaml.yaml_value import Value
@@ -17,7 +17,7 @@ from statwalk.machine.definition.machine_definition import BASE, END
 
 
 @dataclass(frozen=True)
-class AddLayer(Operation):
+class AddLayer(EditOperation):
     """Adds a layer with one state, which leaves the pose as it is; `fields`: `mask`, `mode`, `weight`."""
 
     layer: str
@@ -51,7 +51,7 @@ class AddLayer(Operation):
 
 
 @dataclass(frozen=True)
-class SetLayer(Operation):
+class SetLayer(EditOperation):
     """Changes `mask`, `mode` or `weight` of a layer; None removes a field."""
 
     layer: str
@@ -73,7 +73,7 @@ class SetLayer(Operation):
 
 
 @dataclass(frozen=True)
-class RenameLayer(Operation):
+class RenameLayer(EditOperation):
     """Renames a layer."""
 
     layer: str
@@ -100,7 +100,7 @@ class RenameLayer(Operation):
 
 
 @dataclass(frozen=True)
-class DeleteLayer(Operation):
+class DeleteLayer(EditOperation):
     """Deletes a layer with its table."""
 
     layer: str
@@ -124,7 +124,7 @@ class DeleteLayer(Operation):
 
 
 @dataclass(frozen=True)
-class MoveLayer(Operation):
+class MoveLayer(EditOperation):
     """Moves a layer below the layer `before`, or to the top: the last layer in the file is on top."""
 
     layer: str

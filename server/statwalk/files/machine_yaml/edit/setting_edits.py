@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from statwalk.errors import MachineError
-from statwalk.files.machine_yaml.edit.levels import existing_state, level_of, read
-from statwalk.files.machine_yaml.edit.operation import Operation, Part
-from statwalk.files.machine_yaml.edit.states import entries_at
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
+from statwalk.files.machine_yaml.edit.state_edits import entries_at
+from statwalk.files.machine_yaml.edit.table_levels import existing_state, level_of, read
 from statwalk.files.machine_yaml.expression_text import with_expressions
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_value, without
@@ -20,7 +20,7 @@ SETTINGS = ("title", "description", "root", "idle", "fallback", "foot_lock")
 
 
 @dataclass(frozen=True)
-class SetMachine(Operation):
+class SetMachine(EditOperation):
     """Changes settings of the machine: `title`, `description`, `root`, `idle`, `fallback`, `foot_lock`; None
     removes one.
     """
@@ -47,7 +47,7 @@ class SetMachine(Operation):
 
 
 @dataclass(frozen=True)
-class SetDefaults(Operation):
+class SetDefaults(EditOperation):
     """Changes what cells take that say nothing: `when`, `blend`, `buffer`; None removes one."""
 
     fields: Mapping[str, Value | None]
@@ -70,7 +70,7 @@ class SetDefaults(Operation):
 
 
 @dataclass(frozen=True)
-class SetInitial(Operation):
+class SetInitial(EditOperation):
     """Makes a state the one with which its layer, or the machine around it, begins."""
 
     state: str
@@ -94,7 +94,7 @@ class SetInitial(Operation):
 
 
 @dataclass(frozen=True)
-class AddProperty(Operation):
+class AddProperty(EditOperation):
     """Adds a property, a sentence that must be true: `JUMP only after WALK`."""
 
     text: str
@@ -115,7 +115,7 @@ class AddProperty(Operation):
 
 
 @dataclass(frozen=True)
-class SetProperty(Operation):
+class SetProperty(EditOperation):
     """Replaces a property, or deletes it (`text` None)."""
 
     property: str
@@ -137,7 +137,7 @@ class SetProperty(Operation):
 
 
 @dataclass(frozen=True)
-class MoveProperty(Operation):
+class MoveProperty(EditOperation):
     """Moves a property before another, or to the end."""
 
     property: str
@@ -172,7 +172,7 @@ def _place(text: MachineText, sentence: str) -> int:
 
 
 @dataclass(frozen=True)
-class SetExpressions(Operation):
+class SetExpressions(EditOperation):
     """Replaces the machine's expressions, a line each; blank: none."""
 
     text: str
@@ -190,7 +190,7 @@ class SetExpressions(Operation):
 
 
 @dataclass(frozen=True)
-class SetView(Operation):
+class SetView(EditOperation):
     """Keeps where states stand in the graph of a layer, by full names; None: where the page puts them."""
 
     positions: Mapping[str, tuple[float, float] | None]

@@ -7,11 +7,19 @@ from dataclasses import dataclass, field
 
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.cells import CELL_KEYS
-from statwalk.files.machine_yaml.edit.levels import Level, existing_state, levels, raw_table, read, with_table
-from statwalk.files.machine_yaml.edit.operation import Operation, Part
+from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
+from statwalk.files.machine_yaml.edit.table_levels import (
+    TableLevel,
+    existing_state,
+    levels,
+    raw_table,
+    read,
+    with_table,
+)
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.files.yaml.yaml_edit import find, with_value, without
+from statwalk.files.yaml.yaml_edit import with_value, without
 from statwalk.files.yaml.yaml_node import Node
+from statwalk.files.yaml.yaml_places import find
 from statwalk.files.yaml.yaml_value import Value
 from statwalk.machine.definition.machine_definition import ANY, BASE, END
 from statwalk.machine.definition.state_table import read_cell
@@ -21,7 +29,7 @@ ALTERNATIVES = "alternatives"
 
 
 @dataclass(frozen=True)
-class SetCell(Operation):
+class SetCell(EditOperation):
     """Changes a cell. `text` is the cell of the table (empty: blank; None: as it is); `fields` has what
     stands under `cells`: `when`, `blend`, `enter`, `action`, `off`, and `alternatives` (a list, or weights
     by state); None removes a field. `state` is a full name, or `*`; so is `event`.
@@ -60,7 +68,7 @@ class SetCell(Operation):
 
     # --- under `cells`
 
-    def _place(self, text: MachineText) -> tuple[Level, str, Node | None]:
+    def _place(self, text: MachineText) -> tuple[TableLevel, str, Node | None]:
         """The level, the name under `cells`, and what stands there."""
         level, row = existing_state(read(text), self.layer, self.state)
         name = f"{row}/{self.event}"
@@ -124,7 +132,7 @@ class SetCell(Operation):
         table.set_cell(name.rpartition("/")[0], self.event, cell)
         return with_table(text, level, table)
 
-    def _check_event(self, text: MachineText, level: Level) -> None:
+    def _check_event(self, text: MachineText, level: TableLevel) -> None:
         """Checks that the machine has the event, if the level's own table has no column for it."""
         known = events_of(text)
         if self.event not in (ANY, END, *known):

@@ -1,0 +1,51 @@
+// @vitest-environment happy-dom
+import { expect, test, vi } from "vitest";
+import { keyBinding, verdict } from "../../net/types/examples";
+import { exampleApp, watch } from "../../view/exampleApp";
+import { eventsPanel } from "./events";
+
+const keys = { ArrowUp: keyBinding({ press: "FORWARD", release: "STOP" }) };
+
+function shown() {
+  const app = exampleApp();
+  const host = document.createElement("section");
+  const sent: string[] = [];
+  vi.spyOn(app.session, "event").mockImplementation((kind, event) => void sent.push(`${kind} ${event}`));
+  eventsPanel(host, app);
+  watch(app, { events: ["FORWARD", "STOP", "END"], keys });
+  const button = (event: string): HTMLButtonElement => host.querySelector(`[data-event=${event}]`)!;
+  return { app, host, sent, button };
+}
+
+const point = (button: Element, type: string): boolean => button.dispatchEvent(new PointerEvent(type));
+
+test("each event has a button with its keys; the end of a motion is no event", () => {
+  const { host } = shown();
+  expect([...host.children].map((button) => button.textContent.trim())).toEqual(["FORWARD↑", "STOP"]);
+});
+
+test("a button does what its key does", () => {
+  const { sent, button } = shown();
+  point(button("FORWARD"), "pointerdown");
+  point(button("FORWARD"), "pointerup");
+  expect(sent).toEqual(["press FORWARD", "press STOP"]);
+});
+
+test("a long press of a button without a key holds", () => {
+  vi.useFakeTimers();
+  const { sent, button } = shown();
+  point(button("STOP"), "pointerdown");
+  vi.advanceTimersByTime(1000);
+  point(button("STOP"), "pointerleave");
+  vi.useRealTimers();
+  expect(sent).toEqual(["press STOP", "hold STOP", "release STOP"]);
+});
+
+test("a key that is down shows on its button, and a verdict flashes", () => {
+  const { app, button } = shown();
+  window.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp" }));
+  expect(button("FORWARD").className.trim()).toBe("event down");
+  app.session.verdicts.emit(verdict({ event: "FORWARD" }));
+  window.dispatchEvent(new KeyboardEvent("keyup", { key: "ArrowUp" }));
+  expect([...button("FORWARD").classList]).toEqual(["event", "taken"]);
+});

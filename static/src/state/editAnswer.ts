@@ -1,0 +1,37 @@
+/** What the server says to an edit. */
+
+import { ApiError } from "../net/api";
+import type { Finding } from "../net/protocol";
+
+/** The answer to an edit. `stale`: another editor was first, and the machine was read again. */
+export interface Answer {
+  kind: "fine" | "refused" | "stale";
+  words: string;
+  findings: Finding[];
+}
+
+/** A cell of a layer. */
+export interface CellPlace {
+  layer: string;
+  state: string;
+  event: string;
+}
+
+/**
+ * Returns the answer to a refused edit: the verifier's findings, or one with the reader's words, at the cell if the
+ * edit is about one.
+ */
+export function refusal(words: string, findings: readonly Finding[], place: CellPlace | null): Answer {
+  if (findings.length) return { kind: "refused", words, findings: [...findings] };
+  const line = Number(/\bline (\d+)/.exec(words)?.[1] ?? 0);
+  const message = words.replace(/^[^:]*\bline \d+: /, "");
+  const { layer, state, event } = place ?? { layer: "", state: null, event: null };
+  const finding = { kind: "refused", severity: "error" as const, message, line, layer, state, event };
+  return { kind: "refused", words, findings: [{ ...finding, replay: [] }] };
+}
+
+/** Returns whether a request got no answer: the server is away or busy, or a proxy answered in its place. */
+export function isUnheard(error: unknown): boolean {
+  if (error instanceof ApiError) return error.passing || error.status === 502 || error.status === 504;
+  return error instanceof TypeError;
+}

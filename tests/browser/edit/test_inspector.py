@@ -1,0 +1,49 @@
+"""The inspector of the selected cell or state: each field makes one edit, and tells at once what is wrong."""
+
+from browser.conftest import Server, until
+from browser.edit.conftest import CELL, machine
+from playwright.sync_api import Page
+
+
+def inspect(page: Page, cell: str) -> None:
+    """Selects a cell by the keyboard, and opens the inspector."""
+    page.locator(cell).focus()
+    page.keyboard.press("Alt+Enter")
+    page.locator("#cell h2").wait_for()
+
+
+def edited(page: Page, times: int = 1) -> None:
+    until(page, "__viewer.version() === window.start + arg", times)
+
+
+def test_a_blend_time_is_one_edit(own: Server, table: Page) -> None:
+    inspect(table, CELL)
+    table.get_by_label("blend, s").fill("0.45")
+    table.keyboard.press("Enter")
+    edited(table)
+    table.get_by_label("curve").select_option("quintic")
+    edited(table, 2)
+    cell = machine(own)["table"]["WALK"]["LEFT"]
+    assert (cell["blend"], cell["curve"], cell["to"]) == (0.45, "quintic", "TLFT")
+
+
+def test_a_condition_makes_an_alternative(own: Server, table: Page) -> None:
+    """A wrong name is told at the field while it is typed; the right one is kept."""
+    inspect(table, CELL)
+    field = table.get_by_label("new: if")
+    field.fill("lok > 0.5")
+    table.locator("#field-new-if-error").filter(has_text="look").wait_for()
+    field.fill("look > 0.5")
+    table.keyboard.press("Enter")
+    edited(table)
+    ways = machine(own)["table"]["WALK"]["LEFT"]["alternatives"]
+    assert [way["condition"] for way in ways] == ["look > 0.5", ""]
+    assert ways[1]["to"] == "TLFT"
+
+
+def test_a_state_has_another_clip(own: Server, table: Page) -> None:
+    table.locator("th[data-state=FLY]").focus()
+    table.keyboard.press("Alt+Enter")
+    table.locator("#cell").get_by_label("clip").select_option("land")
+    edited(table)
+    assert {state["name"]: state["motion"] for state in machine(own)["states"]}["FLY"] == "land"
