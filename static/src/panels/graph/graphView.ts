@@ -32,7 +32,7 @@ export class GraphView {
   ) {
     host.append(this.picture.canvas);
     this.camera.changed.on((zoom) => this.zoomed(zoom));
-    effect(() => this.draw());
+    effect(() => this.changed());
     effect(() => this.mark());
     app.session.verdicts.on((verdict) => this.fire(verdict));
     new ResizeObserver(() => this.resized()).observe(host);
@@ -93,6 +93,18 @@ export class GraphView {
   private get aspect(): number {
     const { width, height } = this.host.getBoundingClientRect();
     return width && height ? width / height : 0;
+  }
+
+  /** Draws another machine with the next frame, when all panels have their size; an edit at once. */
+  private changed(): void {
+    const [machine, layer, live] = [
+      this.app.machine.info.value,
+      this.app.machine.layerInfo,
+      this.app.selection.shownState,
+    ];
+    const known = machine?.name === this.drawn?.machine.name && layer?.name === this.drawn?.layer.name;
+    if (known || !live) this.draw();
+    else requestAnimationFrame(() => this.draw());
   }
 
   private draw(): void {

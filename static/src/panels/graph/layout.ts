@@ -42,11 +42,13 @@ function plan(states: readonly string[], edges: readonly Edge[], { rankdir, rank
   return { width, height, places: new Map(places) };
 }
 
-/** Moves the states apart to fill `aspect`. */
+/** Moves the states apart to fill `aspect`; places are whole, as the file keeps them. */
 function stretched({ width, height, places }: Plan, aspect: number): Places {
   const wide = Math.min(MOST_STRETCH, Math.max(1, (height * aspect) / Math.max(width, 1)));
   const high = Math.min(MOST_STRETCH, Math.max(1, width / aspect / Math.max(height, 1)));
-  return new Map([...places].map(([name, { x, y }]) => [name, { x: x * wide, y: y * high }]));
+  return new Map(
+    [...places].map(([name, { x, y }]) => [name, { x: Math.round(x * wide), y: Math.round(y * high) }]),
+  );
 }
 
 /**

@@ -18,7 +18,7 @@ export function ringPlaces(states: readonly string[], aspect: number): Map<strin
   return new Map(
     states.map((name, i) => {
       const angle = i * step - Math.PI / 2;
-      return [name, { x: rx + rx * Math.cos(angle), y: ry + ry * Math.sin(angle) }];
+      return [name, { x: Math.round(rx + rx * Math.cos(angle)), y: Math.round(ry + ry * Math.sin(angle)) }];
     }),
   );
 }
