@@ -17,7 +17,7 @@ import { expressionsPanel } from "./panels/expressions/expressions";
 import { feetPanel } from "./panels/feet/feet";
 import { graphPanel } from "./panels/graph/graph";
 import { helpPanel } from "./panels/help/help";
-import { importPanel } from "./panels/importDialog/importDialog";
+import { importPanel } from "./panels/importDialog/importPanel";
 import { jointPanel } from "./panels/joint/joint";
 import { layerTabsPanel } from "./panels/layerTabs/layerTabs";
 import { loadingPanel } from "./panels/loading/loading";
