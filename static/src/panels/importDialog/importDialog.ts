@@ -9,7 +9,7 @@ import { el, say } from "../../ui/dom";
 import { importCapture, isCapture } from "./captureImport";
 import type { BoneForm } from "./boneForm";
 import { FrameSwitch } from "./frameSwitch";
-import { MODELS, oneFile, PARTS } from "./gltfFiles";
+import { MODELS, oneFile, PARTS } from "./modelFiles";
 import { chosenFiles, type LocalFile } from "./localFiles";
 import { MappingForm } from "./mappingForm";
 import { offerRig } from "./rigStep";
@@ -60,7 +60,7 @@ export class ImportDialog {
     this.fileInput.click();
   }
 
-  /** Takes a dropped or chosen model or capture: one file, or a .gltf with its files. */
+  /** Takes a dropped or chosen model or capture: one file, or a .gltf or character file with its files. */
   async take(files: readonly LocalFile[]): Promise<void> {
     if (!files.length) return;
     this.forget();
