@@ -6,13 +6,13 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import * as machines from "../../net/machines";
 import { reasonOf } from "../../net/reason";
 import { draw } from "../../ui/draw";
-import { formField } from "../../ui/formField";
 import type { App } from "../../view/app";
 
-/** What asks for a name: words, the name that is proposed, and what is done with it. */
+/** A question: its words, the name that is proposed, if it asks for one, and what a yes does. */
 interface Ask {
   words: string;
-  proposal: string;
+  yes: string;
+  proposal: string | null;
   act: (name: string) => Promise<unknown>;
 }
 
@@ -37,82 +37,88 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
   }
 
   function question(next: Ask): void {
-    [typed.value, error.value] = [next.proposal, ""];
+    [typed.value, error.value] = [next.proposal ?? "", ""];
     ask.value = next;
   }
 
-  async function answer(name: string): Promise<void> {
+  async function answer(): Promise<void> {
     try {
-      await ask.value?.act(name);
+      await ask.value?.act(typed.value.trim());
       close();
       await library.read();
-      await library.openMachine(name);
     } catch (reason) {
       error.value = reasonOf(reason);
     }
   }
 
-  async function remove(name: string): Promise<void> {
-    close();
-    await leave(app);
-    await machines.remove(name).then(
-      () => notices.emit(`${name} is deleted.`),
-      (reason: unknown) => notices.emit(reasonOf(reason)),
-    );
-    await library.read();
+  /** Makes a machine under the name that was typed, and watches it. */
+  function making(words: string, proposal: string, make: (name: string) => Promise<unknown>): Ask {
+    const act = async (name: string): Promise<void> => {
+      await make(name);
+      await library.openMachine(name);
+    };
+    return { words, yes: "make it", proposal, act };
+  }
+
+  function renaming(name: string): Ask {
+    const rename = async (to: string): Promise<void> => {
+      await leave(app);
+      await machines.rename(name, to);
+    };
+    return { ...making("new name", name, rename), yes: "rename it" };
+  }
+
+  function deletion(name: string): Ask {
+    const act = async (): Promise<void> => {
+      await leave(app);
+      await machines.remove(name);
+      notices.emit(`${name} is deleted.`);
+    };
+    return { words: `Delete ${name} and its versions?`, yes: "delete it", proposal: null, act };
   }
 
   function choices(name: string): TemplateResult {
     const taken = library.machines.value.map((other) => other.name);
     const item = (words: string, act: () => void): TemplateResult =>
       html`<button type="button" role="menuitem" .textContent=${words} @click=${act}></button>`;
+    const copyName = freeName(`${name}-copy`, taken);
     return html`<div role="menu" aria-label="machine">
       ${item("copy and change …", () =>
-        question({
-          words: "copy",
-          proposal: freeName(`${name}-copy`, taken),
-          act: (to) => machines.copy(to, name),
-        }),
+        question(making("name of the copy", copyName, (to) => machines.copy(to, name))),
       )}
       ${item("new, from nothing …", () =>
-        question({ words: "new", proposal: freeName("machine", taken), act: machines.fromNothing }),
+        question(making("name", freeName("machine", taken), machines.fromNothing)),
       )}
-      ${item("rename …", () =>
-        question({
-          words: "name",
-          proposal: name,
-          act: async (to) => {
-            await leave(app);
-            await machines.rename(name, to);
-          },
-        }),
-      )}
+      ${item("rename …", () => question(renaming(name)))}
       <a role="menuitem" href=${machines.zipAddress(name)} download @click=${close}>export .zip</a>
-      ${item("delete", () => void remove(name))}
+      ${item("delete …", () => question(deletion(name)))}
     </div>`;
   }
 
-  function nameField({ words, proposal }: Ask): TemplateResult {
-    const typing = {
-      key: "machine-name",
-      value: typed.value,
-      error: error.value,
-      typed: (text: string) => (typed.value = text),
-      left: (text: string) => (typed.value = text),
-      dropped: () => (typed.value = proposal),
+  function form({ words, yes, proposal }: Ask): TemplateResult {
+    const submitted = (submit: Event): void => {
+      submit.preventDefault();
+      void answer();
     };
-    return html`<form
-      @submit=${(submit: Event) => (submit.preventDefault(), void answer(typed.value.trim()))}
-    >
-      ${formField(typing, { label: words })}
-      <button type="submit" class="primary">make it</button>
+    const input = ({ target }: Event): void => void (typed.value = (target as HTMLInputElement).value);
+    return html`<form @submit=${submitted}>
+      ${
+        proposal === null
+          ? html`<p>${words}</p>`
+          : html`<label>
+              <span>${words}</span>
+              <input required maxlength="64" autocomplete="off" .value=${typed.value} @input=${input} />
+            </label>`
+      }
+      <p role="alert" ?hidden=${!error.value}>${error.value}</p>
+      <button type="submit" class="primary">${yes}</button>
     </form>`;
   }
 
   draw(host, () => {
     const name = machine.info.value?.name ?? "";
     const toggle = (): void => void (isOpen.value = !isOpen.value);
-    const content = (): TemplateResult => (ask.value ? nameField(ask.value) : choices(name));
+    const content = (): TemplateResult => (ask.value ? form(ask.value) : choices(name));
     return html`<button
         type="button"
         class="plain square"
@@ -128,9 +134,8 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
       ${isOpen.value ? html`<div class="machine-menu">${content()}</div>` : nothing}`;
   });
   effect(() => {
-    const asked = ask.value !== null;
-    if (!isOpen.value) return;
-    host.querySelector<HTMLElement>(asked ? "input" : "[role=menuitem]")?.focus();
+    const first = ask.value ? "form input, form button" : "[role=menuitem]";
+    if (isOpen.value) queueMicrotask(() => host.querySelector<HTMLElement>(first)?.focus());
   });
   host.addEventListener("keydown", (press) => {
     if (!isOpen.value) return;
