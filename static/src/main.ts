@@ -21,6 +21,7 @@ import { importPanel } from "./panels/importDialog/importPanel";
 import { jointPanel } from "./panels/joint/joint";
 import { layerTabsPanel } from "./panels/layerTabs/layerTabs";
 import { loadingPanel } from "./panels/loading/loading";
+import { machineMenuPanel } from "./panels/machineMenu/machineMenu";
 import { noticesPanel } from "./panels/notices/notices";
 import { parametersPanel } from "./panels/parameters/parameters";
 import { pickerPanel } from "./panels/picker/picker";
@@ -45,6 +46,7 @@ import "./style/panels.css";
 /** The panels, each with the id of its element in `index.html`. */
 const PANELS: readonly (readonly [string, Panel])[] = [
   ["picker", pickerPanel],
+  ["machine-menu", machineMenuPanel],
   ["add", importPanel],
   ["download", downloadPanel],
   ["access", accessPanel],
