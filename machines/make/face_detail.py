@@ -7,8 +7,8 @@ from pathlib import Path
 
 import statwalk
 from statwalk.character.detail.find_detail import find_detail
+from statwalk.files.character_file import load_character_file
 from statwalk.files.gltf.detailed_model import model_with_detail
-from statwalk.services.library.load import load_character_file
 
 DESCRIBED = Path(__file__).resolve().parents[1] / "face" / "face.yaml"
 

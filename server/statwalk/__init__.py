@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from statwalk.stage.replay import replay as replay
     from statwalk.stage.stage import Actor as Actor
     from statwalk.stage.stage import Stage as Stage
+    from statwalk.web.edit_text import edit as edit
 
 _NAMES = {  # imported on first use: `statwalk --help` needs none of them
     "statwalk.character.character": ("Character",),
@@ -72,6 +73,7 @@ _NAMES = {  # imported on first use: `statwalk --help` needs none of them
     "statwalk.services.library.load_scene": ("load_scene", "shipped_scenes"),
     "statwalk.stage.replay": ("replay",),
     "statwalk.stage.stage": ("Actor", "Stage"),
+    "statwalk.web.edit_text": ("edit",),
 }
 _MODULES = {name: module for module, names in _NAMES.items() for name in names}
 __all__ = sorted(_MODULES)

@@ -17,10 +17,11 @@ import { expressionsPanel } from "./panels/expressions/expressions";
 import { feetPanel } from "./panels/feet/feet";
 import { graphPanel } from "./panels/graph/graph";
 import { helpPanel } from "./panels/help/help";
-import { importPanel } from "./panels/importDialog/importDialog";
+import { importPanel } from "./panels/importDialog/importPanel";
 import { jointPanel } from "./panels/joint/joint";
 import { layerTabsPanel } from "./panels/layerTabs/layerTabs";
 import { loadingPanel } from "./panels/loading/loading";
+import { machineMenuPanel } from "./panels/machineMenu/machineMenu";
 import { noticesPanel } from "./panels/notices/notices";
 import { parametersPanel } from "./panels/parameters/parameters";
 import { pickerPanel } from "./panels/picker/picker";
@@ -32,6 +33,7 @@ import { timelinePanel } from "./panels/timeline/timeline";
 import { versionsPanel } from "./panels/versions/versions";
 import { viewControlsPanel } from "./panels/viewControls/viewControls";
 import { whyPanel } from "./panels/why/why";
+import { yamlPanel } from "./panels/yaml/yaml";
 import { keepAddress, stageOfAddress } from "./state/address";
 import { exposeForTests } from "./testHook";
 import { byId, canvasById, el } from "./ui/dom";
@@ -44,6 +46,7 @@ import "./style/panels.css";
 /** The panels, each with the id of its element in `index.html`. */
 const PANELS: readonly (readonly [string, Panel])[] = [
   ["picker", pickerPanel],
+  ["machine-menu", machineMenuPanel],
   ["add", importPanel],
   ["download", downloadPanel],
   ["access", accessPanel],
@@ -69,6 +72,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["modes", viewControlsPanel],
   ["cell", cellInspectorPanel],
   ["versions", versionsPanel],
+  ["text", yamlPanel],
   ["drawer", drawerPanel],
   ["help", helpPanel],
 ];

@@ -10,7 +10,7 @@ import httpx
 import odd_models
 import pytest
 from browser.conftest import Server, leave, until
-from paths import GLTF, needs_assets
+from paths import GLTF, MACHINES, needs_assets
 from playwright.sync_api import Page
 from statwalk.files.gltf import read_model
 from statwalk.files.machine_yaml.new_machine import write_machine
@@ -153,3 +153,16 @@ def test_a_gltf_alone_says_what_it_needs(viewer: Page) -> None:
     files = odd_models.picture_files()
     drop(viewer, {"panel.gltf": files["panel.gltf"]})
     viewer.get_by_role("alert").filter(has_text="panel.gltf needs panel.bin").wait_for()
+
+
+def test_a_character_file_is_dropped_with_its_texts(server: Server, viewer: Page) -> None:
+    """The FAQ's mammal: a skeleton table, and a text of key frames for each clip."""
+    texts = {path.name: path.read_bytes() for path in (MACHINES / "faq-printed").glob("*.txt")}
+    drop(viewer, {**texts, "mammal.yaml": (MACHINES / "faq-printed" / "character.yaml").read_bytes()})
+    viewer.get_by_label("start-walk", exact=True).wait_for()
+    viewer.get_by_role("button", name="Make a machine").click()
+    until(viewer, "__viewer.stage() !== 'main' && __viewer.ready && !('Jaw' in __viewer.joints())")
+    assert viewer.evaluate("'Lowerback' in __viewer.joints()")
+    assert viewer.evaluate(COVERED) > 0.005
+    made = f"stages/{viewer.evaluate('__viewer.stage()')}", "machines/mammal", "characters/mammal"
+    leave(viewer, *(f"{server.url}/api/{one}" for one in made))

@@ -82,7 +82,7 @@ def test_why_not_proposes_what_helps_and_the_cell_takes_it(still: Page) -> None:
 
 def test_a_travel_shows_its_route(viewer: Page) -> None:
     until(viewer, "__viewer.state() === 'STAT'")
-    viewer.locator("#table th[data-state=JUMP]").click(button="right")
+    viewer.locator("#table th[data-state=JUMP] .go").click()
     until(viewer, "!document.querySelector('#route').hidden")
     viewer.locator("#route").filter(has_text="JUMP").wait_for()
     until(viewer, "__viewer.state() === 'JUMP'")
@@ -91,7 +91,7 @@ def test_a_travel_shows_its_route(viewer: Page) -> None:
 
 def test_the_way_can_be_cancelled(viewer: Page) -> None:
     until(viewer, "__viewer.state() === 'STAT'")
-    viewer.locator("#table th[data-state=LAND]").click(button="right")
+    viewer.locator("#table th[data-state=LAND] .go").click()
     until(viewer, "!document.querySelector('#route').hidden")
     viewer.get_by_role("button", name="cancel", exact=True).click()
     until(viewer, "document.querySelector('#route').hidden")

@@ -5,9 +5,10 @@ import pytest
 from paths import GLTF, MACHINES, needs_assets
 from statwalk.character.feet import MOST_POINTS, feet_of
 from statwalk.errors import UnknownNameError
+from statwalk.files.character_file import load_character_file
 from statwalk.maths import transform
 from statwalk.rig.evaluate import world_from_local
-from statwalk.services.library.load import load_character_file, load_role
+from statwalk.services.library.load import load_role
 
 WALKER = load_role(MACHINES / "faq-walker").character
 

@@ -8,10 +8,11 @@ from paths import GLTF, MACHINES, needs_assets
 from statwalk.character.character import Character
 from statwalk.character.feet import feet_of
 from statwalk.character.foot_contacts import contacts_of, joined
+from statwalk.files.character_file import load_character_file
 from statwalk.maths.pose import rest
 from statwalk.motion.clip import Channel, Clip
 from statwalk.rig.skeleton import Skeleton
-from statwalk.services.library.load import load_character_file, load_role
+from statwalk.services.library.load import load_role
 
 WALKER = load_role(MACHINES / "faq-walker").character
 FOUND = contacts_of(WALKER, feet_of(WALKER))

@@ -8,9 +8,11 @@ import orjson
 from paths import MACHINES
 
 
-def run(*arguments):
+def run(*arguments, columns=240):
     command = [sys.executable, "-m", "statwalk.cli", "measure", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, env={**os.environ, "COLUMNS": "240"})
+    return subprocess.run(
+        command, capture_output=True, text=True, env={**os.environ, "COLUMNS": str(columns)}
+    )
 
 
 def with_budgets(tmp_path, budgets):
@@ -43,3 +45,11 @@ def test_an_unknown_cell_is_status_2():
     done = run("faq-walker", "--cell", "WALK/STAP")
     assert done.returncode == 2
     assert "did you mean WALK/STOP" in done.stderr
+
+
+def test_a_table_of_80_columns_cuts_no_figure():
+    done = run("terrain", "--cell", "WALK/STOP", columns=80)
+    assert done.returncode == 0
+    figures = done.stdout.partition("WALK/STOP")[2]
+    assert "(" in figures
+    assert "…" not in figures

@@ -6,9 +6,10 @@ import struct
 import zipfile
 
 import pytest
+import tiny_model
 from statwalk.errors import ModelError
 from statwalk.files import archive
-from statwalk.services.library.load import load_character_file
+from statwalk.files.character_file import load_character_file
 from zipped import MODEL, packed
 
 
@@ -49,6 +50,11 @@ def test_other_files_are_left_in_the_zip(tmp_path):
         tmp_path,
     )
     assert sorted(path.name for path in (tmp_path / "out").rglob("*.*")) == ["robot.bin", "robot.gltf"]
+
+
+def test_the_model_of_a_machine_is_not_its_table(tmp_path):
+    model = unpacked(packed({"machine.yaml": b"initial: A", "character.glb": tiny_model.model()}), tmp_path)
+    assert model.name == "character.glb"
 
 
 @pytest.mark.parametrize(
@@ -150,7 +156,7 @@ def test_no_model_and_two_models(tmp_path):
         (tmp_path / folder).mkdir()
     assert (
         refused(packed({"a.bin": b"x"}), tmp_path / "none").message
-        == "the zip holds no model; add one .gltf or .glb file"
+        == "the zip holds no model; add one .gltf or .glb file, or a character file (.yaml)"
     )
     assert refused(packed({"a.glb": b"x", "b.gltf": b"x"}), tmp_path / "two").message.endswith(
         "keep only one: a.glb, b.gltf"

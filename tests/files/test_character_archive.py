@@ -8,8 +8,10 @@ import tiny_model
 from paths import GLTF, MACHINES, needs_assets
 from statwalk.errors import ContentError
 from statwalk.files.character_archive import FORMAT, read_character, write_character
+from statwalk.files.character_file import load_character_file
 from statwalk.files.gltf import read_model
-from statwalk.services.library.load import load_character_file
+from statwalk.services.library.load import load
+from whole_character import difference
 
 SHIPPED = sorted(MACHINES.rglob("*.glb"))
 MODELS = ["KayKit_Knight", "AnimatedMorphCube", "CesiumMan", "Khronos_Fox", "RobotExpressive"]
@@ -46,6 +48,15 @@ def test_shipped_models_come_back(path: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", MODELS)
 def test_real_models_come_back(name: str, tmp_path: Path) -> None:
     back(GLTF / f"{name}.glb", tmp_path)
+
+
+@pytest.mark.parametrize("name", ["biceps", "car-face", "joints/hinge", "walker-layers"])
+def test_bulges_muscles_limits_and_levels_come_back(name: str, tmp_path: Path) -> None:
+    """Of the model, which carries them in its extras."""
+    authored = load(MACHINES / name).character
+    character = read_model(authored.model_glb, "carried")
+    write_character(character, tmp_path / "archive")
+    assert difference(character, read_character(tmp_path / "archive", b"")) == ""
 
 
 @pytest.fixture

@@ -43,7 +43,7 @@ NAMES = {"name": "faq-walker", "stage_id": "main", "actor_id": 1}
 CHARACTERS = {"include-path-regex": "^/api/characters/", "parameters": {"name": "tiny"}}
 LONG = (
     {"include-path-regex": "^/api/characters/[^/]+/(rig|lod)$", "enabled": False},
-    {"include-operation-id-regex": "^put_character", "enabled": False},
+    {"include-operation-id-regex": "^(put_character|import_machine)", "enabled": False},
     {"include-path-regex": "/step$", "enabled": False},
 )
 """operations that start a process for each request, or make 36,000 ticks"""

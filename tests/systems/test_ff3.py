@@ -13,10 +13,10 @@ from paths import ASSETS, GLTF, GROUND_TRUTH, needs_assets
 from scipy.spatial import cKDTree
 from statwalk.character.character import Character
 from statwalk.errors import ContentError
+from statwalk.files.character_file import load_character_file
 from statwalk.files.directx import write_directx
 from statwalk.files.machine_yaml.new_machine import write_machine
 from statwalk.maths.pose import Pose
-from statwalk.services.library.load import load_character_file
 from statwalk.services.library.model_store import ModelStore
 from uploads import make, opened, put
 

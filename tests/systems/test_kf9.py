@@ -8,6 +8,7 @@ from playing import role_of, text_of
 from scipy.spatial.transform import Rotation
 from statwalk.character.made_clips import sides_of
 from statwalk.errors import ContentError, MachineError
+from statwalk.files.character_file import load_character_file
 from statwalk.maths.easing import EASINGS
 from statwalk.maths.pose import rest
 from statwalk.motion.clip import Channel, Clip, Marker
@@ -18,7 +19,6 @@ from statwalk.motion.principles.retime import retime, to_frames
 from statwalk.motion.principles.sides import Sides, partner_name
 from statwalk.motion.principles.squash import squash
 from statwalk.motion.principles.twinning import twinning
-from statwalk.services.library.load import load_character_file
 from text_character import from_text
 
 TIMES = np.array([0, 0.4, 1, 2], np.float32)

@@ -19,13 +19,13 @@ def chain_joints(skeleton: Skeleton, names: Sequence[str], solver: str) -> tuple
     :raises ContentError: when the names are no chain for this solver.
     :raises UnknownNameError: when the skeleton has no joint of a name.
     """
+    if solver == "two-bone" and len(names) != 3:
+        raise ContentError("two-bone needs three joints: start, middle, end", place="chain")
     least = 1 if solver == "look-at" else 2
     if len(names) < least or len(names) > LONGEST_CHAIN:
         raise ContentError(
             f"{solver} needs {least} to {LONGEST_CHAIN} joints, from start to end", place="chain"
         )
-    if solver == "two-bone" and len(names) != 3:
-        raise ContentError("two-bone needs three joints: start, middle, end", place="chain")
     rows = [skeleton.index(name) for name in names]
     for name in names:
         if name in skeleton.muscle_bones:

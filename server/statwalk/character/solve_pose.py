@@ -71,7 +71,7 @@ class SolverOptions:
             raise UnknownNameError("solver", self.solver, SOLVERS)
         _in_range("softening", self.softening, 0, FURTHEST)
         _in_range("tolerance", self.tolerance, 1e-9, FURTHEST)
-        _in_range("iterations", self.iterations or 1, 1, MOST_ITERATIONS)
+        _in_range("iterations", 1 if self.iterations is None else self.iterations, 1, MOST_ITERATIONS)
         if not np.linalg.norm(_numbers("forward", self.forward, 3)) > 0:
             raise ContentError("a direction needs a length above 0", place="forward")
 

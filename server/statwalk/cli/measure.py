@@ -45,7 +45,8 @@ def _role_of(machine: str) -> Role:
 
 def _shown(rows: Sequence[Measured], budgets: Mapping[str, Any]) -> Table:
     """The figures as a table that fits a narrow terminal; over budget in red."""
-    table = Table("", *(f"{name} {unit(name)}" for name in UNITS), box=None, pad_edge=False)
+    headings = (f"{name} {unit(name)}" for name in UNITS)
+    table = Table("", *headings, box=None, pad_edge=False, padding=(0, 1, 0, 0))
     table.columns[0].no_wrap = True
     for part in rows:
         figures = (part.figures.get(name) for name in UNITS)

@@ -9,8 +9,8 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
+from statwalk.files.character_file import load_character_file
 from statwalk.files.machine_yaml.new_machine import motions_of, write_machine
-from statwalk.services.library.load import load_character_file
 
 EXAMPLES = """Examples:
 

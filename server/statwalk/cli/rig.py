@@ -12,8 +12,8 @@ from rich.progress import Progress, TextColumn, TimeElapsedColumn
 
 from statwalk.character.autorig.wish import Facing, SkeletonKind
 from statwalk.errors import ContentError
+from statwalk.files.character_file import load_character_file
 from statwalk.files.gltf.rigged import rigged
-from statwalk.services.library.load import load_character_file
 from statwalk.skin.binding.bind_surface import Weighting
 
 EXAMPLES = """Examples:

@@ -15,10 +15,11 @@ from rich.table import Table
 from statwalk.character.made_clips import with_clips
 from statwalk.character.role import facts_of
 from statwalk.errors import UnknownNameError
+from statwalk.files.character_file import load_character_file
 from statwalk.files.machine_yaml.machine_file import load_machine
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.verify import verify as find
-from statwalk.services.library.load import character_path, load_character_file, machine_folders
+from statwalk.services.library.load import character_path, machine_folders
 
 EXAMPLES = """Examples:
 

@@ -1,5 +1,5 @@
-"""Unpacks a model and the files that it needs from a zip; names and sizes are checked before any byte is
-unpacked.
+"""Unpacks a model, or a character file, and the files that it needs from a zip; names and sizes are checked
+before any byte is unpacked.
 """
 
 from __future__ import annotations
@@ -10,13 +10,19 @@ import zipfile
 import zlib
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from pathlib import Path, PurePosixPath
+from pathlib import Path, PurePath, PurePosixPath
 
 from statwalk.errors import ModelError
 
+SUFFIX = ".zip"
 MODELS = (".gltf", ".glb")
 SUFFIXES = (*MODELS, ".bin", ".png", ".jpg", ".jpeg", ".webp", ".ktx2")
 """files that a model may need; all other files stay in the archive"""
+CHARACTER_FILES = (".yaml", ".yml")
+CHARACTER_SUFFIXES = (*SUFFIXES, *CHARACTER_FILES, ".txt", ".md2", ".x", ".chunk", ".bvh", ".trc")
+"""files that a character file may name"""
+OTHER_TEXTS = ("machine.yaml", "scene.yaml")
+"""a zip of a machine holds its model beside them"""
 MOST_ENTRIES = 1_000
 LARGEST_DIRECTORY_BYTES = 1 << 20
 LARGEST_UNPACKED_BYTES = 128 << 20
@@ -38,21 +44,25 @@ def is_zip(start: bytes) -> bool:
 
 
 def unpack(archive: Path, folder: Path) -> Path:
-    """Unpacks a zip into an empty folder and returns the path of the only model in it.
+    """Unpacks a zip into an empty folder and returns the path of its only character file, or else of its only
+    model.
 
     :raises ModelError: when the zip is damaged, too large or unsafe, or does not hold exactly one model;
         `place` is the entry's name or a byte offset.
     """
-    with checked_zip(archive) as (opened, wanted):
+    with checked_zip(archive, CHARACTER_SUFFIXES) as (opened, entries):
+        has_character_file = any(_is_character_file(PurePosixPath(entry.filename)) for entry in entries)
+        suffixes = CHARACTER_SUFFIXES if has_character_file else SUFFIXES
         bytes_left = LARGEST_UNPACKED_BYTES
-        for entry in wanted:
-            bytes_left -= _extract(opened, entry, folder, bytes_left)
-    return _model_in(folder)
+        for entry in entries:
+            if _is_wanted(PurePosixPath(entry.filename), suffixes):
+                bytes_left -= _extract(opened, entry, folder, bytes_left)
+    return _main_file_in(folder)
 
 
 @contextmanager
 def checked_zip(
-    archive: Path, suffixes: Sequence[str] = SUFFIXES
+    archive: Path, suffixes: Sequence[str]
 ) -> Iterator[tuple[zipfile.ZipFile, list[zipfile.ZipInfo]]]:
     """Opens a zip; yields it with its checked entries of some suffixes.
 
@@ -156,6 +166,10 @@ def _is_wanted(path: PurePosixPath, suffixes: Sequence[str]) -> bool:
     return path.suffix.lower() in suffixes and not hidden
 
 
+def _is_character_file(path: PurePath) -> bool:
+    return path.suffix.lower() in CHARACTER_FILES and path.name not in OTHER_TEXTS
+
+
 def _check_different(names: Iterable[str]) -> None:
     """Refuses two names that some file systems take for the same name, and a file that has the name of a
     folder.
@@ -193,17 +207,20 @@ def _extract(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, folder: Path, most
     return written
 
 
-def _model_in(folder: Path) -> Path:
-    """Returns the only model of a folder: the .gltf or .glb nearest to the top.
+def _main_file_in(folder: Path) -> Path:
+    """Returns the only character file of a folder, the one nearest to the top; without one, the model.
 
-    :raises ModelError: when the folder has no model, or several at the same depth.
+    :raises ModelError: when the folder has neither, or several at the same depth.
     """
-    models = [path for path in sorted(folder.rglob("*")) if path.suffix.lower() in MODELS and path.is_file()]
+    files = [path for path in sorted(folder.rglob("*")) if path.is_file()]
+    texts = [path for path in files if _is_character_file(path)]
+    models = texts or [path for path in files if path.suffix.lower() in MODELS]
+    kind = "character file" if texts else "model"
     if not models:
-        raise ModelError("the zip holds no model; add one .gltf or .glb file")
+        raise ModelError("the zip holds no model; add one .gltf or .glb file, or a character file (.yaml)")
     depth = min(len(path.parts) for path in models)
     highest = [path for path in models if len(path.parts) == depth]
     if len(highest) > 1:
         names = ", ".join(path.name[:60] for path in highest[:5])
-        raise ModelError(f"the zip holds {len(highest)} models; keep only one: {names}")
+        raise ModelError(f"the zip holds {len(highest)} {kind}s; keep only one: {names}")
     return highest[0]

@@ -33,7 +33,7 @@ from statwalk.skin.collapses import Collapses, DetailLevel
 from statwalk.skin.face_muscles import Muscle
 from statwalk.skin.primitive import Primitive, Skin
 
-FORMAT = 7
+FORMAT = 8
 """increase when a field of one of the classes changes: files of an older format are then written again"""
 _TREE = "tree"
 _OWN_FILE = "model_glb"

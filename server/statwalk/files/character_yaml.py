@@ -164,7 +164,7 @@ def _limits(root: Node, skeleton: Skeleton, scale: float, folder: Path) -> dict[
     """Reads `joints` and `limits`; `limits` may name a file with the FAQ's table of constraints."""
     entries = root.entries(*_KEYS)
     joints, limits = entries.get("joints"), entries.get("limits")
-    is_file = limits is not None and limits.is_text and limits.style is None and limits.value != ""
+    is_file = limits is not None and limits.is_text and limits.style != "|" and limits.value != ""
     read = joint_limits(joints, None if is_file else limits, scale)
     in_file: dict[str, LimitDefinition] = {}
     if limits is not None and is_file:

@@ -66,6 +66,11 @@ class FileFormat:
     load: Loader | None = None
     write_many: ManyFilesWriter | None = None
 
+    @property
+    def is_written(self) -> bool:
+        """Returns whether the format is written, as one file or several."""
+        return self.write is not None or self.write_many is not None
+
     def files(self, character: Character, stem: str) -> Mapping[str, bytes]:
         """Returns the files of a character by name, the main file first.
 

@@ -12,6 +12,9 @@ import numpy as np
 
 from statwalk.character.character import Character
 from statwalk.character.digital_skin import MATERIAL, is_digital
+from statwalk.maths import quat
+from statwalk.maths.arrays import Floats
+from statwalk.maths.clamp_kinds import EULER
 from statwalk.motion.clip import Channel, Clip
 from statwalk.skin.primitive import TRIANGLES, Primitive
 
@@ -21,6 +24,7 @@ UNIT = 1e-5
 PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 BASIC = {"name", "emissiveFactor", "alphaMode", "baseColorFactor", "roughnessFactor"}
 """properties of a material that every format with materials holds; further ones are of glTF"""
+TURNED_LIMITS = "limits of each axis of joints that are turned at rest"
 SHAPED = ("POSITION", "NORMAL", "TEXCOORD_", "COLOR_")
 
 
@@ -143,6 +147,25 @@ def _turned(character: Character) -> Names:
     return tuple(character.skeleton.names[joint] for joint in turned if joint not in left_out)
 
 
+def axes_at_rest(character: Character) -> Floats:
+    """Returns the rotations (J, 4) from the axes of the joints at rest to those of the character."""
+    turns: Floats = np.zeros((len(character.skeleton), 4))
+    for joint, parent in enumerate(character.skeleton.parent.tolist()):
+        own = character.bind_pose.rotation[joint].astype(np.float64)
+        turns[joint] = own if parent < 0 else quat.mul(turns[parent], own)
+    return turns
+
+
+def limits_about_turned_axes(character: Character) -> Names:
+    """Returns the names of the joints with limits of each axis, whose axes are turned at rest."""
+    turned = np.abs(axes_at_rest(character)[:, 3]) < 1 - UNIT
+    return tuple(
+        name
+        for name, limit in character.limits.items()
+        if limit.kind == EULER and turned[character.skeleton.index(name)]
+    )
+
+
 def _further_roots(character: Character) -> Names:
     left_out = carriers(character)
     roots = [
@@ -184,6 +207,7 @@ PARTS: dict[str, Callable[[Character], Iterable[str]]] = {
     "own axes of joints": _turned,
     "further roots": _further_roots,
     "limits": lambda character: character.limits,
+    TURNED_LIMITS: limits_about_turned_axes,
     "muscle bones": lambda character: sorted(character.skeleton.muscle_bones),
     "chains": lambda character: character.chains,
     "names of other characters than letters, digits and _": _odd_names,

@@ -18,12 +18,11 @@ from statwalk.files.directx import read_directx, write_directx
 from statwalk.files.file_format import FileFormat
 from statwalk.files.gltf.read import read_model
 from statwalk.files.gltf.write_files import write_glb, write_gltf, write_zip
-from statwalk.files.held_parts import EVERY_PART
+from statwalk.files.held_parts import EVERY_PART, TURNED_LIMITS
 from statwalk.files.md2 import read_md2, write_md2
 from statwalk.files.md2.md2_file import SUFFIX as MD2_SUFFIX
 from statwalk.files.md2.md2_header import START as MD2_START
 from statwalk.files.write_faq_text import write_faq_files
-from statwalk.files.zipped_model import load_zip
 
 _GLTF_INSTEAD = {"B-splines and NURBS": "as linear keys, 60 a second"}
 _GLTF_PARTS = EVERY_PART - _GLTF_INSTEAD.keys()
@@ -93,21 +92,20 @@ FORMATS: tuple[FileFormat, ...] = (
     ),
     FileFormat(
         "zip of a glTF",
-        (".zip",),
+        (archive.SUFFIX,),
         None,
         write_zip,
         _GLTF_PARTS,
         _GLTF_INSTEAD,
         (archive.ZIP_START,),
         "application/zip",
-        load_zip,
     ),
     FileFormat(
         "BVH",
         (".bvh",),
         lambda data, name: captures.read_capture(data, ".bvh", name),
         write_bvh,
-        frozenset({"clips", _ODD_NAMES}),
+        frozenset({"clips", _ODD_NAMES, TURNED_LIMITS}),
         _BVH_INSTEAD,
         (b"HIERARCHY",),
         "model/bvh",
@@ -127,7 +125,7 @@ FORMATS: tuple[FileFormat, ...] = (
         (MD2_SUFFIX,),
         read_md2,
         write_md2,
-        frozenset({"clips after the first", "own axes of joints", "further roots"}),
+        frozenset({"clips after the first", "own axes of joints", "further roots", TURNED_LIMITS}),
         _MD2_INSTEAD,
         (MD2_START,),
     ),
@@ -149,15 +147,19 @@ FORMATS: tuple[FileFormat, ...] = (
 )
 CHARACTER_TEXT = FileFormat(
     "the FAQ's text",
-    (".yaml", ".yml"),
-    holds=frozenset({"digital skin", "clips", "clips after the first", "loops", "further roots", _ODD_NAMES}),
+    archive.CHARACTER_FILES,
+    holds=frozenset(
+        {"digital skin", "clips", "clips after the first", "loops", "limits", "further roots", _ODD_NAMES}
+    ),
     instead={part: what for part, what in _BVH_INSTEAD.items() if part != "further roots"},
     write_many=write_faq_files,
 )
-"""read by `character_yaml`, whose `model:` may name a file of any other format"""
+"""read by `character_yaml`, whose `model:` may name a file of any other format; a zip is read by
+`character_file`
+"""
 SUFFIXES = tuple(suffix for row in FORMATS for suffix in row.suffixes)
 WRITTEN = (
-    *(suffix for row in FORMATS if row.write for suffix in row.suffixes),
+    *(suffix for row in FORMATS if row.is_written for suffix in row.suffixes),
     CHARACTER_TEXT.suffixes[0],
 )
 MODEL_SUFFIXES = tuple(suffix for suffix in SUFFIXES if suffix != ".zip")

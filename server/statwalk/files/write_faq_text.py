@@ -1,5 +1,5 @@
-"""Writes a character as the FAQ's text: a character file, its skeleton table, key frames of each clip, and
-its digital skin.
+"""Writes a character as the FAQ's text: a character file, its skeleton table, key frames of each clip, its
+limits and its digital skin.
 
 A bone of the FAQ begins where its parent ends and has no rotation at rest. So a joint with one child is
 a bone that reaches to it; to each of several children leads a bone of its own, `PARENT.to.CHILD`; a root that
@@ -25,6 +25,7 @@ from statwalk.files.faq.key_frame_text import BoneKey, KeyFrame, Triple, write_k
 from statwalk.files.faq.skeleton_text import LARGEST_TEXT_BYTES, MOST_BONES, write_skeleton
 from statwalk.files.gltf.names import unique
 from statwalk.files.held_parts import carriers
+from statwalk.files.write_limits import entry_lines, limit_entries
 from statwalk.maths.arrays import Bools, Floats
 from statwalk.rig.bones import Bones
 from statwalk.rig.skeleton import Skeleton
@@ -58,7 +59,10 @@ def write_faq_files(character: Character, stem: str) -> dict[str, bytes]:
         for own, clip in zip(stems, character.clips.values(), strict=True)
     }
     lines = [f"name: {json.dumps(character.name)}", f"skeleton: {json.dumps(skeleton_name)}"]
-    skin = skin_text(character, one_word_names(character.skeleton.names))
+    names = one_word_names(character.skeleton.names)
+    limits, limit_files = limit_entries(character, names, f"{stem}.limits.txt")
+    lines += entry_lines(limits)
+    skin = skin_text(character, names)
     skin_files = {} if skin is None else {f"{stem}.skin.txt": write_digital_skin(skin)}
     lines += [f"digital_skin: {json.dumps(name)}" for name in skin_files]
     lines += ["clips:"] if files else []
@@ -66,7 +70,7 @@ def write_faq_files(character: Character, stem: str) -> dict[str, bytes]:
         loop = ", loop: true" if character.clips[name].loop else ""
         lines.append(f"  {json.dumps(name)}: {{keys: {json.dumps(file)}, interpolation: slerp{loop}}}")
     texts = {f"{stem}.yaml": "\n".join(lines) + "\n", skeleton_name: write_skeleton(_bones(rows))}
-    texts |= {**skin_files, **files}
+    texts |= {**limit_files, **skin_files, **files}
     for name, text in texts.items():
         if len(text) > LARGEST_TEXT_BYTES:
             raise ContentError(f"{name} would be larger than {LARGEST_TEXT_BYTES >> 20} MiB")

@@ -124,6 +124,7 @@ NAMED_BY_PATH = {
     "machine": "name",
     "character": "name",
     "link": "link_id",
+    "version": "number",
 }
 """for each kind of name, the path parameter that holds the name"""
 

@@ -106,7 +106,7 @@ def test_another_editors_change_is_not_overwritten(
     """
     allowed.append("status of 412")
     table.locator(CELL).click()
-    table.evaluate("document.querySelector('.cell-field').value = 'STAT'")
+    table.locator(".cell-field").fill("STAT")
     until(
         table, "document.querySelector('#cell-inspector').dataset.trial === 'fine'"
     )  # no trial is on its way any more

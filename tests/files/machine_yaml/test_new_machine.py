@@ -5,11 +5,11 @@ import pytest
 from paths import GLTF, needs_assets
 from statwalk.character.role import Role
 from statwalk.errors import MachineError
+from statwalk.files.character_file import load_character_file
 from statwalk.files.machine_yaml.machine_file import load_machine
 from statwalk.files.machine_yaml.new_machine import motions_of, write_machine
 from statwalk.machine.compile.compile_machine import MotionFacts
 from statwalk.machine.verify import verify
-from statwalk.services.library.load import load_character_file
 from statwalk.stage.stage import Stage
 
 MODELS = ("RobotExpressive", "Quaternius_PlatformerCharacter", "KayKit_Knight", "Khronos_Fox", "CesiumMan")

@@ -9,12 +9,12 @@ import jsonschema
 import pytest
 from paths import GLTF, MACHINES, needs_assets
 from statwalk.errors import MachineError
+from statwalk.files.character_file import load_character_file
 from statwalk.files.machine_yaml import capture_lines, cells, flock_part, layers, levels, states
 from statwalk.files.machine_yaml.machine_file import KEYS, SCHEMA_PATH, read_machine
 from statwalk.files.machine_yaml.new_machine import write_machine
 from statwalk.files.yaml.yaml_text import parse
 from statwalk.machine.definition.budgets_definition import FIGURES
-from statwalk.services.library.load import load_character_file
 
 SCHEMA = json.loads(SCHEMA_PATH.read_text())
 SHIPPED = sorted(MACHINES.rglob("machine.yaml"))

@@ -7,13 +7,13 @@ import tiny_model
 from paths import GLTF, needs_assets
 from statwalk.character.role import Role
 from statwalk.errors import UnknownNameError
+from statwalk.files.character_file import load_character_file
 from statwalk.files.gltf import read_model
 from statwalk.files.machine_yaml.machine_file import load_machine, read_machine
 from statwalk.files.machine_yaml.new_machine import machine_text, named_motions, write_folder
 from statwalk.files.machine_yaml.state_names import proposed
 from statwalk.machine.compile.compile_machine import MotionFacts
 from statwalk.machine.verify import verify
-from statwalk.services.library.load import load_character_file
 from statwalk.stage.stage import Stage
 
 EXPECTED = {

@@ -4,7 +4,7 @@ from importlib.metadata import version
 
 import pytest
 from statwalk.errors import StageError
-from statwalk.stage.history.engine import ENGINE, check_engine, release
+from statwalk.stage.history.engine import ENGINE, RELEASE, check_engine
 
 
 @pytest.mark.parametrize("header", [{}, {"engine": ENGINE}, {"engine": ENGINE, "version": "9.9"}])
@@ -19,10 +19,10 @@ def test_a_log_of_another_engine_is_refused_and_the_message_names_both(engine, p
         check_engine({"engine": engine, "version": player})
     named = "another statwalk" if player is None else f"statwalk {player}"
     assert str(refused.value) == (
-        f"line 1: engine {engine} ({named}) played the log; this is engine {ENGINE} (statwalk {release()}), "
+        f"line 1: engine {engine} ({named}) played the log; this is engine {ENGINE} (statwalk {RELEASE}), "
         f"which may move otherwise. Play it with {named}"
     )
 
 
 def test_the_release_is_that_of_the_installed_package():
-    assert release() == version("statwalk")
+    assert version("statwalk") == RELEASE

@@ -2,7 +2,7 @@
 
 import pytest
 from statwalk.errors import StageError
-from statwalk.stage.history.engine import ENGINE, release
+from statwalk.stage.history.engine import ENGINE, RELEASE
 from statwalk.stage.history.log_codec import dump, load
 from statwalk.stage.state.commands import Add, Edit, Hold, LogEntry, Press, Release, Remove, Set, Travel
 
@@ -33,7 +33,7 @@ COMMANDS = (
 def test_lines_come_back_as_they_were():
     log = [LogEntry(number, number // 3, command) for number, command in enumerate(COMMANDS, 1)]
     loaded = load(dump(log, {"seed": 3, "rate": 60}))
-    made_by = {"engine": ENGINE, "version": release()}
+    made_by = {"engine": ENGINE, "version": RELEASE}
     assert loaded.header == {"statwalk": "log", "semantics": 1, **made_by, "seed": 3, "rate": 60}
     assert loaded.entries == log
 

@@ -1,5 +1,7 @@
 """A character in other formats over REST: listed with what they lose, downloaded, uploaded again."""
 
+import io
+import zipfile
 from collections.abc import AsyncIterator
 from pathlib import Path
 
@@ -7,6 +9,7 @@ import httpx
 import pytest
 from statwalk.files.bvh import read_bvh
 from statwalk.files.chunk import read_chunk_file, write_chunk_file
+from statwalk.files.zipped import zipped
 from uploads import opened, put
 from whole_character import difference, whole
 
@@ -43,6 +46,30 @@ async def test_an_uploaded_chunk_file_comes_back_to_the_last_bit(client: httpx.A
     back = await client.get("/api/characters/tiny/model.chunk")
     assert difference(whole(), read_chunk_file(back.content, "tiny")) == ""
     assert (await client.get("/api/characters/tiny/model.glb")).content.startswith(b"glTF")
+
+
+async def test_the_faqs_text_is_downloaded_and_uploaded_as_a_zip(client: httpx.AsyncClient) -> None:
+    """Its first clip, in three texts, moves the bones of the uploaded character."""
+    text = await client.get("/api/characters/walker/model.yaml", params={"clip": "walk"})
+    assert text.headers["content-type"] == "application/zip"
+    assert text.headers["content-disposition"] == 'attachment; filename="walker.zip"'
+    taken = await put(client, data=text.content)
+    assert (taken.status_code, taken.json()["clips"]) == (
+        201,
+        len((await client.get("/api/characters/walker")).json()["clips"]),
+    )
+    names = zipfile.ZipFile(io.BytesIO(text.content)).namelist()
+    assert names[:2] == ["walker.yaml", "walker.skeleton.txt"]
+    back = await client.get("/api/characters/tiny/model.bvh", params={"clip": "walk"})
+    assert "Left.upperleg" in read_bvh(back.content, "x").skeleton.names
+
+
+async def test_a_fault_in_a_text_of_a_zip_is_named_with_file_and_line(client: httpx.AsyncClient) -> None:
+    files = {"leg/leg.yaml": b"skeleton: leg.txt\n", "leg/leg.txt": b"Root --- - - - -\nShin Hip 4 0 -1 0\n"}
+    refused = await put(client, data=zipped(files))
+    assert refused.status_code == 422
+    assert "leg/leg.txt" in refused.json()["detail"]
+    assert refused.json()["errors"][0]["field"].endswith("line 2")
 
 
 async def test_a_broken_chunk_file_is_refused_with_the_byte(client: httpx.AsyncClient) -> None:

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import base64
-import io
-import zipfile
 
 import orjson
 
 from statwalk.character.character import Character
 from statwalk.files.gltf import container
 from statwalk.files.gltf.write import model_glb
-
-EARLIEST = (1980, 1, 1, 0, 0, 0)
-"""the time of a zip's entry: the same character is the same zip"""
+from statwalk.files.zipped import zipped
 
 
 def write_glb(character: Character) -> bytes:
@@ -34,8 +30,4 @@ def write_gltf(character: Character) -> bytes:
 
 def write_zip(character: Character) -> bytes:
     """Returns a zip with the .glb."""
-    out = io.BytesIO()
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
-        entry = zipfile.ZipInfo("model.glb", EARLIEST)
-        archive.writestr(entry, write_glb(character), zipfile.ZIP_DEFLATED)
-    return out.getvalue()
+    return zipped({"model.glb": write_glb(character)})

@@ -15,7 +15,10 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-TABLE = re.compile(r"\n--- ([^/\\\n]{1,100}\.[Cc][Ss][Vv])\n")
+from statwalk.errors import MachineError
+
+FILE = r"[^/\\\n]{1,100}\.[Cc][Ss][Vv]"
+TABLE = re.compile(rf"\n--- ({FILE})\n")
 """begins a table; in one YAML document no line begins with `---` further down"""
 
 
@@ -32,5 +35,11 @@ class MachineText(NamedTuple):
         return cls(yaml, dict(zip(parts[::2], parts[1::2], strict=True)))
 
     def whole(self) -> str:
-        """Returns both in one text."""
+        """Returns both in one text.
+
+        :raises MachineError: when a name cannot be that of a .csv file in the folder.
+        """
+        for name in self.tables:
+            if not re.fullmatch(FILE, name):
+                raise MachineError(f"{name[:80]!r} is no name of a .csv file; write it without a folder")
         return self.yaml + "".join(f"\n--- {name}\n{table}" for name, table in self.tables.items())

@@ -180,9 +180,16 @@ def _removal(text: str, parent: Node, step: str | int) -> Splice:
     place = steps.index(step)
     start, end = span_of(text, parent, step)
     if parent.style != IN_BRACKETS:
-        return Splice(start, end, "")
+        return Splice(_without_blank_line(text, start, end), end, "")
     if place:
         return Splice(span_of(text, parent, steps[place - 1])[1], end, "")
     if len(steps) > 1:
         return Splice(start, span_of(text, parent, steps[1])[0], "")
     return Splice(start, end, "")
+
+
+def _without_blank_line(text: str, start: int, end: int) -> int:
+    """Returns where lines begin, with the blank line before them if a blank line, or nothing, comes after."""
+    before = line_start(text, start - 1) if start else 0
+    is_alone = not text[before:start].strip() and not text[end : line_end(text, end)].strip()
+    return before if is_alone else start

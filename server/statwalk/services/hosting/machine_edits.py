@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from statwalk.errors import ConflictError, VersionConflictError
+from statwalk.errors import ConflictError, StatwalkError, VersionConflictError
 from statwalk.files.machine_yaml.edit.edited import conflict, edited
 from statwalk.files.machine_yaml.edit.operation import EditOperation
 from statwalk.machine.model_checker.work import Checkpoint, go_on
@@ -87,7 +87,7 @@ def _check_apart(
             f"{name} is at version {newest.number}, and version {seen} is not kept; read it again",
             field="version",
         )
-    if conflict(kept[seen].text, newest.text, operations) is None:
+    if conflict(kept[seen].text, newest.text, operations) is None or _is_made(newest.text, operations):
         return
     other = next(
         version
@@ -101,6 +101,14 @@ def _check_apart(
         f"{'/'.join(part)}; {name} is at version {newest.number} now, read it again",
         field="/".join(part),
     )
+
+
+def _is_made(text: str, operations: Sequence[EditOperation]) -> bool:
+    """Whether a text says already what operations would make of it: a request that came twice."""
+    try:
+        return edited(text, operations) == text
+    except StatwalkError:
+        return False
 
 
 # --- back and forth

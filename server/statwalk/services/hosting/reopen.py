@@ -19,7 +19,7 @@ from statwalk.services.hosting.store.kept_stage import model_digest
 from statwalk.services.hosting.store.records import MAIN, MachineVersion, StageRecord
 from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
-from statwalk.stage.history.engine import ENGINE, release
+from statwalk.stage.history.engine import ENGINE, RELEASE
 from statwalk.stage.history.log_codec import Beginning, Loaded, load, log_header
 from statwalk.stage.replay import at_beginning
 from statwalk.stage.stage import Stage
@@ -110,7 +110,7 @@ def reopened(record: StageRecord, catalogue: Catalogue) -> Stage:
     if stage.hash != note.hash:
         raise StageError(
             f"its log leads to another state at tick {note.tick} than the one it had: another engine played "
-            f"it. This is engine {ENGINE} (statwalk {release()}): open it with the version that made it"
+            f"it. This is engine {ENGINE} (statwalk {RELEASE}): open it with the version that made it"
         )
     if (acknowledged := _newest_tick(loaded)) > note.head:
         stage.seek(note.head)

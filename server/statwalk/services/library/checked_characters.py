@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from statwalk.character.character import Character
-from statwalk.services.library.load import load_character_file
+from statwalk.files.character_file import load_character_file
 from statwalk.services.library.model_store import ModelStore
 
 MOST_LOADED = 8

@@ -62,7 +62,7 @@ def written_format(path: Path) -> FileFormat:
     :raises ContentError: when no format has the suffix, or the format is only read.
     """
     row = format_of(path)
-    if row.write is None and row.write_many is None:
+    if not row.is_written:
         raise ContentError(
             f"statwalk reads {row.name} files, but does not write them; it writes {', '.join(WRITTEN)}",
             file=str(path),

@@ -15,14 +15,13 @@ from statwalk.character.role import Role
 from statwalk.errors import ContentError, UnknownNameError
 from statwalk.files import captures, model_formats
 from statwalk.files.bvh.bvh_file import Position
-from statwalk.files.character_yaml import load_character
+from statwalk.files.character_file import TEXT_SUFFIXES, load_character_file
 from statwalk.files.machine_yaml.capture_lines import with_captures
 from statwalk.files.machine_yaml.machine_file import FILE_NAME as MACHINE_FILE
 from statwalk.files.machine_yaml.machine_file import MachineFile, load_machine, machine_of
 from statwalk.files.md2 import md2_file
 
 PACKAGE = Path(__file__).resolve().parents[2]
-TEXT_SUFFIXES = (".yaml", ".yml")
 GLTF_SUFFIXES = (".glb", ".gltf")
 
 
@@ -114,18 +113,6 @@ def _load_version(name: str, text: str) -> Role:
     if (Path(name) / MACHINE_FILE).is_file():
         return load_role(Path(name), text=text)
     return load_shipped(name, text=text)
-
-
-def load_character_file(path: Path) -> Character:
-    """Loads the Character of a model or character file.
-
-    :raises ContentError: when the file does not exist, is too large, or is refused.
-    """
-    if path.suffix.lower() not in TEXT_SUFFIXES:
-        return model_formats.format_of(path).load_file(path)
-    if not path.is_file():
-        raise ContentError("there is no such file", file=str(path))
-    return load_character(path)
 
 
 def _load_model_folder(folder: Path) -> Character:

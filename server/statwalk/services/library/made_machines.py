@@ -9,6 +9,7 @@ from statwalk.character.character import Character
 from statwalk.character.role import Role
 from statwalk.errors import MachineError
 from statwalk.files.character_archive import write_character
+from statwalk.files.character_file import load_character_file
 from statwalk.files.gltf import read_model
 from statwalk.files.machine_yaml.capture_lines import with_captures
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, MachineFile, load_machine, machine_of
@@ -19,7 +20,7 @@ from statwalk.files.yaml.yaml_edit import with_value
 from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.entry import Entry
-from statwalk.services.library.load import character_path, load_character_file
+from statwalk.services.library.load import character_path
 from statwalk.services.library.model_store import ModelStore
 from statwalk.services.library.upload_sandbox import checked_beside, read_in_child
 

@@ -17,7 +17,6 @@ import os
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import asdict
@@ -28,7 +27,7 @@ from statwalk.character.character import Character
 from statwalk.errors import ContentError, ModelError
 from statwalk.files import archive, captures, model_formats
 from statwalk.files.character_archive import write_character
-from statwalk.files.gltf import read_model
+from statwalk.files.character_file import load_zip
 from statwalk.files.md2 import md2_header, read_md2
 from statwalk.files.md2.md2_file import Inbetween
 from statwalk.motion.filter_clip import Filter
@@ -188,12 +187,7 @@ def read_upload(upload: Path, name: str, how: captures.Reading | None = None) ->
         raise ContentError("position, scale and filters are for captures, .bvh and .trc; inbetween for .md2")
     if not archive.is_zip(start):
         return model_formats.format_that_starts(start).read_bytes(upload.read_bytes(), name)
-    with tempfile.TemporaryDirectory(dir=upload.parent) as unpacked:
-        model = archive.unpack(upload, Path(unpacked))
-        try:
-            return read_model(model.read_bytes(), name, model.parent)
-        except ContentError as error:
-            raise error.in_file(str(model.relative_to(unpacked))) from None
+    return load_zip(upload, name, upload.parent)
 
 
 def _of_md2(how: captures.Reading) -> tuple[Inbetween, float]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
@@ -13,13 +12,15 @@ ENGINE = 1
 """raised by a change after which some log leads to other states: see "Change the numbers" in CONTRIBUTING"""
 
 
-@cache
-def release() -> str:
-    """Returns the version of statwalk, for people; empty if it is not installed."""
+def _release() -> str:
     try:
         return version("statwalk")
     except PackageNotFoundError:
         return ""
+
+
+RELEASE = _release()
+"""the version of statwalk, for people; empty if it is not installed: read before a stage is held"""
 
 
 def check_engine(header: Mapping[str, Any]) -> None:
@@ -33,5 +34,5 @@ def check_engine(header: Mapping[str, Any]) -> None:
     player = f"statwalk {str(header['version'])[:40]}" if header.get("version") else "another statwalk"
     raise StageError(
         f"line 1: engine {str(played)[:40]} ({player}) played the log; this is engine {ENGINE} (statwalk "
-        f"{release()}), which may move otherwise. Play it with {player}"
+        f"{RELEASE}), which may move otherwise. Play it with {player}"
     )

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import orjson
 
 from statwalk.errors import StageError
-from statwalk.stage.history.engine import ENGINE, check_engine, release
+from statwalk.stage.history.engine import ENGINE, RELEASE, check_engine
 from statwalk.stage.state.commands import (
     Add,
     Command,
@@ -58,7 +58,7 @@ def dump(
 
 def log_header(header: Mapping[str, Any], beginning: Beginning | None = None) -> str:
     """Returns the first line of a log."""
-    made_by = {"engine": ENGINE, "version": release()}
+    made_by = {"engine": ENGINE, "version": RELEASE}
     first = {"statwalk": "log", "semantics": SEMANTICS, **made_by, **header}
     if beginning:
         state = b64encode(beginning.state).decode()

@@ -34,9 +34,9 @@ class Subject:
     @cached_property
     def unlocked(self) -> Role:
         """Returns the role without foot lock, which would hold feet elsewhere than the new motion puts them:
-        no transition would ever arrive.
+        no transition would ever arrive. Without it nothing finds the ground.
         """
-        return replace(self.role, definition=replace(self.role.definition, foot_lock=0.0))
+        return replace(self.role, definition=replace(self.role.definition, foot_lock=0.0, ground=()))
 
     @cached_property
     def feet(self) -> tuple[Foot, ...]:

@@ -120,10 +120,10 @@ def put_machine(new: NewText, versions: Versions, editor: Editor, dry: Flag = Fa
     """
     current = versions.based_on(editor.name, editor.seen)
     tables = MachineText.of(current.version.text).tables if new.tables is None else new.tables
-    text = MachineText(new.text, tables).whole()
     act = versions.checked if dry else versions.change
 
     def put() -> Response:
+        text = MachineText(new.text, tables).whole()
         edited = act(current, text, "another text", author=editor.author, checkpoint=editor.checkpoint)
         return answer(versions, editor.name, edited)
 

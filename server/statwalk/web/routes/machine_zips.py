@@ -22,7 +22,10 @@ from statwalk.web.upload_limiter import upload_limiter_of
 
 ZIP = "application/zip"
 BODY = {
-    "content": {ZIP: {"schema": {"type": "string", "format": "binary", "minLength": 1}}},
+    "content": {
+        kind: {"schema": {"type": "string", "format": "binary", "minLength": 1}}
+        for kind in (ZIP, "application/octet-stream")
+    },
     "required": True,
 }
 router = APIRouter(prefix="/api/machines/{name}", tags=["machines"], route_class=BoundedRoute)

@@ -128,8 +128,8 @@ async def put_character(
     spikes: Flag = False,
     inbetween: Inbetween = "linear",
 ) -> UploadView:
-    """Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, an .md2, a
-    DirectX .x in text form, or a capture (.bvh, .trc), as the raw body.
+    """Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf or of a character file (.yaml)
+    with its files, an .md2, a .chunk, a DirectX .x in text form, or a capture (.bvh, .trc), as the raw body.
 
     Replaces an uploaded character with the same name. The query is for captures: whether BVH position
     channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of

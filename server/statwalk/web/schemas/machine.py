@@ -25,7 +25,6 @@ from statwalk.web.schemas.table import (
 
 LONGEST_TEXT = 1 << 18
 MOST_TABLES = 32
-FileTable = Annotated[str, StringConstraints(max_length=104, pattern=r"^[^/\\\n]+\.[Cc][Ss][Vv]$")]
 Table = Annotated[str, StringConstraints(max_length=LONGEST_TEXT)]
 NewState = Annotated[str, StringConstraints(max_length=80)]
 
@@ -57,7 +56,7 @@ class NewText(RequestModel):
     """
 
     text: Annotated[str, StringConstraints(min_length=1, max_length=LONGEST_TEXT)]
-    tables: Annotated[dict[FileTable, Table], Field(max_length=MOST_TABLES)] | None = None
+    tables: Annotated[dict[Name, Table], Field(max_length=MOST_TABLES)] | None = None
 
 
 class NewCell(RequestModel):

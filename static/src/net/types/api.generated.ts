@@ -39,8 +39,8 @@ export interface paths {
         get: operations["get_character_api_characters__name__get"];
         /**
          * Put Character
-         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf with its files, an .md2, a
-         *     DirectX .x in text form, or a capture (.bvh, .trc), as the raw body.
+         * @description Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf or of a character file (.yaml)
+         *     with its files, an .md2, a .chunk, a DirectX .x in text form, or a capture (.bvh, .trc), as the raw body.
          *
          *     Replaces an uploaded character with the same name. The query is for captures: whether BVH position
          *     channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of
@@ -190,8 +190,8 @@ export interface paths {
         };
         /**
          * Get Model As
-         * @description Returns the character as a file of another format; `clip` comes first, and is the only one where a
-         *     format holds one.
+         * @description Returns the character as a file of another format, or as a zip if the format has several files; `clip`
+         *     comes first, and is the only one where a format holds one.
          */
         get: operations["get_model_as_api_characters__name__model__suffix__get"];
         put?: never;
@@ -5292,6 +5292,7 @@ export interface operations {
         requestBody: {
             content: {
                 "application/zip": string;
+                "application/octet-stream": string;
             };
         };
         responses: {

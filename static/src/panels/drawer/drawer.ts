@@ -11,6 +11,7 @@ import type { App } from "../../view/app";
 const TABS: readonly (readonly [NonNullable<Drawer>, string])[] = [
   ["cell", "cell"],
   ["versions", "versions"],
+  ["text", "YAML"],
 ];
 
 export function drawerPanel(host: HTMLElement, app: App): void {

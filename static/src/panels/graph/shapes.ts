@@ -1,68 +1,61 @@
-/** Boxes, edges and curves, for both layouts of the state graph. */
+/** The boxes and arrows of the state graph, in its own units: a pixel at zoom 1. */
 
 import type { Edge } from "../../net/protocol";
 
-export interface PlacedState {
-  name: string;
-  x: number;
-  y: number;
-  width: number;
-}
-
-export interface PlacedEdge extends Edge {
-  /** An SVG path. */
-  path: string;
-  /** Place of the label. */
-  x: number;
-  y: number;
-}
-
-export interface Layout {
-  width: number;
-  height: number;
-  states: PlacedState[];
-  edges: PlacedEdge[];
-  /** True if only the live state's edges stand out. */
-  dense: boolean;
-}
-
 export type Point = { x: number; y: number };
+
+/** A state's box; x and y are its middle. */
+export interface Box extends Point {
+  name: string;
+  width: number;
+}
+
+/** A rectangle by its sides. */
+export interface Rect {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+/** An edge with the cubic curve that draws it: start, two control points, end. */
+export interface Arrow extends Edge {
+  curve: readonly [Point, Point, Point, Point];
+}
 
 export const STATE_HEIGHT = 28;
 const CHARACTER_WIDTH = 7.8;
+const LONGEST_NAME = 19;
+
+export function shortName(name: string): string {
+  return name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME - 1)}…` : name;
+}
 
 export function stateWidth(name: string): number {
-  return Math.max(44, Math.min(160, name.length * CHARACTER_WIDTH + 18));
+  return Math.max(44, shortName(name).length * CHARACTER_WIDTH + 18);
 }
 
-function f(value: number): string {
-  return value.toFixed(1);
+export function rectOf({ x, y, width }: Box, margin = 0): Rect {
+  const [w, h] = [width / 2 + margin, STATE_HEIGHT / 2 + margin];
+  return { left: x - w, top: y - h, right: x + w, bottom: y + h };
 }
 
-/** Draws a smooth curve along the points, with quadratic corners. */
-export function curve(points: readonly Point[]): string {
-  const [first, ...rest] = points;
-  if (!first || !rest.length) return "";
-  let path = `M${f(first.x)} ${f(first.y)}`;
-  for (let i = 0; i < rest.length - 1; i++) {
-    const [at, next] = [rest[i]!, rest[i + 1]!];
-    const end = i === rest.length - 2 ? next : { x: (at.x + next.x) / 2, y: (at.y + next.y) / 2 };
-    path += `Q${f(at.x)} ${f(at.y)} ${f(end.x)} ${f(end.y)}`;
-  }
-  return rest.length === 1 ? `${path}L${f(rest[0]!.x)} ${f(rest[0]!.y)}` : path;
+export function overlap(a: Rect, b: Rect): boolean {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-/** Draws an edge from a state to itself: a small loop at its upper right corner. */
-export function selfLoop({ x, y, width }: PlacedState): Pick<PlacedEdge, "path" | "x" | "y"> {
-  const [right, top] = [x + width / 2, y - STATE_HEIGHT / 2];
-  const at = (x: number, y: number): string => `${f(x)} ${f(y)}`;
-  const curve = [at(right - 20, top - 18), at(right + 18, top - 14), at(right, y - 4)].join(" ");
-  const path = `M${at(right - 18, top)}C${curve}`;
-  return { path, x: right + 4, y: top - 8 };
+/** Returns the smallest rectangle around all of `rects`. */
+export function around(rects: readonly Rect[]): Rect {
+  return {
+    left: Math.min(...rects.map(({ left }) => left)),
+    top: Math.min(...rects.map(({ top }) => top)),
+    right: Math.max(...rects.map(({ right }) => right)),
+    bottom: Math.max(...rects.map(({ bottom }) => bottom)),
+  };
 }
 
 /** Returns the point at which the line from a box's middle to `to` leaves the box. */
-export function borderPoint({ x, y, width }: PlacedState, to: Point): Point {
+export function borderPoint({ x, y, width }: Box, to: Point): Point {
   const [dx, dy] = [to.x - x, to.y - y];
   const out = Math.min(
     width / 2 / Math.max(Math.abs(dx), 1e-6),
@@ -70,4 +63,17 @@ export function borderPoint({ x, y, width }: PlacedState, to: Point): Point {
     1,
   );
   return { x: x + dx * out, y: y + dy * out };
+}
+
+/** Returns the point of a cubic curve at `t`, 0 … 1. */
+export function pointAt([a, b, c, d]: Arrow["curve"], t: number): Point {
+  const s = 1 - t;
+  const [wa, wb, wc, wd] = [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t];
+  return { x: wa * a.x + wb * b.x + wc * c.x + wd * d.x, y: wa * a.y + wb * b.y + wc * c.y + wd * d.y };
+}
+
+/** Writes a curve as an SVG path. */
+export function svgPath([start, ...rest]: Arrow["curve"]): string {
+  const at = ({ x, y }: Point): string => `${x.toFixed(1)} ${y.toFixed(1)}`;
+  return `M${at(start)}C${rest.map(at).join(" ")}`;
 }

@@ -1,18 +1,15 @@
 /** Imports a character: uploads its file, maps its clips to states, makes a machine and shows it. */
 
 import "./importDialog.css";
-import { effect } from "@preact/signals-core";
 import * as api from "../../net/api";
 import { nameFor, putCharacter, takenNames } from "../../net/upload";
 import type { Mapping, UploadedCharacter } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import { el, say } from "../../ui/dom";
-import type { App } from "../../view/app";
 import { importCapture, isCapture } from "./captureImport";
 import type { BoneForm } from "./boneForm";
-import { dropZone } from "./dropZone";
 import { FrameSwitch } from "./frameSwitch";
-import { MODELS, oneFile, PARTS } from "./gltfFiles";
+import { MODELS, oneFile, PARTS } from "./modelFiles";
 import { chosenFiles, type LocalFile } from "./localFiles";
 import { MappingForm } from "./mappingForm";
 import { offerRig } from "./rigStep";
@@ -27,7 +24,7 @@ const plural = (count: number, word: string): string =>
 const size = (bytes: number): string =>
   bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
 
-class ImportDialog {
+export class ImportDialog {
   private readonly dialog = el("dialog", { class: "import", "aria-labelledby": "import-title" });
   private readonly fileInput = el("input", {
     type: "file",
@@ -63,7 +60,7 @@ class ImportDialog {
     this.fileInput.click();
   }
 
-  /** Takes a dropped or chosen model or capture: one file, or a .gltf with its files. */
+  /** Takes a dropped or chosen model or capture: one file, or a .gltf or character file with its files. */
   async take(files: readonly LocalFile[]): Promise<void> {
     if (!files.length) return;
     this.forget();
@@ -263,25 +260,4 @@ class ImportDialog {
     if (this.pending !== null) api.removeCharacter(this.pending).catch(() => undefined);
     this.pending = null;
   }
-}
-
-/** Calls `then` once the page knows the machine that it has begun to watch. */
-function whenWatched({ machine }: App, name: string, then: () => void): void {
-  const forget = effect(() => {
-    if (machine.info.value?.name !== name || !machine.isActors) return;
-    queueMicrotask(() => forget());
-    then();
-  });
-}
-
-/** Imports your own character: dropped on the page, or chosen with the button `host`. */
-export function importPanel(host: HTMLElement, app: App): void {
-  const made = async (machine: string, state = ""): Promise<void> => {
-    await app.library.read();
-    await app.library.openMachine(machine);
-    if (state) whenWatched(app, machine, () => void app.travel.go(state));
-  };
-  const dialog = new ImportDialog(made, () => app.machine.info.value?.character ?? null);
-  dropZone((files) => void dialog.take(files));
-  host.addEventListener("click", () => dialog.choose());
 }

@@ -71,7 +71,8 @@ export function drawState(
       title: `${name}: ${facts}`,
       class: outer ? "inner" : undefined,
       "data-state": name,
-      tabindex: goTo ? -1 : undefined,
+      tabindex: -1,
+      "aria-haspopup": "menu",
     },
     short,
   );
@@ -121,6 +122,8 @@ export function columns(layer: LayerInfo, events: readonly string[]): string[] {
   );
 }
 
+const COLUMN = { scope: "col", role: "columnheader", tabindex: -1, "aria-haspopup": "menu" };
+
 /** Draws the table of a layer; states of a sub-machine come under its name. */
 export function drawTable(
   layer: LayerInfo,
@@ -133,8 +136,8 @@ export function drawTable(
     head: el(
       "tr",
       {},
-      el("th", { scope: "col", class: "corner" }, "state"),
-      ...shown.map((event) => el("th", { scope: "col" }, event)),
+      el("th", { ...COLUMN, class: "corner", title: "add a state or an event" }, "state", el("b", {}, "+")),
+      ...shown.map((event) => el("th", { ...COLUMN, "data-column": event }, event)),
     ),
     body: [],
     rows: new Map(),

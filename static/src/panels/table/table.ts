@@ -9,6 +9,7 @@ import type { Finding, Verdict } from "../../net/protocol";
 import type { App } from "../../view/app";
 import { el, flash, say } from "../../ui/dom";
 import { type Drawn, cellKey, drawTable } from "./drawTable";
+import { headMenu } from "./headMenu";
 import { moved } from "./gridMoves";
 import { verdictLine } from "./verdictLine";
 
@@ -20,6 +21,7 @@ const EMPTY: Drawn = { head: el("tr"), body: [], rows: new Map(), cells: new Map
 export class Table {
   private readonly table = el("table", { "aria-label": "state table", role: "grid" });
   private drawn = EMPTY;
+  private readonly menu: ReturnType<typeof headMenu>;
 
   constructor(
     private readonly host: HTMLElement,
@@ -32,9 +34,11 @@ export class Table {
     app.selection.layer.subscribe(() => this.draw());
     app.selection.layerStates.subscribe(() => this.mark());
     app.session.verdicts.on((verdict) => this.judge(verdict));
+    // After the table: its menu looks for the drawn head.
+    this.menu = headMenu(host, app);
     this.table.addEventListener("focusin", (focus) => this.select(focus.target));
     this.table.addEventListener("click", (click) => this.clicked(click));
-    this.table.addEventListener("contextmenu", (click) => this.travelTo(click));
+    this.table.addEventListener("contextmenu", (click) => this.askedForMenu(click));
     this.table.addEventListener("keydown", (press) => this.pressed(press));
   }
 
@@ -92,15 +96,22 @@ export class Table {
   private clicked({ target }: Event): void {
     const cell = target instanceof Element ? target.closest("td") : null;
     this.select(cell);
+    const head = target instanceof Element && !target.closest(".go") ? target.closest("th") : null;
+    if (head?.hasAttribute("tabindex")) this.openMenu(head);
     if (cell) this.edit(cell, null);
   }
 
-  private travelTo(click: Event): void {
-    const head =
-      click.target instanceof Element ? click.target.closest<HTMLElement>("th[data-state][tabindex]") : null;
+  private askedForMenu(click: Event): void {
+    const head = click.target instanceof Element ? click.target.closest<HTMLElement>("th[tabindex]") : null;
     if (!head) return;
     click.preventDefault();
-    void this.app.travel.go(head.dataset["state"]!);
+    this.openMenu(head);
+  }
+
+  private openMenu(head: HTMLElement): void {
+    const { state, column } = head.dataset;
+    const kind = state ? "state" : column ? "event" : "corner";
+    this.menu({ kind, name: state ?? column ?? "" }, head);
   }
 
   /** Handles the keys of the focused cell; they do not reach the character. */
@@ -125,7 +136,7 @@ export class Table {
   }
 
   private move(cell: HTMLTableCellElement, key: string): boolean {
-    const rows = [...this.drawn.rows.values()];
+    const rows = [this.drawn.head as HTMLTableRowElement, ...this.drawn.rows.values()];
     const row = cell.parentElement as HTMLTableRowElement;
     const spot = moved(
       { row: rows.indexOf(row), column: cell.cellIndex },
@@ -143,9 +154,8 @@ export class Table {
 
   private act(cell: HTMLTableCellElement, key: string): boolean {
     const starts = key === "Enter" || key === "F2";
-    const state = cell.dataset["state"] ?? "";
     if (cell.tagName === "TH") {
-      if (starts) void this.app.travel.go(state);
+      if (starts) this.openMenu(cell);
       return starts;
     }
     if (starts) this.edit(cell, null);

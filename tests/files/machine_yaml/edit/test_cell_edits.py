@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 
 import pytest
+from edit_texts import DOOR, came, lines
 from paths import MACHINES
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.cell_edits import SetCell
@@ -101,3 +102,77 @@ def test_a_next_state_under_cells_is_changed_there():
     assert changed(NESTED, "base", "REST", "FIGHT", "REST at end")[1] == (
         "+   REST/FIGHT: {to: REST at end, blend: 0.1}"
     )
+
+
+def test_fields_come_change_and_go():
+    quintic = {"blend": {"seconds": 0.3, "curve": "quintic"}, "enter": "match", "when": "marker half"}
+    assert came(SetCell("OPEN", "PULL", fields=quintic)) == [
+        "  OPEN/PULL:  {blend: {seconds: 0.3, curve: quintic}, enter: match, when: marker half}"
+    ]
+    assert came(SetCell("SHUT", "PUSH", fields={"blend": None, "action": "creak(2, loud)"})) == [
+        '  SHUT/PUSH:  {action: "creak(2, loud)"}'
+    ]
+
+
+def test_the_last_field_takes_the_line_along():
+    fields = {"blend": None, "action": None}
+    assert [line[0] for line in lines(SetCell("SHUT", "PUSH", fields=fields))] == ["-"]
+
+
+def test_alternatives_come_beside_fields_and_go():
+    choices = [{"if": "wind > 0", "to": "OPEN"}, {"to": "GUARD"}]
+    assert came(SetCell("SHUT", "PUSH", fields={"alternatives": choices})) == [
+        '  SHUT/PUSH:  {blend: 0.5, action: "raise(PULL, all)", to: [{if: wind > 0, to: OPEN}, {to: GUARD}]}'
+    ]
+    assert came(SetCell("OPEN", "PUSH", fields={"alternatives": {"SHUT": 2, "OPEN": 1}})) == [
+        "  OPEN/PUSH:  {SHUT: 2, OPEN: 1}"
+    ]
+    assert came(SetCell("OPEN", "PUSH", "SHUT", {"alternatives": None})) == [
+        "  OPEN    | SHUT    | SHUT |       |      |"
+    ]
+
+
+def test_a_field_beside_alternatives():
+    assert came(SetCell("OPEN", "HAIL", fields={"when": "end"})) == [
+        "  OPEN/HAIL:  {to: {SHUT: 4, OPENING: 1}, when: end}"
+    ]
+
+
+def test_a_text_does_not_hide_alternatives():
+    with pytest.raises(MachineError, match="OPEN/PUSH has alternatives under `cells`"):
+        edited(DOOR, [SetCell("OPEN", "PUSH", "SHUT")])
+
+
+def test_a_cell_made_blank_has_no_fields():
+    assert lines(SetCell("SHUT", "PUSH", "")) == [
+        "-   SHUT    | OPENING | -    | GUARD |      |",
+        "+   SHUT    |         | -    | GUARD |      |",
+        '-   SHUT/PUSH:  {blend: 0.5, action: "raise(PULL, all)"}',
+    ]
+
+
+def test_defaults_of_rows_and_columns():
+    assert came(SetCell("SHUT", "*", "OPEN")) == ["  SHUT/*:     {to: OPEN}"]
+    assert came(SetCell("*", "PUSH", "OPEN")) == ["  *       | OPEN    |      |       |      |"]
+    assert came(SetCell("GUARD.*", "HAIL", "BOW")) == ["        *     | BOW"]
+
+
+def test_an_event_of_another_table():
+    assert came(SetCell("GUARD.STAND", "PULL", "OPEN")) == ["      cells: {STAND/PULL: {to: OPEN}}"]
+
+
+CSV = (
+    """character: c.glb
+initial: A
+states: {A: {motion: a}, B: {motion: b}}
+table: t.csv
+
+--- t.csv
+"""
+    + 'state,GO,"END"\r\nA,B,\r\nB,,A\r\n'
+)
+
+
+def test_a_table_in_a_file_of_its_own():
+    assert edited(CSV, [SetCell("A", "GO", "B at end")]) == CSV.replace("A,B,", "A,B at end,")
+    assert edited(CSV, [SetCell("B", "GO", "A")]) == CSV.replace("B,,A", "B,A,A")

@@ -75,17 +75,20 @@ def differences(older: str, newer: str) -> Differences:
 
 
 def _renaming(text: str, after: Parts) -> tuple[NameDifference, EditOperation] | None:
-    """A renaming that makes an older text more like the newer one; None if there is none."""
+    """The renaming that makes an older text most like the newer one; None if none does."""
     before = parts_of(MachineText.of(text))
     gone = [part for part in before if part[:2] in NAMED and part not in after]
     new = [part for part in after if part[:2] in NAMED and part not in before]
-    pairs = [(old, name) for old in gone for name in new if old[:-1] == name[:-1]]
-    for old, name in pairs[:MOST_PAIRS]:
+    pairs = [(old, name) for old in gone for name in new if old[:-1] == name[:-1]][:MOST_PAIRS]
+    # a renaming says more than that one name is gone and another has come
+    best, fewest = None, len(_different(before, after)) - 2
+    for old, name in pairs:
         operation = _operation(old, name)
-        if operation is not None and _is_alike(text, operation, after, len(_different(before, after))):
+        left = _left(text, operation, after) if operation else fewest
+        if operation and left < fewest:
             layer = old[2] if old[1] == STATE else ""
-            return NameDifference(old[1], layer, old[-1], name[-1]), operation
-    return None
+            best, fewest = (NameDifference(old[1], layer, old[-1], name[-1]), operation), left
+    return best
 
 
 NAMED = ("name", STATE), ("name", EVENT)
@@ -99,13 +102,12 @@ def _operation(old: Part, new: Part) -> EditOperation | None:
     return RenameState(old[3], name, old[2]) if old[3].rpartition(".")[0] == outer else None
 
 
-def _is_alike(text: str, operation: EditOperation, after: Parts, most: int) -> bool:
-    """Whether fewer parts differ after an operation, by more than the name itself."""
+def _left(text: str, operation: EditOperation, after: Parts) -> int:
+    """How many parts differ after an operation; all, if it is not possible."""
     try:
-        parts = parts_of(MachineText.of(edited(text, [operation])))
+        return len(_different(parts_of(MachineText.of(edited(text, [operation]))), after))
     except ContentError:
-        return False
-    return len(_different(parts, after)) < most - 2
+        return len(after) + len(text)
 
 
 def _different(before: Parts, after: Parts) -> list[Part]:

@@ -34,18 +34,18 @@ def conflict(base: str, newest: str, operations: Sequence[EditOperation]) -> Par
     Operations that were made for the text `base` may be applied to `newest` if there is none.
     """
     before, after = parts_of(MachineText.of(base)), parts_of(MachineText.of(newest))
-    different = [part for part in {**before, **after} if before.get(part) != after.get(part)]
     touched = [part for operation in operations for part in operation.touched()]
     deleted = [name for operation in operations if (name := operation.deleted())]
-    return next(
-        (
-            part
-            for part in different
-            if any(part[: len(beginning)] == beginning for beginning in touched)
+    found = [
+        part
+        for part in {**before, **after}
+        if before.get(part) != after.get(part)
+        and (
+            any(part[: len(beginning)] == beginning for beginning in touched)
             or any(_speaks_of(name, part, (before, after)) for name in deleted)
-        ),
-        None,
-    )
+        )
+    ]
+    return min(found, key=lambda part: part[0] != "name", default=None)  # a name says most
 
 
 def _speaks_of(name: str, part: Part, texts: Iterable[Parts]) -> bool:

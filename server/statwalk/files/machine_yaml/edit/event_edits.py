@@ -77,7 +77,9 @@ class SetEvent(EditOperation):
         path = "events", self.event
         if self.buffer is not None:
             return text._replace(yaml=with_value(text.yaml, (*path, "buffer"), self.buffer))
-        return text._replace(yaml=without(text.yaml, (*path, "buffer"), 2))
+        bare = text._replace(yaml=without(text.yaml, (*path, "buffer")))
+        is_known = self.event in events_of(bare)  # by a column, or by a sense
+        return bare if is_known else text._replace(yaml=without(text.yaml, (*path, "buffer"), 2))
 
     def touched(self) -> Iterable[Part]:
         """The name, and the buffer."""

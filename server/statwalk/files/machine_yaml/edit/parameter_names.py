@@ -16,6 +16,7 @@ from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import renamed_key
 from statwalk.files.yaml.yaml_node import Node
 from statwalk.files.yaml.yaml_places import BLOCKS, Splice, find, spliced
+from statwalk.machine.conditions.variables import NAMES
 from statwalk.machine.definition.parameter_definition import COMPONENTS
 
 
@@ -37,6 +38,8 @@ class RenameParameter(EditOperation):
         parameters = root.entries()["parameters"]
         if self.to in parameters.entries() and self.to != self.name:
             raise MachineError(f"there is a parameter {self.to} already")
+        if self.to in NAMES:
+            raise MachineError(f"{self.to} is measured; conditions about it would read the parameter instead")
         own = renamed_key(text.yaml, parameters, self.name, self.to)
         return text._replace(yaml=spliced(text.yaml, [own, *_splices(text.yaml, root, self.name, self.to)]))
 

@@ -84,6 +84,11 @@ class KeptRecords:
         """The idempotency keys, the oldest first."""
         columns = "key, request, tick, seq, answered_by, digest"
         for key, *answer, digest in self._rows(
+            f"SELECT {columns} FROM keys WHERE stage NOT IN (SELECT id FROM stages)"  # noqa: S608 - our own names
+        ):
+            if row_digest(stage, key, *answer) == digest:  # a flip gave the row another stage
+                raise StorageError(f"the answer to the request with the key {key} is damaged")
+        for key, *answer, digest in self._rows(
             f"SELECT {columns} FROM keys WHERE stage = ? ORDER BY tick, seq",  # noqa: S608 - our own names
             stage,
         ):

@@ -1,4 +1,4 @@
-/** Puts a .gltf and the files that it names into one .zip, which the server reads. */
+/** Puts a .gltf, or a character file, and the files that it names into one .zip, which the server reads. */
 
 import type { LocalFile } from "./localFiles";
 
@@ -20,22 +20,32 @@ export interface Packed {
 }
 
 /** What the server reads, and what a model may need beside itself. */
-export const MODELS = [".glb", ".gltf", ".zip", ".md2", ".x", ".chunk", ".bvh", ".trc"];
-export const PARTS = [".bin", ".png", ".jpg", ".jpeg", ".webp", ".ktx2"];
+const CHARACTER_FILES = [".yaml", ".yml"];
+const SINGLE = [".glb", ".gltf", ".md2", ".x", ".chunk", ".bvh", ".trc"];
+export const MODELS = [...SINGLE, ".zip", ...CHARACTER_FILES];
+export const PARTS = [".bin", ".png", ".jpg", ".jpeg", ".webp", ".ktx2", ".txt"];
 
-export const isGltf = ({ path }: LocalFile): boolean => /\.gltf$/i.test(path);
-const isModel = ({ path }: LocalFile): boolean => MODELS.some((end) => path.toLowerCase().endsWith(end));
+const endsWith =
+  (...ends: string[]) =>
+  ({ path }: LocalFile): boolean =>
+    ends.some((end) => path.toLowerCase().endsWith(end));
+const isGltf = endsWith(".gltf");
+const isCharacterFile = endsWith(...CHARACTER_FILES);
+const isModel = endsWith(...MODELS);
+const isPart = endsWith(...SINGLE, ...PARTS);
+const folderOf = ({ path }: LocalFile): string => path.slice(0, path.length - nameOf(path).length);
 const nameOf = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
 
-/** Returns the model among several files; throws if none or several of them are one. */
+/** Returns the character file among several files, or else the model; throws if none or several of them are one. */
 export function modelAmong(files: readonly LocalFile[]): LocalFile {
-  const models = files.length > 1 ? files.filter(isModel) : files;
+  const texts = files.filter(isCharacterFile);
+  const models = texts.length ? texts : files.length > 1 ? files.filter(isModel) : files;
   const [model, second] = models;
   if (!model) throw new Error("None of these files is a model. Drop a .glb, or a .gltf with its files.");
   if (second)
     throw new Error(
       `Import one model at a time: ${nameOf(model.path)} and ${nameOf(second.path)} are two. ` +
-        "The other files may be the .bin and the pictures of a .gltf.",
+        "The other files may be the .bin and the pictures of a .gltf, or what a .yaml names.",
     );
   return model;
 }
@@ -67,7 +77,7 @@ export function namedBy(text: string): Named {
  * Files dropped one by one have lost their folders.
  */
 export function placed(model: LocalFile, paths: readonly string[], files: readonly LocalFile[]): Packed[] {
-  const folder = model.path.slice(0, model.path.length - nameOf(model.path).length);
+  const folder = folderOf(model);
   return [...new Set(paths)].flatMap((path) => {
     const source =
       files.find((file) => file.path === folder + path.replace(/^\.\//, "")) ??
@@ -85,12 +95,24 @@ async function zipped(name: string, files: readonly Packed[]): Promise<File> {
 
 const bytesOf = async (file: File): Promise<Uint8Array> => new Uint8Array(await file.arrayBuffer());
 
+/** Returns the files that a character file may name, by their paths from its folder. */
+function besideCharacterFile(main: LocalFile, files: readonly LocalFile[]): Packed[] {
+  const folder = folderOf(main);
+  return files
+    .filter((file) => file === main || isPart(file))
+    .filter(({ path }) => path.startsWith(folder))
+    .map((source) => ({ path: source.path.slice(folder.length), source }));
+}
+
 /**
- * Returns the one file to upload: the model alone, or a .zip of a .gltf with the files that it names. Throws if
- * one of its buffers is missing; a missing picture is for the server to note.
+ * Returns the one file to upload: the model alone, a .zip of a .gltf with the files that it names, or a .zip of a
+ * character file with the files beside it. Throws if a buffer of a .gltf is missing; what else is missing is for
+ * the server to say.
  */
 export async function oneFile(files: readonly LocalFile[]): Promise<File> {
   const model = modelAmong(files);
+  if (isCharacterFile(model))
+    return zipped(nameOf(model.path).replace(/\.ya?ml$/i, ".zip"), besideCharacterFile(model, files));
   const { buffers, images } = isGltf(model) ? namedBy(await model.file.text()) : { buffers: [], images: [] };
   if (!buffers.length && !images.length) return model.file;
   const others = placed(model, [...buffers, ...images], files);

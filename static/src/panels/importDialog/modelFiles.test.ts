@@ -1,6 +1,6 @@
 import { unzipSync } from "three/examples/jsm/libs/fflate.module.js";
 import { describe, expect, it } from "vitest";
-import { modelAmong, namedBy, oneFile, placed } from "./gltfFiles";
+import { modelAmong, namedBy, oneFile, placed } from "./modelFiles";
 import type { LocalFile } from "./localFiles";
 
 const local = (path: string, content = ""): LocalFile => ({
@@ -41,6 +41,20 @@ describe("the file to upload", () => {
   it("is the model itself if it names no other file", async () => {
     const model = local("robot.gltf", "{}");
     expect(await oneFile([model])).toBe(model.file);
+  });
+
+  it("is a zip of a character file with what lies beside it", async () => {
+    const files = [
+      local("fox/fox.yaml", "model: fox.glb"),
+      local("fox/fox.glb", "model"),
+      local("fox/keys/walk.txt", "keys"),
+      local("fox/picture.psd"),
+      local("other.txt"),
+    ];
+    const zip = await oneFile(files);
+    const entries = unzipSync(new Uint8Array(await zip.arrayBuffer()));
+    expect(zip.name).toBe("fox.zip");
+    expect(Object.keys(entries).sort()).toEqual(["fox.glb", "fox.yaml", "keys/walk.txt"]);
   });
 
   it("is a zip of the .gltf with its files, and no others", async () => {

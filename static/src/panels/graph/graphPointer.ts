@@ -1,0 +1,92 @@
+/** Mouse and touch in the graph: hover, click, double click, and drags of states and new arrows. */
+
+import type { App } from "../../view/app";
+import { makeArrow } from "./graphEdits";
+import type { GraphView } from "./graphView";
+import { type Drag, Gestures } from "./gestures";
+import type { Point } from "./shapes";
+
+export class GraphPointer {
+  private readonly gestures: Gestures;
+
+  constructor(
+    private readonly graph: GraphView,
+    private readonly app: App,
+  ) {
+    const { canvas } = graph.picture;
+    this.gestures = new Gestures(canvas, graph.camera, (target, place) => this.begin(target, place));
+    canvas.addEventListener("click", (click) => this.clicked(click));
+    for (const kind of ["contextmenu", "dblclick"])
+      canvas.addEventListener(kind, (click) => this.travel(click));
+    canvas.addEventListener("pointerover", ({ target }) => graph.light(stateOf(target) ?? ""));
+    canvas.addEventListener("pointerleave", () => graph.light(""));
+  }
+
+  /** Drops what is dragged; returns whether something was. */
+  cancel(): boolean {
+    return this.gestures.cancel();
+  }
+
+  private clicked({ target }: Event): void {
+    if (this.gestures.dragged) return;
+    const edge = target instanceof Element ? target.closest<SVGElement>(".edge") : null;
+    const state = stateOf(target);
+    if (state !== null) this.graph.select(state);
+    else if (edge) this.graph.select(edge.dataset["from"]!, eventOf(target as Element, edge));
+    else this.graph.select(null);
+  }
+
+  /** Travels to a state on double click or right click, in the base layer only. */
+  private travel(click: Event): void {
+    const state = stateOf(click.target);
+    if (state === null || this.app.selection.layer.value !== 0) return;
+    click.preventDefault();
+    void this.app.travel.go(state);
+  }
+
+  private begin(target: Element, start: Point): Drag | null {
+    const state = stateOf(target);
+    if (state === null) return null;
+    if (target.matches(".rim")) return this.drawing(state);
+    return this.graph.isPart ? null : this.moving(state, start);
+  }
+
+  private moving(state: string, start: Point): Drag {
+    const { graph } = this;
+    const before = graph.places.get(state)!;
+    return {
+      move: ({ x, y }) => graph.move(state, { x: before.x + x - start.x, y: before.y + y - start.y }),
+      end: () => void graph.keep(state),
+      cancel: () => graph.move(state, before),
+    };
+  }
+
+  private drawing(from: string): Drag {
+    const { picture } = this.graph;
+    let last: Point = { x: 0, y: 0 };
+    return {
+      move: (place) => picture.drawGhost(from, (last = place)),
+      end: (target) => {
+        const to = stateOf(target);
+        if (to === null) return picture.drawGhost(from, null);
+        void makeArrow(this.app, from, to, this.graph.camera.toWindow(last)).then((event) => {
+          picture.drawGhost(from, null);
+          if (event !== null) this.graph.select(from, event);
+        });
+      },
+      cancel: () => picture.drawGhost(from, null),
+    };
+  }
+}
+
+function stateOf(target: EventTarget | null): string | null {
+  return target instanceof Element ? (target.closest<SVGElement>(".state")?.dataset["state"] ?? null) : null;
+}
+
+/** Returns the event whose name was clicked, or the arrow's first one. */
+function eventOf(target: Element, edge: SVGElement): string {
+  return (
+    target.closest<SVGElement>("[data-label]")?.dataset["label"] ??
+    edge.querySelector("tspan")!.dataset["label"]!
+  );
+}

@@ -1,0 +1,32 @@
+/** Remembers where the states of each layer stand; places that the machine's file keeps come first. */
+
+import type { LayerInfo, MachineInfo } from "../../net/protocol";
+import type { Places } from "./layout";
+import { placeStates, renamed } from "./places";
+import type { Point } from "./shapes";
+
+interface Remembered {
+  names: readonly string[];
+  places: ReadonlyMap<string, Point>;
+}
+
+export class LayerPlaces {
+  private readonly remembered = new Map<string, Remembered>();
+
+  /** Returns the places of a layer's states; `aspect`: of the panel, width over height, for a first layout. */
+  of(machine: MachineInfo, layer: LayerInfo, aspect: number): Places {
+    const names = layer.states.map(({ name }) => name);
+    const key = JSON.stringify([machine.name, layer.name]);
+    const before = this.remembered.get(key);
+    const kept = before ? renamed(before.places, before.names, names) : new Map<string, Point>();
+    const places = placeStates(names, layer.edges, new Map([...kept, ...filed(machine, layer)]), aspect);
+    // A place that only the file has is not remembered as ours: an undo takes it away again.
+    this.remembered.set(key, { names, places: new Map([...places, ...kept]) });
+    return places;
+  }
+}
+
+/** Returns the places that the machine's file keeps. */
+export function filed({ view }: MachineInfo, { name }: LayerInfo): Map<string, Point> {
+  return new Map(Object.entries(view[name] ?? {}).map(([state, [x, y]]) => [state, { x, y }]));
+}

@@ -1,0 +1,69 @@
+/** Keeps states where they stand: an edit moves no other state, and a new state comes beside its neighbours. */
+
+import type { Edge } from "../../net/protocol";
+import { type Places, layOut } from "./layout";
+import { type Point, STATE_HEIGHT, overlap, rectOf, stateWidth } from "./shapes";
+
+const GAP = 22;
+const RINGS = 40;
+
+/** Returns the place of each state: its kept one, one beside its neighbours, or of a new layout if none is kept. */
+export function placeStates(
+  states: readonly string[],
+  edges: readonly Edge[],
+  kept: ReadonlyMap<string, Point>,
+  aspect: number,
+): Places {
+  if (!states.some((name) => kept.has(name))) return layOut(states, edges, aspect);
+  const places: Places = new Map();
+  for (const name of states) if (kept.has(name)) places.set(name, kept.get(name)!);
+  for (const name of states) if (!places.has(name)) places.set(name, freePlace(name, edges, places));
+  return new Map(states.map((name) => [name, places.get(name)!]));
+}
+
+/** Returns `kept` with the place of a state under its new name, if one state of the list has another name now. */
+export function renamed(
+  kept: ReadonlyMap<string, Point>,
+  before: readonly string[],
+  after: readonly string[],
+): ReadonlyMap<string, Point> {
+  const differing = before.flatMap((name, i) => (name === after[i] ? [] : [i]));
+  const [index] = differing;
+  if (before.length !== after.length || differing.length !== 1 || index === undefined) return kept;
+  const place = kept.get(before[index]!);
+  return place ? new Map([...kept, [after[index]!, place]]) : kept;
+}
+
+/** Returns the free place nearest to a state's neighbours. */
+function freePlace(name: string, edges: readonly Edge[], places: Places): Point {
+  const beside = edges
+    .filter(({ from, to }) => from === name || to === name)
+    .flatMap(({ from, to }) => places.get(from === name ? to : from) ?? []);
+  const start = middle(beside.length ? beside : [...places.values()]);
+  const [width, height] = [stateWidth(name) + GAP, STATE_HEIGHT + GAP];
+  const taken = [...places].map(([other, place]) =>
+    rectOf({ name: other, ...place, width: stateWidth(other) }, GAP / 2),
+  );
+  const free = (place: Point): boolean =>
+    !taken.some((rect) => overlap(rect, rectOf({ name, ...place, width: stateWidth(name) })));
+  for (let ring = 0; ring < RINGS; ring++)
+    for (const [across, down] of spots(ring)) {
+      const place = { x: start.x + (across * width) / 2, y: start.y + down * height };
+      if (free(place)) return place;
+    }
+  return start;
+}
+
+function middle(points: readonly Point[]): Point {
+  const mean = (values: number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
+  return { x: mean(points.map(({ x }) => x)), y: mean(points.map(({ y }) => y)) };
+}
+
+/** Returns the steps to the places of a square ring, the nearest first. */
+function spots(ring: number): [number, number][] {
+  const side = Array.from({ length: 2 * ring + 1 }, (_, i) => i - ring);
+  return side
+    .flatMap((across) => side.map((down): [number, number] => [across, down]))
+    .filter(([across, down]) => Math.max(Math.abs(across), Math.abs(down)) === ring)
+    .sort((a, b) => Math.hypot(...a) - Math.hypot(...b));
+}

@@ -1,0 +1,172 @@
+/** The menu beside the picker: makes a machine, copies, renames, exports and deletes the shown one. */
+
+import "./machineMenu.css";
+import { effect, signal } from "@preact/signals-core";
+import { html, nothing, type TemplateResult } from "lit-html";
+import * as machines from "../../net/machines";
+import { reasonOf } from "../../net/reason";
+import { draw } from "../../ui/draw";
+import type { App } from "../../view/app";
+
+/** A question: its words, the name that is proposed, if it asks for one, and what a yes does. */
+interface Ask {
+  words: string;
+  yes: string;
+  proposal: string | null;
+  act: (name: string) => Promise<unknown>;
+}
+
+/** Returns a name that no machine has: `walker-2`. */
+export function freeName(name: string, taken: readonly string[]): string {
+  if (!taken.includes(name)) return name;
+  const stem = name.replace(/-\d+$/, "");
+  for (let number = 2; ; number++) if (!taken.includes(`${stem}-${number}`)) return `${stem}-${number}`;
+}
+
+export function machineMenuPanel(host: HTMLElement, app: App): void {
+  const { library, machine, notices } = app;
+  const isOpen = signal(false);
+  const ask = signal<Ask | null>(null);
+  const typed = signal("");
+  const error = signal("");
+
+  function close(): void {
+    isOpen.value = false;
+    ask.value = null;
+    host.querySelector<HTMLElement>("button")?.focus();
+  }
+
+  function question(next: Ask): void {
+    [typed.value, error.value] = [next.proposal ?? "", ""];
+    ask.value = next;
+  }
+
+  async function answer(): Promise<void> {
+    try {
+      await ask.value?.act(typed.value.trim());
+      close();
+      await library.read();
+    } catch (reason) {
+      error.value = reasonOf(reason);
+    }
+  }
+
+  /** Makes a machine under the name that was typed, and watches it. */
+  function making(words: string, proposal: string, make: (name: string) => Promise<unknown>): Ask {
+    const act = async (name: string): Promise<void> => {
+      await make(name);
+      await library.openMachine(name);
+    };
+    return { words, yes: "make it", proposal, act };
+  }
+
+  function renaming(name: string): Ask {
+    const rename = async (to: string): Promise<void> => {
+      await leave(app);
+      await machines.rename(name, to);
+    };
+    return { ...making("new name", name, rename), yes: "rename it" };
+  }
+
+  function deletion(name: string): Ask {
+    const act = async (): Promise<void> => {
+      await leave(app);
+      await machines.remove(name);
+      notices.emit(`${name} is deleted.`);
+    };
+    return { words: `Delete ${name} and its versions?`, yes: "delete it", proposal: null, act };
+  }
+
+  function choices(name: string): TemplateResult {
+    const taken = library.machines.value.map((other) => other.name);
+    const item = (words: string, act: () => void): TemplateResult =>
+      html`<button type="button" role="menuitem" .textContent=${words} @click=${act}></button>`;
+    const copyName = freeName(`${name}-copy`, taken);
+    return html`<div role="menu" aria-label="machine">
+      ${item("copy and change …", () =>
+        question(making("name of the copy", copyName, (to) => machines.copy(to, name))),
+      )}
+      ${item("new, from nothing …", () =>
+        question(making("name", freeName("machine", taken), machines.fromNothing)),
+      )}
+      ${item("rename …", () => question(renaming(name)))}
+      <a role="menuitem" href=${machines.zipAddress(name)} download @click=${close}>export .zip</a>
+      ${item("delete …", () => question(deletion(name)))}
+    </div>`;
+  }
+
+  function form({ words, yes, proposal }: Ask): TemplateResult {
+    const submitted = (submit: Event): void => {
+      submit.preventDefault();
+      void answer();
+    };
+    const input = ({ target }: Event): void => void (typed.value = (target as HTMLInputElement).value);
+    return html`<form @submit=${submitted}>
+      ${
+        proposal === null
+          ? html`<p>${words}</p>`
+          : html`<label>
+              <span>${words}</span>
+              <input required maxlength="64" autocomplete="off" .value=${typed.value} @input=${input} />
+            </label>`
+      }
+      <p role="alert" ?hidden=${!error.value}>${error.value}</p>
+      <button type="submit" class="primary">${yes}</button>
+    </form>`;
+  }
+
+  draw(host, () => {
+    const name = machine.info.value?.name ?? "";
+    const toggle = (): void => void (isOpen.value = !isOpen.value);
+    const content = (): TemplateResult => (ask.value ? form(ask.value) : choices(name));
+    return html`<button
+        type="button"
+        class="plain square"
+        aria-label="machine menu"
+        title="new machine, copy, rename, export, delete"
+        aria-haspopup="menu"
+        aria-expanded=${isOpen.value}
+        ?disabled=${!name}
+        @click=${toggle}
+      >
+        ⋯
+      </button>
+      ${isOpen.value ? html`<div class="machine-menu">${content()}</div>` : nothing}`;
+  });
+  effect(() => {
+    const first = ask.value ? "form input, form button" : "[role=menuitem]";
+    if (isOpen.value) queueMicrotask(() => host.querySelector<HTMLElement>(first)?.focus());
+  });
+  host.addEventListener("keydown", (press) => {
+    if (!isOpen.value) return;
+    press.stopPropagation();
+    if (press.key === "Escape") close();
+    else moveFocus(host, press);
+  });
+  document.addEventListener("pointerdown", ({ target }) => {
+    if (target instanceof Node && !host.contains(target)) isOpen.value = false;
+    if (!isOpen.value) ask.value = null;
+  });
+}
+
+function moveFocus(host: HTMLElement, press: KeyboardEvent): void {
+  const items = [...host.querySelectorAll<HTMLElement>("[role=menuitem]")];
+  const step = { ArrowDown: 1, ArrowUp: -1 }[press.key];
+  if (step === undefined || !items.length) return;
+  const at = items.indexOf(document.activeElement as HTMLElement);
+  items[(at + step + items.length) % items.length]!.focus();
+  press.preventDefault();
+}
+
+/** Watches the main stage, and waits until it is there: a machine on a stage can't be renamed or deleted. */
+function leave({ session, stage }: App): Promise<void> {
+  if (stage.id === "main") return Promise.resolve();
+  session.watch("main");
+  return new Promise((done) => {
+    const end = stage.hello.subscribe((hello) => {
+      if (hello?.stage !== "main") return;
+      queueMicrotask(() => end());
+      done();
+    });
+  });
+}

@@ -1,0 +1,120 @@
+/** Asks for one of several names in a small menu: type to filter, arrow keys and Enter to choose, Escape to drop. */
+
+import "./chooser.css";
+import { el } from "./dom";
+
+export interface Choice {
+  name: string;
+  /** A word beside the name. */
+  note: string;
+}
+
+/** What the menu offers for a typed name that is not in the list: its words, or null. */
+type Novelty = (typed: string) => string | null;
+
+const MARGIN = 8;
+
+/** Opens the menu at a place in the window; returns the chosen or new name, or null. */
+export function choose(
+  title: string,
+  choices: readonly Choice[],
+  at: { x: number; y: number },
+  novelty: Novelty = () => null,
+): Promise<string | null> {
+  return new Promise((done) => new Chooser(title, choices, novelty, done).open(at));
+}
+
+class Chooser {
+  private readonly field = el("input", {
+    type: "text",
+    role: "combobox",
+    autocomplete: "off",
+    spellcheck: "false",
+    maxlength: 60,
+    "aria-controls": "choices",
+    "aria-expanded": "true",
+  });
+  private readonly list = el("ul", { role: "listbox", id: "choices" });
+  private readonly dialog: HTMLDialogElement;
+  private shown: readonly Choice[] = [];
+  private chosen = 0;
+
+  constructor(
+    title: string,
+    private readonly choices: readonly Choice[],
+    private readonly novelty: Novelty,
+    private readonly done: (name: string | null) => void,
+  ) {
+    this.field.setAttribute("aria-label", title);
+    this.field.placeholder = title;
+    this.list.setAttribute("aria-label", title);
+    this.dialog = el("dialog", { class: "chooser", "aria-label": title }, this.field, this.list);
+    this.field.addEventListener("input", () => this.draw());
+    this.dialog.addEventListener("keydown", (press) => this.pressed(press));
+    this.dialog.addEventListener("keyup", (press) => press.stopPropagation());
+    this.dialog.addEventListener("click", ({ target }) => this.clicked(target as Element));
+    this.dialog.addEventListener("close", () => this.end(null));
+  }
+
+  open({ x, y }: { x: number; y: number }): void {
+    document.body.append(this.dialog);
+    this.draw();
+    this.dialog.showModal();
+    const { width, height } = this.dialog.getBoundingClientRect();
+    const within = (value: number, size: number, room: number): number =>
+      Math.max(MARGIN, Math.min(value, room - size - MARGIN));
+    this.dialog.style.left = `${within(x, width, innerWidth)}px`;
+    this.dialog.style.top = `${within(y, height, innerHeight)}px`;
+    this.field.focus();
+  }
+
+  private end(name: string | null): void {
+    if (!this.dialog.isConnected) return;
+    this.dialog.remove();
+    this.done(name);
+  }
+
+  private draw(): void {
+    const typed = this.field.value.trim();
+    const wanted = typed.toLowerCase();
+    const matching = this.choices.filter(({ name }) => name.toLowerCase().includes(wanted));
+    const known = this.choices.some(({ name }) => name === typed);
+    const note = typed && !known ? this.novelty(typed) : null;
+    this.shown = note === null ? matching : [...matching, { name: typed, note }];
+    this.list.replaceChildren(
+      ...this.shown.map(({ name, note: words }, i) =>
+        el(
+          "li",
+          { role: "option", id: `choice-${i}`, "data-index": i },
+          el("span", {}, name),
+          el("small", {}, words),
+        ),
+      ),
+    );
+    this.mark(0);
+  }
+
+  private mark(index: number): void {
+    this.chosen = Math.min(Math.max(0, index), this.shown.length - 1);
+    [...this.list.children].forEach((item, i) =>
+      item.setAttribute("aria-selected", String(i === this.chosen)),
+    );
+    this.list.children[this.chosen]?.scrollIntoView({ block: "nearest" });
+    this.field.setAttribute("aria-activedescendant", this.shown.length ? `choice-${this.chosen}` : "");
+  }
+
+  private pressed(press: KeyboardEvent): void {
+    press.stopPropagation();
+    const step = press.key === "ArrowDown" ? 1 : press.key === "ArrowUp" ? -1 : 0;
+    if (step) this.mark(this.chosen + step);
+    else if (press.key === "Enter") this.end(this.shown[this.chosen]?.name ?? null);
+    else return;
+    press.preventDefault();
+  }
+
+  private clicked(target: Element): void {
+    if (target === this.dialog) this.end(null);
+    const item = target.closest<HTMLElement>("[data-index]");
+    if (item) this.end(this.shown[Number(item.dataset["index"])]!.name);
+  }
+}
