@@ -57,6 +57,14 @@ def test_r17_another_answer_is_reported(tmp_path: Path, catalogue: Catalogue) ->
     assert outcome(tmp_path, with_other_answers(tmp_path, catalogue), catalogue) == (REPORTED, [])
 
 
+def test_r17_an_answer_of_another_stage_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
+    """A flip in the column that says whose answer it is."""
+    before = kept(tmp_path, catalogue)
+    with closing(sqlite3.connect(tmp_path / FILE_NAME)) as database, database:
+        database.execute("UPDATE keys SET stage = substr(stage, 1, 7) || '%' WHERE key = 'TWIST 1'")
+    assert outcome(tmp_path, before, catalogue) == (REPORTED, [])
+
+
 def test_r17_a_server_that_compares_no_hashes_is_found_out(
     tmp_path: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
 ) -> None:

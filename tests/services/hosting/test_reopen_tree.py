@@ -14,6 +14,7 @@ from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_replies import PlaceInTree
 from statwalk.services.hosting.store.database import FILE_NAME
 from statwalk.services.hosting.store.records import MAIN
+from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
 
 BEND = SendEvent("BEND", 1)
@@ -81,6 +82,31 @@ def test_forks_of_main_follow_it_when_it_gets_another_id(tmp_path: Path, catalog
             origin = place(held.find(fork)).origin
             assert origin is not None
             assert (origin.stage != MAIN, origin.is_there) == (True, True)
+
+
+def test_forks_of_main_follow_it_before_the_disk_knows(
+    tmp_path: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with keeping(tmp_path, catalogue) as held:
+        fork = held.open_main().handle(ask.Fork())
+    monkeypatch.setattr(Store, "rename", lambda *_: None)
+    with keeping(tmp_path, catalogue) as held:
+        held.stages.clear()
+        reopen(held, "another scene")
+        origin = place(held.find(fork)).origin
+    assert origin is not None
+    assert (origin.stage != MAIN, origin.is_there) == (True, True)
+
+
+def test_what_waited_when_a_fork_was_made_is_not_its_own(tmp_path: Path, catalogue: Catalogue) -> None:
+    with keeping(tmp_path, catalogue) as held:
+        host = opened(held)
+        host.handle(ask.Post((BEND,)))
+        fork = held.find(host.handle(ask.Fork()))
+        found = [place(fork)]
+    with keeping(tmp_path, catalogue) as held:
+        found.append(place(held.find(fork.id)))
+    assert [(each.inputs, each.newest_input) for each in found] == [(0, None)] * 2
 
 
 def test_stages_of_format_3_come_up_without_names_and_origins(tmp_path: Path, catalogue: Catalogue) -> None:

@@ -23,12 +23,13 @@ async def client(tmp_path: Path) -> AsyncIterator[httpx.AsyncClient]:
 
 
 def painted() -> bytes:
-    """The tiny model with a material that shows an image twice, and names."""
+    """The tiny model with a material that shows its second image twice, and names."""
     root, binary = tiny_model.document()
     root["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": len(PNG)})
     root["buffers"][0]["byteLength"] = len(binary) + len(PNG)
-    root["images"] = [{"name": "bark", "mimeType": "image/png", "bufferView": len(root["bufferViews"]) - 1}]
-    root["textures"] = [{}, {"source": 0}]
+    image = {"mimeType": "image/png", "bufferView": len(root["bufferViews"]) - 1}
+    root["images"] = [image | {"name": "leaf"}, image | {"name": "bark"}]
+    root["textures"] = [{}, {"source": 1}]
     sheen = {"KHR_materials_sheen": {"sheenColorTexture": {"index": 1}}}
     colour = {"baseColorTexture": {"index": 1}}
     paint = {"pbrMetallicRoughness": colour, "extensions": sheen, "doubleSided": True, "name": "Paint"}
@@ -67,11 +68,10 @@ async def test_the_parts_of_an_uploaded_model(client: httpx.AsyncClient) -> None
 async def test_its_materials_and_textures(client: httpx.AsyncClient) -> None:
     found = await described(client, painted())
     assert [material["name"] for material in found["materials"]] == ["Bare", "Paint"]
-    assert found["materials"][1]["textures"] == {"baseColorTexture": 0, "sheenColorTexture": 0}
+    assert found["materials"][1]["textures"] == {"baseColorTexture": 1, "sheenColorTexture": 1}
     assert (found["materials"][1]["alpha"], found["materials"][1]["double_sided"]) == ("OPAQUE", True)
-    assert found["textures"] == [
-        {"name": "bark", "type": "image/png", "bytes": len(PNG), "width": 3, "height": 2}
-    ]
+    image = {"type": "image/png", "bytes": len(PNG), "width": 3, "height": 2}
+    assert found["textures"] == [{"name": "leaf"} | image, {"name": "bark"} | image]
 
 
 async def test_a_mesh_without_a_name_has_that_of_its_node(client: httpx.AsyncClient) -> None:

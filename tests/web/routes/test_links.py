@@ -165,3 +165,24 @@ def test_without_tokens_there_are_no_links(address: str, rest: httpx.Client) -> 
         "stage": None,
     }
     assert rest.post(f"{MAIN}/links", json={}).status_code == 409
+
+
+def test_viewers_see_roles_and_whose_token_it_is(shared: Shared) -> None:
+    """Who may only look says a name too; the viewer of a link is no person."""
+    _, link = shared.link("drive")
+    with shared.watch(shared.tokens["view"]) as looker, shared.watch(link):
+        looker.say(type="name", name="Lou")
+        looker.say(type="ping", ref=1)
+        assert looker.text("pong")["ref"] == 1
+        with shared.rest(shared.tokens["view"]) as rest:
+            seen = rest.get(f"{MAIN}/viewers").json()
+    assert [(one["name"], one["person"], one["role"]) for one in seen] == [
+        ("Lou", "view", "view"),
+        ("", "", "drive"),
+    ]
+
+
+def test_a_person_without_a_viewer_is_told_by_name(shared: Shared) -> None:
+    with shared.rest(shared.tokens["drive"]) as rest:
+        changed = rest.post(f"{MAIN}/speed", json={"speed": 1}).json()["changed"]
+    assert (changed["by"], changed["viewer"]) == ("drive", None)

@@ -87,7 +87,7 @@ export function writeLabel(group: SVGGElement, arrow: Arrow, label: Label | null
   text.replaceChildren(
     ...shown.events.flatMap((event, i) => [
       ...(i ? [document.createTextNode(", ")] : []),
-      svg("tspan", { "data-event": event }, event),
+      svg("tspan", { "data-label": event }, event),
     ]),
     ...(more ? [document.createTextNode(` +${more}`)] : []),
   );

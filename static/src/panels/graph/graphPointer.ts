@@ -86,7 +86,7 @@ function stateOf(target: EventTarget | null): string | null {
 /** Returns the event whose name was clicked, or the arrow's first one. */
 function eventOf(target: Element, edge: SVGElement): string {
   return (
-    target.closest<SVGElement>("[data-event]")?.dataset["event"] ??
-    edge.querySelector("tspan")!.dataset["event"]!
+    target.closest<SVGElement>("[data-label]")?.dataset["label"] ??
+    edge.querySelector("tspan")!.dataset["label"]!
   );
 }

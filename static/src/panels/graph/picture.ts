@@ -96,7 +96,7 @@ export class Picture {
       const chosen = selected?.event != null && selected.state === from && selected.to === to;
       group.setAttribute("aria-pressed", String(chosen));
       for (const part of group.querySelectorAll("tspan"))
-        part.classList.toggle("chosen", chosen && part.dataset["event"] === selected.event);
+        part.classList.toggle("chosen", chosen && part.dataset["label"] === selected.event);
     }
     this.canvas.classList.toggle("lighting", lit !== "");
     this.write();

@@ -84,6 +84,11 @@ class KeptRecords:
         """The idempotency keys, the oldest first."""
         columns = "key, request, tick, seq, answered_by, digest"
         for key, *answer, digest in self._rows(
+            f"SELECT {columns} FROM keys WHERE stage NOT IN (SELECT id FROM stages)"  # noqa: S608 - our own names
+        ):
+            if row_digest(stage, key, *answer) == digest:  # a flip gave the row another stage
+                raise StorageError(f"the answer to the request with the key {key} is damaged")
+        for key, *answer, digest in self._rows(
             f"SELECT {columns} FROM keys WHERE stage = ? ORDER BY tick, seq",  # noqa: S608 - our own names
             stage,
         ):
@@ -140,6 +145,14 @@ class KeptRecords:
             if version_row(machine, version)[-1] == digest:
                 found.setdefault(machine, []).append(version)
         return found
+
+    @property
+    def format(self) -> int:
+        """The number of the database's format.
+
+        :raises StorageError: when the file is no database.
+        """
+        return int(next(self._rows("PRAGMA user_version"))[0])
 
     def damage(self) -> list[str]:
         """Returns what SQLite itself finds wrong with the file.
