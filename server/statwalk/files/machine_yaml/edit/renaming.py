@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.cells import CELL_KEYS
@@ -50,6 +51,11 @@ class StateRename:
     old: str
     new: str
 
+    @cached_property
+    def after(self) -> StateNames:
+        """Returns the states with their new names."""
+        return StateNames({self.full(state) for state in self.names.full})
+
     def full(self, name: str) -> str:
         """Returns the new full name of a state."""
         inside = name == self.old or name.startswith(f"{self.old}.")
@@ -63,8 +69,7 @@ class StateRename:
         meant = self.names.meant(composite, name)
         prefix = meant[: len(meant) - len(name)].removesuffix(".")
         new = self.full(meant).removeprefix(f"{self.full(prefix)}." if prefix else "")
-        after = StateNames({self.full(state) for state in self.names.full})
-        if after.meant(self.full(composite), new) != self.full(meant):
+        if self.after.meant(self.full(composite), new) != self.full(meant):
             raise MachineError(
                 f"{self.new!r} would be taken for another state in {composite or 'the table'}; "
                 "choose another name"
