@@ -1,14 +1,17 @@
 """`statwalk doctor` names what is damaged, and ends with status 1 then."""
 
 import sqlite3
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 import typer
 from keeping import keeping
+from old_formats import to_format_1, to_format_3
 from statwalk.cli.doctor import doctor
+from statwalk.errors import ContentError
 from statwalk.services.hosting.commands import AddActor, StageSetup
-from statwalk.services.hosting.store.database import FILE_NAME
+from statwalk.services.hosting.store.database import FILE_NAME, FORMAT
 from statwalk.services.library.catalogue import Catalogue
 
 
@@ -24,6 +27,25 @@ def test_a_whole_folder(stage: str, tmp_path: Path, capsys: pytest.CaptureFixtur
     lines = capsys.readouterr().out.splitlines()
     assert f"stage {stage}: tick 0 of 0, 1 inputs, 0 snapshots whole" in lines
     assert lines[-1] == f"{tmp_path}: nothing is damaged"
+
+
+@pytest.mark.parametrize("older", [to_format_1, to_format_3])
+def test_a_whole_folder_of_an_older_version_is_whole_and_stays_as_it_is(
+    stage: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], older: Callable[[Path], None]
+) -> None:
+    older(tmp_path / FILE_NAME)
+    before = (tmp_path / FILE_NAME).read_bytes()
+    doctor(tmp_path)
+    assert f"stage {stage}: tick 0 of 0, 1 inputs, 0 snapshots whole" in capsys.readouterr().out
+    assert (tmp_path / FILE_NAME).read_bytes() == before
+
+
+def test_a_folder_of_a_newer_version_is_left_to_it(stage: str, tmp_path: Path) -> None:
+    database = sqlite3.connect(tmp_path / FILE_NAME)
+    database.execute(f"PRAGMA user_version={FORMAT + 1}")
+    database.close()
+    with pytest.raises(ContentError, match=f"format {FORMAT + 1}"):
+        doctor(tmp_path)
 
 
 def test_a_damaged_stage_is_named(stage: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -11,7 +11,14 @@ from statwalk.web.app import create_app, openapi_document
 from statwalk.web.settings import Settings
 
 PATHS = openapi_document()["paths"]
-PLACES = {"name": "faq-walker", "stage_id": "none", "actor_id": "1", "suffix": "bvh", "link_id": "1"}
+PLACES = {
+    "name": "faq-walker",
+    "stage_id": "none",
+    "actor_id": "1",
+    "suffix": "bvh",
+    "link_id": "1",
+    "number": "1",
+}
 
 
 @pytest.fixture(scope="module", params=["with the page", "without"])

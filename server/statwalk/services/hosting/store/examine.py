@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from statwalk.errors import StatwalkError
-from statwalk.services.hosting.store.database import FILE_NAME
+from statwalk.services.hosting.store.database import FILE_NAME, FORMAT, opened
 from statwalk.services.hosting.store.read_records import KeptRecords
 from statwalk.services.library.model_store import ModelStore
 
@@ -25,15 +27,34 @@ def examine(folder: Path) -> Iterator[Examined]:
     """Yields the parts of a data folder; a server may use it meanwhile.
 
     :raises StorageError: when the database cannot be read at all.
+    :raises ContentError: when a newer version of statwalk wrote it.
     """
     path = folder / FILE_NAME
     if path.is_file():
-        records = KeptRecords(path)
-        yield Examined("database", f"{path.stat().st_size:,} bytes", "; ".join(records.damage()[:3]))
-        yield from (_stage(records, stage) for stage in records.ids())
-        for machine, versions in records.versions().items():
-            yield Examined(f"machine {machine}", f"{len(versions)} versions")
+        damage = "; ".join(KeptRecords(path).damage()[:3])
+        yield Examined("database", f"{path.stat().st_size:,} bytes", damage)
+        with _up_to_date(path) as records:
+            yield from (_stage(records, stage) for stage in records.ids())
+            for machine, versions in records.versions().items():
+                yield Examined(f"machine {machine}", f"{len(versions)} versions")
     yield from _models(ModelStore(folder))
+
+
+@contextmanager
+def _up_to_date(path: Path) -> Iterator[KeptRecords]:
+    """Yields a database, or a copy of it in the present format if it has an older one.
+
+    :raises ContentError: when it has a newer format.
+    """
+    records = KeptRecords(path)
+    if records.format == FORMAT:
+        yield records
+        return
+    with TemporaryDirectory() as folder:
+        copy = Path(folder) / FILE_NAME
+        records.copy(copy)
+        opened(copy).close()
+        yield KeptRecords(copy)
 
 
 def _stage(records: KeptRecords, stage: str) -> Examined:

@@ -146,6 +146,14 @@ class KeptRecords:
                 found.setdefault(machine, []).append(version)
         return found
 
+    @property
+    def format(self) -> int:
+        """The number of the database's format.
+
+        :raises StorageError: when the file is no database.
+        """
+        return int(next(self._rows("PRAGMA user_version"))[0])
+
     def damage(self) -> list[str]:
         """Returns what SQLite itself finds wrong with the file.
 
