@@ -96,6 +96,8 @@ REACHED_BY = {
     "MOST_DETAILED": "web/routes/test_differences.py::test_too_long_a_span_and_too_many_details_are_refused",
     "MOST_PICTURES": "web/routes/test_actors_skeleton.py::test_what_cannot_be_drawn_is_refused",
     "BUSY_SECONDS": f"{HERE}::test_a_stage_that_stays_busy_is_given_up",
+    "MOST_OPERATIONS": f"{HERE}::test_one_operation_more_is_refused",
+    "MOST_TRIES": "services/hosting/test_machine_edits.py::test_an_edit_that_is_always_late_is_given_up",
     "MOST_VERSIONS": f"{HERE}::test_the_oldest_version_is_forgotten",
 }
 """by limit, a test that reaches it"""
@@ -163,6 +165,22 @@ async def test_a_longer_name_of_a_stage_is_refused(client: httpx.AsyncClient) ->
         (await client.post("/api/stages", json={"name": "x" * length})).status_code for length in (80, 81)
     ]
     assert statuses == [201, 422]
+
+
+@pytest.mark.anyio
+async def test_one_operation_more_is_refused(client: httpx.AsyncClient) -> None:
+    operation = {"kind": "set_cell", "state": "WALK", "event": "LEFT", "text": "STAT"}
+    statuses = [
+        (
+            await client.patch(
+                "/api/machines/faq-walker?dry=true",
+                json={"operations": [operation] * count},
+                headers={"If-Match": '"1"'},
+            )
+        ).status_code
+        for count in (200, 201)
+    ]
+    assert statuses == [200, 422]
 
 
 @pytest.mark.anyio

@@ -10,7 +10,15 @@ from keeping import keeping
 from statwalk.errors import ConflictError, UnknownNameError, VersionConflictError
 from statwalk.files.machine_yaml.edit.operations import AddState, EditOperation, RenameState, SetCell, SetView
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.services.hosting.machine_edits import EditRequest, change, redo, restore, trial, undo
+from statwalk.services.hosting.machine_edits import (
+    MOST_TRIES,
+    EditRequest,
+    change,
+    redo,
+    restore,
+    trial,
+    undo,
+)
 from statwalk.services.hosting.machine_versions import MachineVersions
 from statwalk.services.library.catalogue import Catalogue
 
@@ -123,3 +131,17 @@ def test_what_is_kept_says_all(versions: MachineVersions, operation: EditOperati
     made = change(versions, newest(versions), [operation])
     assert made.version.text == made.file.text == versions.catalogue.entry(WALKER).file.text
     assert MachineText.of(made.version.text).tables == {}
+
+
+def test_an_edit_that_is_always_late_is_given_up(versions: MachineVersions) -> None:
+    """While it is verified, another editor changes another cell, each time."""
+
+    def other_edit() -> None:
+        other = "TLFT" if versions.current(WALKER).version.number % 2 else "STAT"
+        change(versions, newest(versions), [SetCell("STAT", "RIGHT", other)])
+
+    late = newest(versions)._replace(checkpoint=other_edit)
+    with pytest.raises(VersionConflictError):
+        change(versions, late, [SetCell("WALK", "LEFT", "STAT")])
+    assert len(versions.of(WALKER)) > MOST_TRIES
+    assert all("WALK" not in version.what for version in versions.of(WALKER))
