@@ -29,7 +29,7 @@ from statwalk.files.yaml.yaml_value import Value, after_key, flow, text_of
 
 
 def read(text: str) -> Node:
-    """Reads the text. :raises ContentError: when it is no YAML."""
+    """Reads the text. :raises ContentError: when the text is not YAML."""
     return parse(text, "", ContentError)
 
 

@@ -1,4 +1,4 @@
-"""Deletes an event: its columns, and on demand all that speaks of it."""
+"""Deletes an event: its columns, and on request the cells, keys, senses and properties that name it."""
 
 from __future__ import annotations
 

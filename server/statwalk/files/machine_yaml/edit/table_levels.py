@@ -40,7 +40,7 @@ class TableLevel:
 
 
 def read(text: MachineText) -> Node:
-    """Reads the machine file. :raises MachineError: when it is no YAML."""
+    """Reads the machine file. :raises MachineError: when the text is not YAML."""
     root = parse(text.yaml, "", MachineError)
     if not root.is_mapping:
         raise MachineError("a machine file is a mapping (key: value)")
