@@ -134,7 +134,7 @@ def redo(versions: MachineVersions, request: EditRequest) -> Edited:
     """
     current = versions.based_on(request.name, request.seen)
     target = _step(versions, request.name, current.version.after, "redo")
-    return _back_to(versions, request, current, target, Step(current.version.number, target.after))
+    return _back_to(versions, request, current, target, Step(target.before, target.after))
 
 
 def restore(versions: MachineVersions, request: EditRequest, number: int) -> Edited:
