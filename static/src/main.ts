@@ -26,6 +26,8 @@ import { noticesPanel } from "./panels/notices/notices";
 import { parametersPanel } from "./panels/parameters/parameters";
 import { pickerPanel } from "./panels/picker/picker";
 import { routeBarPanel } from "./panels/routeBar/routeBar";
+import { stageNamePanel } from "./panels/stages/stageName";
+import { stagesPanel } from "./panels/stages/stages";
 import { statusPanel } from "./panels/status/status";
 import { tablePanel } from "./panels/table/tablePanel";
 import { targetsPanel } from "./panels/targets/targets";
@@ -49,6 +51,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["machine-menu", machineMenuPanel],
   ["add", importPanel],
   ["download", downloadPanel],
+  ["stage-name", stageNamePanel],
   ["access", accessPanel],
   ["status", statusPanel],
   ["deduce", deducePanel],
@@ -73,6 +76,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["cell", cellInspectorPanel],
   ["versions", versionsPanel],
   ["text", yamlPanel],
+  ["stages", stagesPanel],
   ["drawer", drawerPanel],
   ["help", helpPanel],
 ];
@@ -97,7 +101,7 @@ function start(renderer: string): void {
   for (const [id, panel] of PANELS) panel(byId(id), app);
   tabs(byId("tabs"), byId("panels"));
   freeFocus();
-  keepAddress(app.stage, app.stages);
+  keepAddress(app.stage, app.stages, app.session);
   exposeForTests(app);
   for (const back of ["online", "focus"]) window.addEventListener(back, () => app.line.retry());
   setInterval(() => app.session.ping(), PING_MS);

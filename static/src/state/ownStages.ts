@@ -1,6 +1,7 @@
-/** Opens stages for this page, and closes them when the page leaves them. */
+/** Opens stages for this page, and closes them when the page leaves them; forks stay, and what they were made of. */
 
 import * as api from "../net/api";
+import { fork } from "../net/stages";
 import type { Session } from "./session";
 import type { WatchedStage } from "./watchedStage";
 
@@ -8,8 +9,8 @@ import type { WatchedStage } from "./watchedStage";
 export type Opening = { machine: string } | { scene: string };
 
 export class OwnStages {
-  /** The stages that this page made; null: a fork, which cannot be made again. */
-  private readonly made = new Map<string, Opening | null>();
+  /** The stages that this page made. */
+  private readonly made = new Map<string, Opening>();
   /** Stages to close as soon as the page has another one. */
   private left: string[] = [];
   private choices = 0;
@@ -18,7 +19,7 @@ export class OwnStages {
     private readonly session: Session,
     private readonly stage: WatchedStage,
   ) {
-    session.forked.on((stage) => this.made.set(stage, null));
+    session.forked.on(() => this.keep());
     session.leaving.on(() => this.leave());
     stage.hello.subscribe((hello) => {
       if (hello) this.close();
@@ -32,10 +33,13 @@ export class OwnStages {
   async begin(stage: string | null): Promise<void> {
     const opening = history.state as Opening | null;
     if (stage === null || !opening) {
+      this.choices++;
       this.session.watch(stage ?? "main");
       return;
     }
+    const choice = ++this.choices;
     const stages = await api.stages().catch(() => []);
+    if (choice !== this.choices) return;
     if (!stages.some(({ id }) => id === stage)) return this.choose(opening, Promise.resolve(false));
     this.made.set(stage, opening);
     this.session.watch(stage);
@@ -50,9 +54,30 @@ export class OwnStages {
     else await this.remove(stage);
   }
 
+  /** Forks the watched stage at `tick`, by default at its newest, and watches the fork. */
+  async fork(tick: number | null, name: string): Promise<void> {
+    const origin = this.stage.id;
+    const made = await fork(origin, tick, name);
+    if (this.stage.id === origin) this.keep();
+    this.session.watch(made.id);
+  }
+
+  /** Deletes a stage; a page that watches it goes to `next` before. */
+  async discard(stage: string, next: string): Promise<void> {
+    this.made.delete(stage);
+    if (this.stage.id === stage) this.session.watch(next);
+    await api.remove(stage);
+  }
+
   /** Returns what a stage of this page began with, or null. */
   openingOf(stage: string): Opening | null {
     return this.made.get(stage) ?? null;
+  }
+
+  /** Keeps the watched stage, also if Back and Forward lead to it again and away. */
+  private keep(): void {
+    this.made.delete(this.stage.id);
+    history.replaceState(null, "");
   }
 
   /** Notes that the page leaves its stage, unless somebody else watches it too. */

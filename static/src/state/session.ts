@@ -17,6 +17,7 @@ import { reasonOf } from "../net/reason";
 import { Event } from "./event";
 import type { Frames } from "./frames";
 import type { Line } from "./line";
+import type { Notice } from "./notice";
 import type { Past } from "./past";
 import type { Playback } from "./playback";
 import type { Selection } from "./selection";
@@ -32,7 +33,7 @@ export interface SessionParts {
   past: Past;
   playback: Playback;
   frames: Frames;
-  notices: Event<string>;
+  notices: Event<Notice>;
 }
 
 export class Session {
@@ -43,6 +44,8 @@ export class Session {
   readonly actions = new Event<Action>();
   /** Emitted with the stage that an event in the past has made, before this page watches it. */
   readonly forked = new Event<string>();
+  /** Emitted if the server has closed the stage, or shows this browser only another one, before this page watches that. */
+  readonly gone = new Event<null>();
   /** Emitted before this page leaves its stage: held events must be released. */
   readonly leaving = new Event<null>();
   readonly trip = new RoundTrip();
@@ -146,7 +149,12 @@ export class Session {
   }
 
   private fork(stage: string): void {
-    this.parts.notices.emit(`You sent an event to the past: you now watch a fork, stage ${stage}.`);
+    const origin = this.parts.stage.id;
+    this.parts.notices.emit({
+      text: "You sent an event to the past: you now watch a fork.",
+      words: `back to ${origin}`,
+      act: () => this.watch(origin),
+    });
     this.forked.emit(stage);
     this.watch(stage);
   }
@@ -161,6 +169,7 @@ export class Session {
     if (refusal?.status === 403) await this.findShared(refusal.message);
     if (refusal?.status !== 404 || id === "main") return;
     this.parts.notices.emit(`Stage ${id} is gone: you now watch main.`);
+    this.gone.emit(null);
     this.watch("main");
   }
 
@@ -172,6 +181,7 @@ export class Session {
       this.parts.line.refuse(detail);
       return;
     }
+    this.gone.emit(null);
     this.watch(stage);
   }
 

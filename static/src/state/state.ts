@@ -7,6 +7,7 @@ import { Inspection } from "./inspection";
 import { KeyChanges } from "./keyChanges";
 import { Library } from "./library";
 import { Line } from "./line";
+import type { Notice } from "./notice";
 import { OwnStages } from "./ownStages";
 import { ParameterValues } from "./parameterValues";
 import { Past } from "./past";
@@ -14,6 +15,7 @@ import { Playback } from "./playback";
 import { Selection } from "./selection";
 import { Session } from "./session";
 import { Shortcuts } from "./shortcuts";
+import { StageList } from "./stageList";
 import { Travel } from "./travel";
 import { WatchedMachine } from "./watchedMachine";
 import { WatchedStage } from "./watchedStage";
@@ -33,7 +35,7 @@ export function makeState() {
   /** Emitted before each drawing; what moves by itself listens here. */
   const frame = new Event<DrawnFrame>();
   /** Sentences for the user. */
-  const notices = new Event<string>();
+  const notices = new Event<Notice>();
   const line = new Line();
   const stage = new WatchedStage();
   const selection = new Selection(stage);
@@ -43,6 +45,7 @@ export function makeState() {
   const frames = new Frames(line, stage, selection, past, playback);
   const session = new Session({ line, stage, selection, machine, past, playback, frames, notices });
   const stages = new OwnStages(session, stage);
+  const stageList = new StageList(stage);
   const library = new Library(session, stages);
   const travel = new Travel(session, selection, playback);
   const editing = new Editing(machine, notices);
@@ -64,6 +67,7 @@ export function makeState() {
     frames,
     session,
     stages,
+    stageList,
     library,
     travel,
     editing,

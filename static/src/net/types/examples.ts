@@ -2,6 +2,7 @@
 
 import type { Alternative, Cell, Finding, KeyBinding, MachineInfo, Parameter, StateInfo } from "./machine";
 import type { CastHello, Hello, Verdict } from "./messages";
+import type { StageInfo } from "./rest";
 
 export function cell(members: Partial<Cell>): Cell {
   const plain = {
@@ -114,6 +115,27 @@ export function hello(members: Partial<Hello>): Hello {
     ...ticks,
     ...status,
     casts: [],
+    ...members,
+  };
+}
+
+export function stageInfo(members: Partial<StageInfo>): StageInfo {
+  const known = { name: "", scene: null, machines: [], made: null, origin: null, unclaimed: false };
+  const ticks = { tick: 0, head: 0, first: 0, seconds: 0, restored: null, hash: "" };
+  const clock = {
+    clock: "real" as const,
+    rate: 60,
+    paused: false,
+    speed: 1,
+    pace: 1,
+    asleep: false,
+    changed: null,
+  };
+  return {
+    ...{ id: "main", inputs: 0, newest_input: null, seed: 1, viewers: 1, trouble: "", actors: [] },
+    ...known,
+    ...ticks,
+    ...clock,
     ...members,
   };
 }

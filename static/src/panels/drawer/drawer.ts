@@ -12,6 +12,7 @@ const TABS: readonly (readonly [NonNullable<Drawer>, string])[] = [
   ["cell", "cell"],
   ["versions", "versions"],
   ["text", "YAML"],
+  ["stages", "stages"],
 ];
 
 export function drawerPanel(host: HTMLElement, app: App): void {
