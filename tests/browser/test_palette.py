@@ -9,7 +9,7 @@ from playwright.sync_api import Page
 def standing(viewer: Page) -> Page:
     until(viewer, "__viewer.state() === 'STAT'")
     viewer.keyboard.press("Control+k")
-    viewer.get_by_role("combobox").wait_for()
+    viewer.get_by_role("combobox", name="find a command").wait_for()
     return viewer
 
 
@@ -22,7 +22,7 @@ def test_some_letters_of_a_state_travel_there(standing: Page) -> None:
 def test_a_joint_is_chosen_with_the_mouse(standing: Page) -> None:
     joint = standing.evaluate("Object.keys(__viewer.joints())[1]")
     standing.keyboard.type(f"{joint} joint")
-    standing.get_by_role("option", name=joint).first.click()
+    standing.locator("#choices").get_by_role("option", name=joint).first.click()
     until(standing, "__viewer.joint() === arg", joint)
 
 

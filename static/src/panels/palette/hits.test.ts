@@ -1,28 +1,18 @@
 // @vitest-environment happy-dom
 import { signal } from "@preact/signals-core";
 import { expect, it, vi } from "vitest";
-import { state } from "../../net/types/examples";
+import { layer, state } from "../../net/types/examples";
 import type { StageInfo } from "../../net/protocol";
 import { matching } from "../../ui/matching";
 import { exampleApp, watch } from "../../view/exampleApp";
 import type { App } from "../../view/app";
 import { type Hit, hitsOf } from "./hits";
 
-const LAYER = {
-  name: "base",
-  mode: "override" as const,
-  mask: [],
-  weight: 1,
-  initial: "",
-  table: {},
-  rows: [],
-};
-
 function examples(): App {
   const app = exampleApp();
   const watched = { jointNames: () => ["hip"], joint: signal("") };
   Object.assign(app.view, { watched });
-  const layers = [{ ...LAYER, edges: [], states: [state({ name: "WALK", clips: ["walk"] })] }];
+  const layers = [layer({ states: [state({ name: "WALK", clips: ["walk"] })] })];
   watch(app, { layers, events: ["JUMP"] });
   return app;
 }
