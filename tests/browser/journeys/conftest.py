@@ -69,6 +69,6 @@ def fresh(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 @pytest.fixture
 def journey(fresh: Server, page: Page, opened: Callable[[str], Page]) -> Journey:
-    """A journey that begins where everybody begins: at the address that the server prints."""
+    """A journey that begins at the address that the server prints."""
     page.set_viewport_size(WINDOW)
     return Journey(opened(fresh.url))
