@@ -23,6 +23,7 @@ import { layerTabsPanel } from "./panels/layerTabs/layerTabs";
 import { loadingPanel } from "./panels/loading/loading";
 import { machineMenuPanel } from "./panels/machineMenu/machineMenu";
 import { noticesPanel } from "./panels/notices/notices";
+import { palettePanel } from "./panels/palette/palette";
 import { parametersPanel } from "./panels/parameters/parameters";
 import { pickerPanel } from "./panels/picker/picker";
 import { routeBarPanel } from "./panels/routeBar/routeBar";
@@ -78,6 +79,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["text", yamlPanel],
   ["stages", stagesPanel],
   ["drawer", drawerPanel],
+  ["palette", palettePanel],
   ["help", helpPanel],
 ];
 

@@ -65,6 +65,12 @@ def test_a_false_number_of_frames_takes_no_memory() -> None:
     tracemalloc.stop()
 
 
+def test_a_negative_number_of_frames_says_what_counts_are() -> None:
+    text = captures.walk().replace("Frames: 31", "Frames: -3")
+    with pytest.raises(TextError, match=r"Frames: and their number, 0 or more, not 'Frames: -3'"):
+        read_bvh(text.encode(), "negative")
+
+
 def test_joints_are_in_file_order_and_end_sites_are_joints(tmp_path: Path) -> None:
     (tmp_path / "walk.bvh").write_text(captures.walk())
     walk = statwalk.load(tmp_path / "walk.bvh")

@@ -52,3 +52,7 @@ def test_the_loop_has_no_seam(interpolation):
     velocity = np.diff(angle(walk(interpolation), np.arange(-100, 100) / 100, LEFT))
     changes = np.abs(np.diff(velocity))
     assert changes[95:105].max() <= changes[:90].max()
+
+
+def test_a_clip_prints_on_one_line():
+    assert repr(walk("LINEAR")) == "Clip('walk', 1 s, 2 channels, loop)"

@@ -148,7 +148,7 @@ def _turned(character: Character) -> Names:
 
 
 def axes_at_rest(character: Character) -> Floats:
-    """Returns the rotations (J, 4) from the axes of the joints at rest to those of the character."""
+    """Returns the rotations (J, 4) from the axes of the joints at rest to the axes of the character."""
     turns: Floats = np.zeros((len(character.skeleton), 4))
     for joint, parent in enumerate(character.skeleton.parent.tolist()):
         own = character.bind_pose.rotation[joint].astype(np.float64)

@@ -55,7 +55,7 @@ def entry_lines(entries: Mapping[str, Any]) -> list[str]:
 
 
 def _turned(limit: JointLimit, axes: Floats) -> JointLimit:
-    """The limit of a joint whose axes at rest become those of the character."""
+    """Returns the limit in the axes of the character; a limit of each axis stays as it is."""
     if limit.kind == EULER:
         return limit
     x, y, z, w = quat.mul(axes, np.array(limit.frame)).tolist()

@@ -40,6 +40,12 @@ class Clip:
     loop: bool = False
     """whether the clip repeats; a B-spline whose ends meet then has no seam"""
 
+    def __repr__(self) -> str:
+        parts = [f"{self.duration:.4g} s", f"{len(self.channels)} channels"]
+        parts += [f"{len(self.markers)} markers"] if self.markers else []
+        parts += ["loop"] if self.loop else []
+        return f"Clip({self.name!r}, {', '.join(parts)})"
+
     def sample(self, time: ArrayLike, loop: bool = False) -> Pose:
         """Returns the pose at `time` seconds, float32; with a leading axis if `time` is an array (N,).
 

@@ -11,6 +11,7 @@ import { reasonOf } from "../net/reason";
 import { EditQueue } from "./editQueue";
 import { type Answer, type CellPlace, isUnheard, refusal } from "./editAnswer";
 import type { Event } from "./event";
+import type { Notice } from "./notice";
 import type { WatchedMachine } from "./watchedMachine";
 
 const REST_MS = 700;
@@ -30,7 +31,7 @@ export class Editing {
 
   constructor(
     private readonly machine: WatchedMachine,
-    private readonly notices: Event<string>,
+    private readonly notices: Event<Notice>,
     storage: Pick<Storage, "getItem" | "setItem"> = sessionStorage,
   ) {
     this.queue = new EditQueue({

@@ -1,4 +1,4 @@
-/** Opens stages for this page, and closes them when the page leaves them; forks stay, and what they were made of. */
+/** Opens stages for this page, and closes them when the page leaves them; forks and their origins stay. */
 
 import * as api from "../net/api";
 import { fork } from "../net/stages";

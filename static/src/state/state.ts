@@ -1,5 +1,6 @@
 /** The page's one state: plain parts, each made from the parts above it. Views and panels read it. */
 
+import { Commands } from "./commands";
 import { Editing } from "./editing";
 import { Event } from "./event";
 import { Frames } from "./frames";
@@ -14,7 +15,6 @@ import { Past } from "./past";
 import { Playback } from "./playback";
 import { Selection } from "./selection";
 import { Session } from "./session";
-import { Shortcuts } from "./shortcuts";
 import { StageList } from "./stageList";
 import { Travel } from "./travel";
 import { WatchedMachine } from "./watchedMachine";
@@ -52,7 +52,7 @@ export function makeState() {
   const parameters = new ParameterValues(line, stage, selection, machine);
   const keyChanges = new KeyChanges(parameters, () => selection.layerStates.value);
   const inspection = new Inspection();
-  const shortcuts = new Shortcuts();
+  const commands = new Commands();
   frame.on(({ dt }) => keyChanges.advance(Math.min(LONGEST_KEY_S, dt)));
   frame.on(({ dt }) => playback.advance(Math.min(LONGEST_STEP_S, dt)));
   return {
@@ -74,6 +74,6 @@ export function makeState() {
     parameters,
     keyChanges,
     inspection,
-    shortcuts,
+    commands,
   };
 }

@@ -5,6 +5,7 @@ import * as api from "../net/api";
 import type { LayerInfo, MachineInfo } from "../net/protocol";
 import { reasonOf } from "../net/reason";
 import type { Event } from "./event";
+import type { Notice } from "./notice";
 import type { Selection } from "./selection";
 
 export class WatchedMachine {
@@ -15,7 +16,7 @@ export class WatchedMachine {
 
   constructor(
     private readonly selection: Selection,
-    private readonly notices: Event<string>,
+    private readonly notices: Event<Notice>,
   ) {}
 
   /** The shown layer. */

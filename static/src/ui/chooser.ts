@@ -2,26 +2,33 @@
 
 import "./chooser.css";
 import { el } from "./dom";
-
-export interface Choice {
-  name: string;
-  /** A word beside the name. */
-  note: string;
-}
+import { matching, type Named } from "./matching";
 
 /** What the menu offers for a typed name that is not in the list: its words, or null. */
 type Novelty = (typed: string) => string | null;
 
 const MARGIN = 8;
+/** More hits are no help. */
+const MOST_SHOWN = 100;
 
 /** Opens the menu at a place in the window; returns the chosen or new name, or null. */
 export function choose(
   title: string,
-  choices: readonly Choice[],
+  choices: readonly Named[],
   at: { x: number; y: number },
   novelty: Novelty = () => null,
 ): Promise<string | null> {
-  return new Promise((done) => new Chooser(title, choices, novelty, done).open(at));
+  return new Promise((done) =>
+    new Chooser(title, choices, novelty, (choice) => done(choice?.name ?? null)).open(at),
+  );
+}
+
+/** Opens a large menu in the middle of the window; returns the chosen item, or null. */
+export function find<T extends Named>(title: string, items: readonly T[]): Promise<T | null> {
+  return new Promise((done) => {
+    const end = (choice: Named | null): void => done(items.find((item) => item === choice) ?? null);
+    new Chooser(title, items, () => null, end).openWide();
+  });
 }
 
 class Chooser {
@@ -36,14 +43,14 @@ class Chooser {
   });
   private readonly list = el("ul", { role: "listbox", id: "choices" });
   private readonly dialog: HTMLDialogElement;
-  private shown: readonly Choice[] = [];
+  private shown: readonly Named[] = [];
   private chosen = 0;
 
   constructor(
     title: string,
-    private readonly choices: readonly Choice[],
+    private readonly choices: readonly Named[],
     private readonly novelty: Novelty,
-    private readonly done: (name: string | null) => void,
+    private readonly done: (choice: Named | null) => void,
   ) {
     this.field.setAttribute("aria-label", title);
     this.field.placeholder = title;
@@ -56,31 +63,39 @@ class Chooser {
     this.dialog.addEventListener("close", () => this.end(null));
   }
 
+  openWide(): void {
+    this.dialog.classList.add("wide");
+    this.show();
+  }
+
   open({ x, y }: { x: number; y: number }): void {
-    document.body.append(this.dialog);
-    this.draw();
-    this.dialog.showModal();
+    this.show();
     const { width, height } = this.dialog.getBoundingClientRect();
     const within = (value: number, size: number, room: number): number =>
       Math.max(MARGIN, Math.min(value, room - size - MARGIN));
     this.dialog.style.left = `${within(x, width, innerWidth)}px`;
     this.dialog.style.top = `${within(y, height, innerHeight)}px`;
+  }
+
+  private show(): void {
+    document.body.append(this.dialog);
+    this.draw();
+    this.dialog.showModal();
     this.field.focus();
   }
 
-  private end(name: string | null): void {
+  private end(choice: Named | null): void {
     if (!this.dialog.isConnected) return;
     this.dialog.remove();
-    this.done(name);
+    this.done(choice);
   }
 
   private draw(): void {
     const typed = this.field.value.trim();
-    const wanted = typed.toLowerCase();
-    const matching = this.choices.filter(({ name }) => name.toLowerCase().includes(wanted));
+    const hits = matching(this.choices, typed).slice(0, MOST_SHOWN);
     const known = this.choices.some(({ name }) => name === typed);
     const note = typed && !known ? this.novelty(typed) : null;
-    this.shown = note === null ? matching : [...matching, { name: typed, note }];
+    this.shown = note === null ? hits : [...hits, { name: typed, note }];
     this.list.replaceChildren(
       ...this.shown.map(({ name, note: words }, i) =>
         el(
@@ -107,7 +122,7 @@ class Chooser {
     press.stopPropagation();
     const step = press.key === "ArrowDown" ? 1 : press.key === "ArrowUp" ? -1 : 0;
     if (step) this.mark(this.chosen + step);
-    else if (press.key === "Enter") this.end(this.shown[this.chosen]?.name ?? null);
+    else if (press.key === "Enter") this.end(this.shown[this.chosen] ?? null);
     else return;
     press.preventDefault();
   }
@@ -115,6 +130,6 @@ class Chooser {
   private clicked(target: Element): void {
     if (target === this.dialog) this.end(null);
     const item = target.closest<HTMLElement>("[data-index]");
-    if (item) this.end(this.shown[Number(item.dataset["index"])]!.name);
+    if (item) this.end(this.shown[Number(item.dataset["index"])]!);
   }
 }

@@ -121,12 +121,23 @@ def test_stages_of_format_3_come_up_without_names_and_origins(tmp_path: Path, ca
         assert place(held.find(host.id)).name == "Again"
 
 
-@pytest.mark.parametrize("column", ["name", "parent", "forked_tick", "forked_number", "made"])
-def test_a_changed_name_or_origin_is_found(tmp_path: Path, catalogue: Catalogue, column: str) -> None:
+@pytest.mark.parametrize(
+    ("column", "change"),
+    [
+        ("name", "|| '1'"),
+        ("parent", "|| '1'"),
+        ("forked_tick", "+ 1"),
+        ("forked_number", "+ 1"),
+        ("made", "+ 1"),
+    ],
+)
+def test_a_changed_name_or_origin_is_found(
+    tmp_path: Path, catalogue: Catalogue, column: str, change: str
+) -> None:
     with keeping(tmp_path, catalogue) as held:
         fork = opened(held).handle(ask.Fork())
     connection = sqlite3.connect(tmp_path / FILE_NAME)
-    connection.execute(f"UPDATE stages SET {column} = {column} || '1' WHERE id = ?", (fork,))
+    connection.execute(f"UPDATE stages SET {column} = {column} {change} WHERE id = ?", (fork,))
     connection.commit()
     connection.close()
     with keeping(tmp_path, catalogue) as held:

@@ -1,9 +1,10 @@
 import json
 
+import captures
 import pytest
 from statwalk import load
 from statwalk.errors import ContentError
-from tiny_model import document, glb
+from tiny_model import document, glb, robot
 
 
 @pytest.fixture
@@ -32,3 +33,23 @@ def test_a_folder_with_several_models_names_them(folder):
 def test_a_folder_without_any_says_what_is_missing(tmp_path):
     with pytest.raises(ContentError, match=r"holds no machine\.yaml, and no \.gltf or \.glb"):
         load(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("option", "words"),
+    [
+        ({"position": "add"}, r"x\.glb: position= is an option of \.bvh files: leave it out"),
+        ({"scale": 2.0}, r"x\.glb: scale= is an option of \.bvh and \.trc and \.md2 files: leave it out"),
+        ({"inbetween": "linear"}, r"x\.glb: inbetween= is an option of \.md2 files: leave it out"),
+    ],
+)
+def test_an_option_that_the_format_does_not_have_is_refused(tmp_path, option, words):
+    (tmp_path / "x.glb").write_bytes(robot())
+    with pytest.raises(ContentError, match=words):
+        load(tmp_path / "x.glb", **option)
+
+
+def test_an_option_with_a_wrong_value_names_the_right_ones(tmp_path):
+    (tmp_path / "walk.bvh").write_text(captures.walk())
+    with pytest.raises(ContentError, match=r"position= should be 'replace' or 'add', it is 'sum'"):
+        load(tmp_path / "walk.bvh", position="sum")

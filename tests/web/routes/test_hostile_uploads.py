@@ -22,6 +22,7 @@ from zipped import packed
 
 FILES, AT_A_TIME = 24, 4
 LONG_GAP_SECONDS = 0.5
+FRAMES_PER_FILE = 3
 MIB = 1 << 20
 
 
@@ -99,9 +100,9 @@ def test_each_is_taken_or_refused(witnessed: Witnessed) -> None:
     assert sum(status // 100 == 4 for status in witnessed.statuses) > FILES / 2
 
 
-def test_the_other_stage_s_ticks_keep_their_pace(witnessed: Witnessed) -> None:
-    passed = witnessed.seconds[-1] - witnessed.seconds[0]
-    assert witnessed.ticks[-1] - witnessed.ticks[0] >= 0.9 * 60 * passed
+def test_the_other_stage_is_shown_while_files_are_read(witnessed: Witnessed) -> None:
+    """A server that read files where it sends frames would send about one between two files."""
+    assert len(witnessed.ticks) >= FRAMES_PER_FILE * FILES
 
 
 def test_no_frame_comes_twice_or_late(witnessed: Witnessed) -> None:

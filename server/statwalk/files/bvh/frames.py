@@ -49,7 +49,7 @@ def _count(line: str, number: int) -> int:
     match = FRAMES.fullmatch(line)
     if not match or not match[1].isdecimal() or len(match[1]) > 15 or not match[1].isascii():
         raise TextError(
-            f"here must stand Frames: and a whole number, not {line[:80]!r}", place=f"line {number}"
+            f"here must stand Frames: and their number, 0 or more, not {line[:80]!r}", place=f"line {number}"
         )
     return int(match[1])
 

@@ -5,10 +5,11 @@ This module joins files and stage, which do not import each other.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import Any, get_args
 
 from statwalk.character.character import Character
 from statwalk.character.role import Role
@@ -23,6 +24,12 @@ from statwalk.files.md2 import md2_file
 
 PACKAGE = Path(__file__).resolve().parents[2]
 GLTF_SUFFIXES = (".glb", ".gltf")
+OPTIONS: Mapping[str, Mapping[str, tuple[str, ...]]] = {
+    ".bvh": {"position": get_args(Position), "scale": ()},
+    ".trc": {"scale": ()},
+    md2_file.SUFFIX: {"scale": (), "inbetween": get_args(md2_file.Inbetween)},
+}
+"""the options of `load` that the files of a suffix have, and their values; (): a number"""
 
 
 def shipped_machines_folder() -> Path:
@@ -54,35 +61,52 @@ def load(
     source: str | Path,
     text: str = "",
     *,
-    position: Position = "replace",
-    scale: float = 1.0,
-    inbetween: md2_file.Inbetween = "linear",
+    position: Position | None = None,
+    scale: float | None = None,
+    inbetween: md2_file.Inbetween | None = None,
 ) -> Character | Role:
     """Loads a Character from a model of any format (.glb, .gltf, .zip, .bvh, .trc …: `model_formats`), a
     folder with one model, or a character file (.yaml); loads a Role from a machine folder or a shipped
     machine's name.
 
-    `text`: the text of another version of the machine, as `replay` finds it in a log under `name@2`. For a
-    capture: `position` "replace" (a joint's position channels replace its offset) or "add", and `scale`,
-    which multiplies all lengths; the file's units are kept otherwise. For an .md2: `scale`, and `inbetween`
-    "linear" (vertices go from frame to frame) or "switched" (they switch half-way).
+    `text`: the text of another version of the machine, as `replay` finds it in a log under `name@2`. The
+    others say how a capture or an .md2 is read (`OPTIONS`): `position` "replace" (the default: a joint's
+    position channels replace its offset) or "add"; `scale` multiplies all lengths, 1 by default; `inbetween`
+    "linear" (the default: vertices go from frame to frame) or "switched" (they switch half-way).
 
-    :raises ContentError: when a file is refused.
+    :raises ContentError: when a file is refused, or an option that its format does not have is given.
     :raises UnknownNameError: when no file, folder or shipped machine has this name.
     """
+    path = Path(source)
+    options = {"position": position, "scale": scale, "inbetween": inbetween}
+    given: dict[str, Any] = {name: value for name, value in options.items() if value is not None}
+    _check_options("" if text else path.suffix.lower(), given, str(source))
     if text:
         return _load_version(str(source).partition("@")[0], text)
-    path = Path(source)
     if path.suffix.lower() in captures.SUFFIXES:
-        return captures.load_capture(path, captures.Reading(position, scale))
+        return captures.load_capture(path, captures.Reading(**given))
     if path.suffix.lower() == md2_file.SUFFIX:
-        read = partial(md2_file.read_md2, inbetween=inbetween, scale=scale)
+        read = partial(md2_file.read_md2, **given)
         return replace(model_formats.format_of(path), read=read).load_file(path)
     if path.suffix.lower() in (*model_formats.SUFFIXES, *TEXT_SUFFIXES):
         return load_character_file(path)
     if path.is_dir():
         return load_role(path) if (path / MACHINE_FILE).is_file() else _load_model_folder(path)
     return load_shipped(str(source), "model file, machine folder or shipped machine")
+
+
+def _check_options(suffix: str, given: Mapping[str, Any], source: str) -> None:
+    """Refuses options that a format does not have, and values that an option cannot take."""
+    for name, value in given.items():
+        homes = [home for home, options in OPTIONS.items() if name in options]
+        if suffix not in homes:
+            raise ContentError(
+                f"{name}= is an option of {' and '.join(homes)} files: leave it out", file=source
+            )
+        values = OPTIONS[suffix][name]
+        if values and value not in values:
+            words = " or ".join(map(repr, values))
+            raise ContentError(f"{name}= should be {words}, it is {str(value)[:40]!r}", file=source)
 
 
 def character_from(source: str | Path) -> Character:

@@ -9,21 +9,13 @@ from dataclasses import asdict
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Query, Response
-from pydantic import TypeAdapter
 
 from statwalk.character.expressions import OWN
 from statwalk.character.role import Role
 from statwalk.files.machine_yaml.expression_text import expression_text
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.machine.compile.machine import Machine
-from statwalk.machine.compile.resolved_table import ResolvedTable
-from statwalk.machine.definition.expression_definition import ExpressionMotion
-from statwalk.machine.definition.machine_definition import (
-    BlendDefinition,
-    StateDefinition,
-)
+from statwalk.machine.definition.cell_definition import Defaults
 from statwalk.machine.definition.sense_definition import SenseDefinition, TouchDefinition
-from statwalk.machine.graph import edges, full_table
 from statwalk.services.hosting.machine_versions import saved
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.store.records import MachineVersion
@@ -34,6 +26,7 @@ from statwalk.stage.measure.figures import UNITS
 from statwalk.stage.measure.over_budget import over_budget
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, catalogue_of, registry_of
+from statwalk.web.routes.layer_views import layer_views
 from statwalk.web.routes.limit_views import limit_views
 from statwalk.web.routes.solver_views import chain_views, solver_views
 from statwalk.web.schemas.base import ResponseModel
@@ -41,21 +34,16 @@ from statwalk.web.schemas.finding import FindingsView, finding_views
 from statwalk.web.schemas.machine import ExpressionView, MachineSummary, MachineView
 from statwalk.web.schemas.measured import FeetView, MeasurementsView, feet_view, measured_view
 from statwalk.web.schemas.table import (
-    CellView,
     ColliderView,
+    DefaultsView,
     GroundView,
     KeyView,
-    LayerView,
-    MarkerView,
     ParameterView,
     SenseView,
-    StateView,
     ThresholdView,
     TouchView,
 )
 
-CELLS: TypeAdapter[dict[str, CellView]] = TypeAdapter(dict[str, CellView])
-"""validates a row of a table: no other thread runs during a validation"""
 router = APIRouter(prefix="/api/machines", tags=["machines"], route_class=BoundedRoute)
 CatalogueDep = Annotated[Catalogue, Depends(catalogue_of)]
 
@@ -71,55 +59,6 @@ def summary(entry: Entry) -> MachineSummary:
         scene=entry.scene,
         states=list(definition.states),
         events=list(definition.columns),
-    )
-
-
-def _state_views(role: Role, layer: int) -> list[StateView]:
-    definitions = role.definition.tables()[role.machine.layers[layer].name].states
-    return [
-        _state_view(role.machine, row, definitions[role.machine.states[row]])
-        for row in role.machine.rows(layer)
-    ]
-
-
-def _state_view(machine: Machine, row: int, definition: StateDefinition) -> StateView:
-    blend, has_motion = machine.blends[row], machine.motion[row] >= 0
-    return StateView(
-        name=machine.states[row],
-        motion=machine.motions[machine.motion[row]] if has_motion else None,
-        over=list(blend.over) if isinstance(blend, BlendDefinition) else [],
-        clips=list(definition.clips),
-        loop=bool(machine.loop[row]),
-        duration=float(machine.duration[row]) if has_motion else 0.0,
-        outer=definition.composite,
-        final=definition.final,
-        markers=[MarkerView(name=marker, phase=phase) for marker, phase in machine.markers[row]],
-        expressions=[line.text for line in definition.motion.assignments]
-        if isinstance(definition.motion, ExpressionMotion)
-        else [],
-    )
-
-
-def _layer_views(role: Role) -> list[LayerView]:
-    return [_layer_view(role, number, table) for number, table in enumerate(role.resolved)]
-
-
-def _layer_view(role: Role, number: int, table: ResolvedTable) -> LayerView:
-    machine, layer = role.machine, role.machine.layers[number]
-    return LayerView.model_validate(
-        {
-            "name": layer.name,
-            "mode": layer.mode,
-            "mask": list(layer.mask),
-            "weight": layer.weight
-            if layer.weight_parameter < 0
-            else machine.parameters[layer.weight_parameter].name,
-            "initial": machine.states[machine.initials[number]],
-            "states": _state_views(role, number),
-            "table": {state: CELLS.validate_python(cells) for state, cells in full_table(table).items()},
-            "rows": [list(row) for row in table.definition.rows],
-            "edges": edges(table),
-        }
     )
 
 
@@ -151,15 +90,24 @@ def _expression_views(role: Role) -> list[ExpressionView]:
     ]
 
 
+def _defaults_view(defaults: Defaults) -> DefaultsView:
+    return DefaultsView(
+        when=str(defaults.when), blend=defaults.blend, curve=defaults.curve, buffer=defaults.buffer
+    )
+
+
 def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[str, Any]:
     """Returns the members of `MachineView`."""
-    definition, layers, text = role.definition, _layer_views(role), MachineText.of(version.text)
+    definition, layers, text = role.definition, layer_views(role), MachineText.of(version.text)
     return {
         **dict(summary(entry)),
         "version": version.number,
         "saved": saved(entry),
         "initial": definition.initial,
         "idle": definition.idle,
+        "fallback": definition.fallback,
+        "defaults": _defaults_view(definition.defaults),
+        "properties": [question.text for question in definition.properties],
         "keys": {key: KeyView.model_validate(events) for key, events in definition.keys.items()},
         "events": list(definition.columns),
         "parameters": _parameter_views(role),

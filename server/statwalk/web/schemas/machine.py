@@ -14,6 +14,7 @@ from statwalk.web.schemas.problem import FieldError
 from statwalk.web.schemas.table import (
     CellView,
     ColliderView,
+    DefaultsView,
     EdgeView,
     GroundView,
     KeyView,
@@ -160,6 +161,11 @@ class MachineView(ResponseModel):
     """where edits are kept: in machine.yaml, or by the server, in its data folder if it has one"""
     initial: str
     idle: str | None
+    fallback: str
+    """the state of an actor whose own state is gone; empty: the initial state"""
+    defaults: DefaultsView
+    properties: list[str]
+    """what must be true of the table; the findings say what is proved"""
     states: list[StateView]
     events: list[str]
     table: dict[str, dict[str, CellView]]

@@ -68,6 +68,10 @@ class StateView(ResponseModel):
     motion: str | None
     over: list[str]
     clips: list[str]
+    points: dict[str, list[float]]
+    """where each clip of a blend stands: a number for each parameter of `over`"""
+    speed: float | str
+    """a factor of time, or the parameter that gives it"""
     loop: bool
     duration: float
     outer: str
@@ -75,6 +79,18 @@ class StateView(ResponseModel):
     markers: list[MarkerView]
     expressions: list[str]
     """of a motion that expressions drive, in the order in which they run"""
+
+
+class CompositeView(ResponseModel):
+    """A composite state, a machine within a state: the inner state that it begins with, and whether a
+    transition to it resumes the inner state left last; `outer`, `final` as of a state.
+    """
+
+    name: str
+    initial: str
+    resume: bool
+    outer: str
+    final: bool
 
 
 class LayerView(ResponseModel):
@@ -88,9 +104,21 @@ class LayerView(ResponseModel):
     weight: float | str
     initial: str
     states: list[StateView]
+    composites: list[CompositeView]
     table: dict[str, dict[str, CellView]]
     rows: list[list[str]]
     edges: list[EdgeView]
+
+
+class DefaultsView(ResponseModel):
+    """What cells take that say nothing: when they fire, the seconds and the curve of their blend; `buffer`:
+    seconds that an event waits in a blank cell.
+    """
+
+    when: str
+    blend: float
+    curve: Curve
+    buffer: float
 
 
 class KeyView(ResponseModel):

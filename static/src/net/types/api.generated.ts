@@ -1864,6 +1864,17 @@ export interface components {
             ];
         };
         /**
+         * @description A composite state, a machine within a state: the inner state that it begins with, and whether a
+         *     transition to it resumes the inner state left last; `outer`, `final` as of a state.
+         */
+        CompositeView: {
+            name: string;
+            initial: string;
+            resume: boolean;
+            outer: string;
+            final: boolean;
+        };
+        /**
          * @description One interpolation of the keys; `rotations` are quaternions x y z w. `refused` says why there is no
          *     curve; the lists are empty then.
          */
@@ -1923,6 +1934,17 @@ export interface components {
             when?: string | null;
             blend?: number | components["schemas"]["BlendTime"] | null;
             buffer?: number | null;
+        };
+        /**
+         * @description What cells take that say nothing: when they fire, the seconds and the curve of their blend; `buffer`:
+         *     seconds that an event waits in a blank cell.
+         */
+        DefaultsView: {
+            when: string;
+            blend: number;
+            /** @enum {string} */
+            curve: "cubic" | "quintic";
+            buffer: number;
         };
         /** @description Takes a clip out of a state's blend, with its markers. */
         DeleteBlendClipOperation: {
@@ -2017,6 +2039,11 @@ export interface components {
             saved: "file" | "memory";
             initial: string;
             idle: string | null;
+            /** @description the state of an actor whose own state is gone; empty: the initial state */
+            fallback: string;
+            defaults: components["schemas"]["DefaultsView"];
+            /** @description what must be true of the table; the findings say what is proved */
+            properties: string[];
             states: components["schemas"]["StateView"][];
             events: string[];
             table: {
@@ -2392,6 +2419,7 @@ export interface components {
             weight: number | string;
             initial: string;
             states: components["schemas"]["StateView"][];
+            composites: components["schemas"]["CompositeView"][];
             table: {
                 [key: string]: {
                     [key: string]: components["schemas"]["CellView"];
@@ -2479,6 +2507,11 @@ export interface components {
             saved: "file" | "memory";
             initial: string;
             idle: string | null;
+            /** @description the state of an actor whose own state is gone; empty: the initial state */
+            fallback: string;
+            defaults: components["schemas"]["DefaultsView"];
+            /** @description what must be true of the table; the findings say what is proved */
+            properties: string[];
             states: components["schemas"]["StateView"][];
             events: string[];
             table: {
@@ -3605,6 +3638,12 @@ export interface components {
             motion: string | null;
             over: string[];
             clips: string[];
+            /** @description where each clip of a blend stands: a number for each parameter of `over` */
+            points: {
+                [key: string]: number[];
+            };
+            /** @description a factor of time, or the parameter that gives it */
+            speed: number | string;
             loop: boolean;
             duration: number;
             outer: string;
@@ -4442,11 +4481,13 @@ export type ClipView = components['schemas']['ClipView'];
 export type ClockChangeView = components['schemas']['ClockChangeView'];
 export type ColliderFields = components['schemas']['ColliderFields'];
 export type ColliderView = components['schemas']['ColliderView'];
+export type CompositeView = components['schemas']['CompositeView'];
 export type CurveView = components['schemas']['CurveView'];
 export type CurvesView = components['schemas']['CurvesView'];
 export type DeducedBoneView = components['schemas']['DeducedBoneView'];
 export type DeductionView = components['schemas']['DeductionView'];
 export type DefaultsFields = components['schemas']['DefaultsFields'];
+export type DefaultsView = components['schemas']['DefaultsView'];
 export type DeleteBlendClipOperation = components['schemas']['DeleteBlendClipOperation'];
 export type DeleteEntryOperation = components['schemas']['DeleteEntryOperation'];
 export type DeleteEventOperation = components['schemas']['DeleteEventOperation'];

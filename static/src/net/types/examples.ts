@@ -1,6 +1,15 @@
 /** Whole values of the server's types, for tests: a test names the members that it is about. */
 
-import type { Alternative, Cell, Finding, KeyBinding, MachineInfo, Parameter, StateInfo } from "./machine";
+import type {
+  Alternative,
+  Cell,
+  Finding,
+  KeyBinding,
+  LayerInfo,
+  MachineInfo,
+  Parameter,
+  StateInfo,
+} from "./machine";
 import type { CastHello, Hello, Verdict } from "./messages";
 import type { StageInfo } from "./rest";
 
@@ -39,6 +48,8 @@ export function state(members: Partial<StateInfo>): StateInfo {
     motion: null,
     over: [],
     clips: [],
+    points: {},
+    speed: 1,
     loop: false,
     duration: 0,
     outer: "",
@@ -47,6 +58,11 @@ export function state(members: Partial<StateInfo>): StateInfo {
     expressions: [],
     ...members,
   };
+}
+
+export function layer(members: Partial<LayerInfo>): LayerInfo {
+  const kind = { name: "base", mode: "override" as const, mask: [], weight: 1, initial: "" };
+  return { ...kind, states: [], composites: [], table: {}, rows: [], edges: [], ...members };
 }
 
 export function finding(members: Partial<Finding>): Finding {
@@ -91,11 +107,22 @@ export function parameter(members: Partial<Parameter>): Parameter {
 export function machine(members: Partial<MachineInfo>): MachineInfo {
   const facts = { name: "m", title: "M", description: "", character: "c", scene: "" };
   const version = { version: 1, saved: "memory" as const, undo: 0, redo: 0 };
-  const states = { initial: "", idle: null, states: [], table: {}, rows: [], edges: [], layers: [] };
+  const states = {
+    initial: "",
+    idle: null,
+    fallback: "",
+    properties: [],
+    states: [],
+    table: {},
+    rows: [],
+    edges: [],
+    layers: [],
+  };
+  const defaults = { when: "now", blend: 0.2, curve: "cubic" as const, buffer: 0.3 };
   const inputs = { events: [], keys: {}, parameters: [], variables: [], senses: {} };
   const world = { colliders: {}, ground: [], limits: [], solvers: [], chains: [] };
   const texts = { expressions: [], expression_text: "", text: "", tables: {}, view: {} };
-  return { ...facts, ...version, ...states, ...inputs, ...world, ...texts, ...members };
+  return { ...facts, ...version, defaults, ...states, ...inputs, ...world, ...texts, ...members };
 }
 
 export function cast(members: Partial<CastHello>): CastHello {

@@ -16,7 +16,7 @@ export type Answer<M extends Method, P extends Route<M>> =
   Operation<M, P> extends { responses: infer All } ? Json<All[keyof All]> : never;
 /** The JSON that a route takes. */
 export type Body<M extends Method, P extends Route<M>> =
-  Operation<M, P> extends { requestBody: infer One } ? Json<One> : undefined;
+  Operation<M, P> extends { requestBody?: infer One } ? Json<NonNullable<One>> : undefined;
 /** What fills the braces of a path. */
 export type Places<M extends Method, P extends Route<M>> =
   Operation<M, P> extends { parameters: { path: infer All } } ? All : object;

@@ -1,5 +1,6 @@
-/** Listens to the keyboard: the machine's keys first, then the viewer's shortcuts. */
+/** Listens to the keyboard: the machine's keys first, then the page's commands. */
 
+import { keyName } from "../../state/commands";
 import { HeldKeys, bindingOf, mainEvent } from "../../state/keyBindings";
 import type { App } from "../../view/app";
 
@@ -29,7 +30,8 @@ export class Keyboard {
   }
 
   private down(press: KeyboardEvent): void {
-    if (press.ctrlKey || press.metaKey || press.altKey || wanted(press.target, press.key)) return;
+    if (press.altKey || wanted(press.target, press.key)) return;
+    if (press.ctrlKey || press.metaKey) return this.command(press);
     const keys = this.app.machine.info.value?.keys ?? {};
     const name = bindingOf(keys, press.key, press.code);
     if (name !== null) {
@@ -39,9 +41,13 @@ export class Keyboard {
       this.show(name, true);
       return;
     }
-    const shortcut = press.repeat ? undefined : this.app.shortcuts.of(press.key);
-    if (shortcut) press.preventDefault();
-    shortcut?.act();
+    this.command(press);
+  }
+
+  private command(press: KeyboardEvent): void {
+    const command = press.repeat ? undefined : this.app.commands.of(keyName(press));
+    if (command) press.preventDefault();
+    command?.act();
   }
 
   private up(press: KeyboardEvent): void {

@@ -1,20 +1,11 @@
 // @vitest-environment happy-dom
 import { expect, test, vi } from "vitest";
-import { state } from "../../net/types/examples";
+import { layer, state } from "../../net/types/examples";
 import { exampleApp, watch } from "../../view/exampleApp";
 import { expressionsPanel } from "./expressions";
 
 const lines = [{ line: 7, name: "a", formula: "b * 2", source: "machine" as const }];
-const layer = {
-  mode: "override" as const,
-  mask: [],
-  weight: 1,
-  initial: "A",
-  table: {},
-  rows: [],
-  edges: [],
-};
-const layers = [{ ...layer, name: "base", states: [state({ name: "A", expressions: ["c = 1"] })] }];
+const layers = [layer({ states: [state({ name: "A", expressions: ["c = 1"] })] })];
 
 function shown() {
   const app = exampleApp();

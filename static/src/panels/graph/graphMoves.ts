@@ -34,7 +34,7 @@ export function stateTowards(
   return best(boxes.filter(({ name }) => joined.has(name))) ?? best(boxes);
 }
 
-/** Counts a way aside twice; a box that lies more aside than ahead is no candidate. */
+/** Returns the distance ahead plus twice the distance aside; Infinity for a box too far aside. */
 function cost(here: Box, there: Box, [x, y]: readonly [number, number]): number {
   const [dx, dy] = [there.x - here.x, there.y - here.y];
   const [ahead, aside] = [dx * x + dy * y, Math.abs(dx * y) + Math.abs(dy * x)];

@@ -2,6 +2,7 @@
 
 import "./help.css";
 import { bindingOf, cap, onDown, onUp } from "../../state/keyBindings";
+import { keyCap } from "../../state/commands";
 import { changedBy } from "../../state/keyChanges";
 import type { KeyBinding } from "../../net/protocol";
 import type { App } from "../../view/app";
@@ -67,9 +68,9 @@ class HelpDialog {
     const section = (title: string, rows: HTMLElement[]): HTMLElement =>
       el("section", {}, el("h2", {}, title), el("dl", {}, ...rows));
     // A key of the machine comes before the same key of the viewer.
-    const own = this.app.shortcuts.all.value.flatMap(({ keys, words }) => {
+    const own = this.app.commands.all.value.flatMap(({ keys, words }) => {
       const free = keys.filter((key) => bindingOf(machine?.keys ?? {}, key, key) === null);
-      return free.length ? [row(free.map(cap), words)] : [];
+      return free.length ? [row(free.map(keyCap), words)] : [];
     });
     const pointer = POINTER.map(([how, words]) => row([how], words));
     const title = machine?.title ?? machine?.name ?? "machine";
@@ -88,6 +89,6 @@ class HelpDialog {
 /** The button `host` opens the dialog, as the key `?` does. */
 export function helpPanel(host: HTMLElement, app: App): void {
   const dialog = new HelpDialog(app);
-  app.shortcuts.add({ keys: ["?"], words: "this help", act: () => dialog.toggle() });
+  app.commands.add({ keys: ["?"], words: "this help", act: () => dialog.toggle() });
   host.addEventListener("click", () => dialog.toggle());
 }

@@ -1,5 +1,6 @@
 /** The menu beside the picker: makes a machine, copies, renames, exports and deletes the shown one. */
 
+import "../../ui/menu.css";
 import "./machineMenu.css";
 import { effect, signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
@@ -131,7 +132,7 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
       >
         ⋯
       </button>
-      ${isOpen.value ? html`<div class="machine-menu">${content()}</div>` : nothing}`;
+      ${isOpen.value ? html`<div class="menu machine-menu">${content()}</div>` : nothing}`;
   });
   effect(() => {
     const first = ask.value ? "form input, form button" : "[role=menuitem]";

@@ -6,10 +6,10 @@ import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
 
 export function stageNamePanel(host: HTMLElement, app: App): void {
-  const { inspection, shortcuts, session, stage, stageList } = app;
+  const { inspection, commands, session, stage, stageList } = app;
   const toggle = (): void =>
     void (inspection.drawer.value = inspection.drawer.value === "stages" ? null : "stages");
-  shortcuts.add(
+  commands.add(
     { keys: ["o"], words: "stages and forks", act: toggle },
     { keys: ["h"], words: "back to the stage main", act: () => stage.id === "main" || session.watch("main") },
   );

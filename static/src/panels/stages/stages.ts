@@ -38,9 +38,10 @@ export function stagesPanel(host: HTMLElement, app: App): void {
   function named(submit: Event): string {
     submit.preventDefault();
     const form = submit.target as HTMLFormElement;
-    const name = String(new FormData(form).get("name") ?? "").trim();
+    const name = form.elements.namedItem("name") as HTMLInputElement;
+    const text = name.value.trim();
     form.reset();
-    return name;
+    return text;
   }
 
   const fork = (submit: Event): void => void act(stages.fork(playback.looking.value, named(submit)));

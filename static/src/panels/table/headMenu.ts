@@ -1,5 +1,6 @@
 /** The menu of a row's head, of a column's head, or of the table's corner: it changes the structure of the table. */
 
+import "../../ui/menu.css";
 import "./headMenu.css";
 import { effect, signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
@@ -23,7 +24,7 @@ interface Opened {
 export function headMenu(host: HTMLElement, app: App): (head: Head, anchor: HTMLElement) => void {
   const opened = signal<Opened | null>(null);
   const fields = new EditingFields(app.editing);
-  const box = el("div", { class: "head-menu", hidden: true });
+  const box = el("div", { class: "menu head-menu", hidden: true });
   host.append(box);
 
   function close(back: boolean): void {

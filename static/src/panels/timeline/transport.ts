@@ -65,7 +65,7 @@ export class Transport {
     app.stage.status.subscribe(({ speed }) => this.showSpeed(speed));
     effect(() => this.show());
     app.frame.on(() => this.tell());
-    app.shortcuts.add(
+    app.commands.add(
       { keys: ["p"], words: "pause, play", act: () => this.toggle() },
       { keys: [","], words: "one tick back", act: () => this.step(-1) },
       { keys: ["."], words: "one tick forward", act: () => this.step(1) },

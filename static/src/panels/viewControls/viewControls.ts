@@ -2,7 +2,7 @@
 
 import "./viewControls.css";
 import type { Skinning } from "../../net/protocol";
-import type { Shortcut } from "../../state/shortcuts";
+import type { Command } from "../../state/commands";
 import type { App } from "../../view/app";
 import type { Modes, StageView } from "../../view/stageView";
 import { FRAMINGS, type Framing } from "../../view/framing";
@@ -31,8 +31,8 @@ function wireOrSkin(stageView: StageView): void {
   stageView.modes.value = { ...stageView.modes.value, wire: !wire, skin: wire };
 }
 
-function viewShortcuts({ view, frames }: App): Shortcut[] {
-  const mode = (name: keyof Modes, ...keys: [string, ...string[]]): Shortcut => ({
+function viewCommands({ view, frames }: App): Command[] {
+  const mode = (name: keyof Modes, ...keys: string[]): Command => ({
     keys,
     words: `show ${name}`,
     act: () => toggleMode(view, name),
@@ -122,7 +122,7 @@ function pathChoice(stageView: StageView): HTMLSelectElement {
 export function viewControlsPanel(host: HTMLElement, app: App): void {
   const stageView = app.view;
   stageView.scene.leaveRoomFor(host);
-  app.shortcuts.add(...viewShortcuts(app));
+  app.commands.add(...viewCommands(app));
   const skin = el(
     "div",
     { class: "group", role: "group", "aria-label": "what is drawn" },

@@ -10,7 +10,7 @@ import { tags } from "@lezer/highlight";
 import type { Finding } from "../../net/protocol";
 import { changeOf } from "./changeOf";
 
-/** Marks a change that nobody typed. */
+/** Marks a change that comes from the server, not from typing. */
 const SHOWN = Annotation.define<boolean>();
 
 const colours = HighlightStyle.define([

@@ -1,0 +1,89 @@
+"""Describes the layers of a machine: their states, and their tables cell by cell."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from pydantic import TypeAdapter
+
+from statwalk.character.role import Role
+from statwalk.machine.compile.machine import Machine
+from statwalk.machine.compile.resolved_table import ResolvedTable
+from statwalk.machine.definition.expression_definition import ExpressionMotion
+from statwalk.machine.definition.machine_definition import (
+    BlendDefinition,
+    CompositeDefinition,
+    StateDefinition,
+)
+from statwalk.machine.graph import edges, full_table
+from statwalk.web.schemas.table import CellView, CompositeView, LayerView, MarkerView, StateView
+
+CELLS: TypeAdapter[dict[str, CellView]] = TypeAdapter(dict[str, CellView])
+"""validates a row of a table: no other thread runs during a validation"""
+
+
+def _state_views(role: Role, layer: int) -> list[StateView]:
+    definitions = role.definition.tables()[role.machine.layers[layer].name].states
+    return [
+        _state_view(role.machine, row, definitions[role.machine.states[row]])
+        for row in role.machine.rows(layer)
+    ]
+
+
+def _state_view(machine: Machine, row: int, definition: StateDefinition) -> StateView:
+    has_motion, motion = machine.motion[row] >= 0, definition.motion
+    blend = motion if isinstance(motion, BlendDefinition) else None
+    return StateView(
+        name=machine.states[row],
+        motion=machine.motions[machine.motion[row]] if has_motion else None,
+        over=list(blend.over) if blend else [],
+        clips=list(definition.clips),
+        points={clip: list(point) for clip, point in blend.clips.items()} if blend else {},
+        speed=definition.speed,
+        loop=bool(machine.loop[row]),
+        duration=float(machine.duration[row]) if has_motion else 0.0,
+        outer=definition.composite,
+        final=definition.final,
+        markers=[MarkerView(name=marker, phase=phase) for marker, phase in machine.markers[row]],
+        expressions=[line.text for line in definition.motion.assignments]
+        if isinstance(definition.motion, ExpressionMotion)
+        else [],
+    )
+
+
+def _composite_views(composites: Mapping[str, CompositeDefinition]) -> list[CompositeView]:
+    return [
+        CompositeView(
+            name=name,
+            initial=composite.initial,
+            resume=composite.resume,
+            outer=composite.composite,
+            final=composite.final,
+        )
+        for name, composite in composites.items()
+    ]
+
+
+def layer_views(role: Role) -> list[LayerView]:
+    """Returns the layers of a machine, the base first."""
+    return [_layer_view(role, number, table) for number, table in enumerate(role.resolved)]
+
+
+def _layer_view(role: Role, number: int, table: ResolvedTable) -> LayerView:
+    machine, layer = role.machine, role.machine.layers[number]
+    return LayerView.model_validate(
+        {
+            "name": layer.name,
+            "mode": layer.mode,
+            "mask": list(layer.mask),
+            "weight": layer.weight
+            if layer.weight_parameter < 0
+            else machine.parameters[layer.weight_parameter].name,
+            "initial": machine.states[machine.initials[number]],
+            "states": _state_views(role, number),
+            "composites": _composite_views(table.definition.composites),
+            "table": {state: CELLS.validate_python(cells) for state, cells in full_table(table).items()},
+            "rows": [list(row) for row in table.definition.rows],
+            "edges": edges(table),
+        }
+    )

@@ -1,0 +1,52 @@
+"""GET /api/machines/{name}: what the file says of states beside their names."""
+
+from typing import Any
+
+import httpx
+import pytest
+from statwalk.web.app import create_app
+from statwalk.web.settings import Settings
+
+pytestmark = pytest.mark.anyio
+MACHINE = """
+character: walker.glb
+initial: CALM
+fallback: CALM
+defaults: {when: end, blend: {seconds: 0.4, curve: quintic}, buffer: 0.1}
+parameters: {pace: {default: 1, min: 0, max: 2}}
+properties: [FIGHT only after CALM]
+states:
+  CALM: {motion: stand, loop: true, speed: pace}
+  RUN: {motion: {over: pace, clips: {walk: 0.5, stand: 0}}, loop: true, speed: 1.5}
+  FIGHT:
+    resume: true
+    machine: {initial: GUARD, states: {GUARD: {motion: stand, loop: true}}, table: "state | GO"}
+table: |
+  state | GO
+  CALM  | FIGHT
+  FIGHT | RUN
+  RUN   | CALM
+"""
+
+
+@pytest.fixture
+async def machine() -> dict[str, Any]:
+    transport = httpx.ASGITransport(create_app(Settings(main_stage=False)))
+    async with httpx.AsyncClient(transport=transport, base_url="http://localhost") as client:
+        answer = await client.put(
+            "/api/machines/faq-walker", json={"text": MACHINE}, headers={"If-Match": '"1"'}
+        )
+        assert answer.is_success, answer.text
+        got: dict[str, Any] = (await client.get("/api/machines/faq-walker")).json()
+        return got
+
+
+async def test_what_a_file_says_of_states_and_defaults_is_in_the_answer(machine: dict[str, Any]) -> None:
+    calm, run, _ = machine["states"]
+    assert (calm["speed"], run["speed"]) == ("pace", 1.5)
+    assert (calm["points"], run["points"]) == ({}, {"walk": [0.5], "stand": [0.0]})
+    assert machine["layers"][0]["composites"] == [
+        {"name": "FIGHT", "initial": "FIGHT.GUARD", "resume": True, "outer": "", "final": False}
+    ]
+    assert machine["defaults"] == {"when": "end", "blend": 0.4, "curve": "quintic", "buffer": 0.1}
+    assert (machine["fallback"], machine["properties"]) == ("CALM", ["FIGHT only after CALM"])
