@@ -27,7 +27,7 @@ import { palettePanel } from "./panels/palette/palette";
 import { parametersPanel } from "./panels/parameters/parameters";
 import { pickerPanel } from "./panels/picker/picker";
 import { routeBarPanel } from "./panels/routeBar/routeBar";
-import { stageNamePanel } from "./panels/stages/stageName";
+import { stageNamePanel } from "./panels/stageName/stageName";
 import { stagesPanel } from "./panels/stages/stages";
 import { statusPanel } from "./panels/status/status";
 import { tablePanel } from "./panels/table/tablePanel";

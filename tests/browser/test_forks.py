@@ -1,9 +1,12 @@
-"""Forks stay, and the way back from one."""
+"""Forks stay, the list of stages names and deletes them, and the ways back from one."""
 
 import httpx
 from browser.conftest import Server, until
 from browser.test_time import SCRUB
 from playwright.sync_api import Page
+from serving import wait_for
+
+AT_MAIN = "__viewer.stage() === 'main' && __viewer.ready && __viewer.link() === 'live'"
 
 
 def fork(page: Page) -> str:
@@ -19,8 +22,28 @@ def fork(page: Page) -> str:
 def test_back_leads_from_a_fork_to_its_origin_and_forward_to_the_fork(server: Server, viewer: Page) -> None:
     made = fork(viewer)
     viewer.go_back()
-    until(viewer, "__viewer.stage() === 'main' && __viewer.ready && __viewer.link() === 'live'")
+    until(viewer, AT_MAIN)
     assert viewer.url == f"{server.url}/"
     httpx.get(f"{server.url}/api/stages/{made}").raise_for_status()
     viewer.go_forward()
     until(viewer, "__viewer.stage() === arg && __viewer.ready && __viewer.link() === 'live'", made)
+
+
+def test_a_fork_gets_a_name_and_a_key_leads_back_to_main(viewer: Page) -> None:
+    viewer.keyboard.press("o")
+    viewer.get_by_label("name of the fork").fill("Jump earlier")
+    viewer.keyboard.press("Enter")
+    until(viewer, "document.querySelector('#stages [aria-current=true] b')?.textContent === 'Jump earlier'")
+    until(viewer, "__viewer.ready && __viewer.link() === 'live'")
+    viewer.keyboard.press("Escape")
+    viewer.keyboard.press("h")
+    until(viewer, AT_MAIN)
+
+
+def test_who_deletes_the_watched_fork_is_led_to_its_origin(server: Server, viewer: Page) -> None:
+    made = fork(viewer)
+    viewer.keyboard.press("o")
+    viewer.get_by_role("button", name="delete faq-walker").click()
+    viewer.get_by_role("button", name="delete it").click()
+    until(viewer, AT_MAIN)
+    wait_for(lambda: made not in {stage["id"] for stage in httpx.get(f"{server.url}/api/stages").json()})

@@ -21,6 +21,8 @@ export function drawerPanel(host: HTMLElement, app: App): void {
   let opener: Element | null = null;
   const close = (): void => {
     drawer.value = null;
+    // The browser itself takes the focus from hidden elements only at its next drawing: keys would be lost.
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
     if (opener instanceof HTMLElement && opener.isConnected) opener.focus({ preventScroll: true });
   };
   for (const part of parts) Object.assign(part, { role: "tabpanel", tabIndex: -1 });

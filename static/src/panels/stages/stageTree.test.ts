@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { stageInfo } from "../../net/types/examples";
-import { nowWords, originWords, treeOf } from "./stageTree";
+import { nowWords, originWords, spanOf, treeOf } from "./stageTree";
 
 const main = stageInfo({ id: "main" });
 const origin = (stage: string, tick: number) => ({ stage, tick, is_there: true });
@@ -31,5 +31,16 @@ it("says what differs, and who has paused", () => {
     "left main at tick 30 · 2 inputs, the newest: JUMP to walker",
   );
   const changed = { what: "paused" as const, by: "Ada", viewer: 3, tick: 50 };
-  expect(nowWords({ ...early, paused: true, changed, head: 50 })).toBe("tick 50 · paused by Ada · 1 watches");
+  expect(nowWords({ ...early, paused: true, changed, head: 50 })).toBe("tick 50 · paused by Ada · 1 viewer");
+});
+
+it("draws a fork from its origin's tick on, all on one scale", () => {
+  const all = [
+    { ...main, head: 200 },
+    { ...late, head: 150 },
+  ];
+  expect(all.map((stage) => spanOf(stage, all))).toEqual([
+    { from: 0, to: 1 },
+    { from: 0.45, to: 0.75 },
+  ]);
 });

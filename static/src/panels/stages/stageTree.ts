@@ -21,9 +21,15 @@ export function treeOf(stages: readonly StageInfo[]): Row[] {
   return below(null, 0);
 }
 
-function inTime(one: StageInfo, other: StageInfo): number {
-  if (one.id === "main" || other.id === "main") return one.id === "main" ? -1 : 1;
-  return (one.origin?.tick ?? 0) - (other.origin?.tick ?? 0) || (one.made ?? 0) - (other.made ?? 0);
+function inTime(a: StageInfo, b: StageInfo): number {
+  if (a.id === "main" || b.id === "main") return a.id === "main" ? -1 : 1;
+  return (a.origin?.tick ?? 0) - (b.origin?.tick ?? 0) || (a.made ?? 0) - (b.made ?? 0);
+}
+
+/** Returns where a stage's own ticks begin and end, as shares of the longest time of all stages. */
+export function spanOf({ origin, head }: StageInfo, all: readonly StageInfo[]): { from: number; to: number } {
+  const longest = Math.max(1, ...all.map((stage) => stage.head));
+  return { from: (origin?.tick ?? 0) / longest, to: head / longest };
 }
 
 const counted = (count: number, noun: string): string => `${count} ${noun}${count === 1 ? "" : "s"}`;
@@ -41,5 +47,5 @@ export function originWords({ origin, inputs, newest_input }: StageInfo, all: re
 export function nowWords({ asleep, paused, changed, viewers, head }: StageInfo): string {
   const by = changed?.what === "paused" ? ` by ${changed.by}` : "";
   const clock = asleep ? "asleep" : paused ? `paused${by}` : "runs";
-  return `tick ${head} · ${clock} · ${viewers === 1 ? "1 watches" : `${viewers} watch`}`;
+  return `tick ${head} · ${clock} · ${viewers ? counted(viewers, "viewer") : "no viewer"}`;
 }

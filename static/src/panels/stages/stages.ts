@@ -9,11 +9,13 @@ import { reasonOf } from "../../net/reason";
 import { nameOf } from "../../state/stageList";
 import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
-import { nowWords, originWords, type Row, treeOf } from "./stageTree";
+import { nowWords, originWords, type Row, spanOf, treeOf } from "./stageTree";
 
 const READ_MS = 2000;
 /** The longest name that the server takes. */
 const LONGEST_NAME = 80;
+/** Deeper forks are not moved further in. */
+const DEEPEST = 6;
 
 /** What a row asks for: another name, or a yes to its deletion. */
 type Asked = { stage: string; about: "name" | "deletion" } | null;
@@ -25,9 +27,16 @@ export function stagesPanel(host: HTMLElement, app: App): void {
 
   /** Does something on the server, says why not, and reads the list again. */
   async function act(request: Promise<unknown>): Promise<void> {
-    asked.value = null;
+    settle();
     await request.catch((error: unknown) => notices.emit(reasonOf(error)));
     await stageList.read();
+  }
+
+  /** Takes the question back; the focus goes to the row that asked. */
+  function settle(): void {
+    const row = host.querySelector<HTMLElement>("li:has(form) .stage-row");
+    asked.value = null;
+    row?.focus();
   }
 
   function ask(next: NonNullable<Asked>): void {
@@ -50,15 +59,15 @@ export function stagesPanel(host: HTMLElement, app: App): void {
     void act(stages.discard(id, origin?.is_there ? origin.stage : "main"));
   }
 
-  const deletion = (one: StageInfo): TemplateResult =>
+  const deletion = (doomed: StageInfo): TemplateResult =>
     html`<form
       @submit=${(submit: Event) => {
         submit.preventDefault();
-        remove(one);
+        remove(doomed);
       }}
     >
-      <p .textContent=${`Delete ${nameOf(one)} for good? Its forks stay.`}></p>
-      <button type="button" class="keep" @click=${() => (asked.value = null)}>keep it</button>
+      <p .textContent=${`Delete ${nameOf(doomed)} for good? Its forks stay.`}></p>
+      <button type="button" class="keep" @click=${settle}>keep it</button>
       <button type="submit">delete it</button>
     </form>`;
 
@@ -92,24 +101,26 @@ export function stagesPanel(host: HTMLElement, app: App): void {
       }
     </div>`;
 
-  function row({ stage: one, depth }: Row): TemplateResult {
-    const name = nameOf(one);
-    const about = asked.value?.stage === one.id ? asked.value.about : null;
+  function row({ stage: listed, depth }: Row): TemplateResult {
+    const name = nameOf(listed);
+    const about = asked.value?.stage === listed.id ? asked.value.about : null;
+    const { from, to } = spanOf(listed, stageList.all.value);
     return html`<li
-      aria-current=${one.id === stage.hello.value?.stage}
-      style=${`--depth: ${Math.min(depth, 6)}`}
+      aria-current=${listed.id === stage.hello.value?.stage}
+      .style=${`--depth: ${Math.min(depth, DEEPEST)}; --from: ${from}; --to: ${to}`}
     >
       <button
         type="button"
         class="stage-row"
         title="watch it"
-        @click=${() => one.id === stage.id || session.watch(one.id)}
+        @click=${() => listed.id === stage.id || session.watch(listed.id)}
       >
         <b .textContent=${name}></b>
-        <span .textContent=${originWords(one, stageList.all.value)}></span>
-        <small .textContent=${nowWords(one)}></small>
+        <span .textContent=${originWords(listed, stageList.all.value)}></span>
+        <small .textContent=${nowWords(listed)}></small>
       </button>
-      ${about === null ? actions(one, name) : about === "name" ? renaming(one) : deletion(one)}
+      <i class="stage-span"></i>
+      ${about === null ? actions(listed, name) : about === "name" ? renaming(listed) : deletion(listed)}
     </li>`;
   }
 
@@ -135,7 +146,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
   });
   host.addEventListener("keydown", (press) => {
     if (press.key !== "Escape" || asked.value === null) return;
-    asked.value = null;
+    settle();
     press.preventDefault();
   });
   effect(() => {

@@ -1,9 +1,15 @@
 /** The button in the header with the name of the watched stage opens the list of stages. */
 
-import { html } from "lit-html";
+import "./stageName.css";
+import { html, svg } from "lit-html";
 import { nameOf } from "../../state/stageList";
 import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
+
+const FORK = svg`<path
+  d="M5 4.5v7M5 8c0-2.2 6-1 6-3.5"
+  fill="none" stroke="currentColor" stroke-width="1.6" stroke-linecap="round"
+/><circle cx="5" cy="3.5" r="1.6" /><circle cx="11" cy="3.5" r="1.6" /><circle cx="5" cy="12.5" r="1.6" />`;
 
 export function stageNamePanel(host: HTMLElement, app: App): void {
   const { inspection, commands, session, stage, stageList } = app;
@@ -15,15 +21,18 @@ export function stageNamePanel(host: HTMLElement, app: App): void {
   );
   draw(host, () => {
     const id = stage.hello.value?.stage ?? "";
-    const known = stageList.all.value.find((one) => one.id === id);
+    const known = stageList.all.value.find((listed) => listed.id === id);
+    const name = known ? nameOf(known) : id;
     return html`<button
       type="button"
       class="plain"
-      title="stages and forks (O); back to main (H)"
+      title=${`stage ${name}: stages and forks (O); back to main (H)`}
+      aria-label=${`stage ${name}`}
       aria-expanded=${inspection.drawer.value === "stages"}
       @click=${toggle}
     >
-      <span class="stage-word">stage</span> <b .textContent=${known ? nameOf(known) : id}></b>
+      <svg viewBox="0 0 16 16" width="14" height="14" fill="currentColor" aria-hidden="true">${FORK}</svg>
+      <span .textContent=${name}></span>
     </button>`;
   });
 }
