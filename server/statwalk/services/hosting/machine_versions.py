@@ -233,9 +233,8 @@ class MachineVersions:
         :raises ContentError: when the text is refused; the machine keeps its version.
         """
         current = self.current(name)
-        entry = current.entry
-        text = load_machine(entry.folder).text
-        if text == entry.file.text:
+        text = load_machine(current.entry.folder).text
+        if text == current.entry.file.text:
             return None
         return self.change(current, text, "the file was saved", write=False)
 
