@@ -1,4 +1,4 @@
-"""Forks stay, the list of stages names and deletes them, and the ways back from one."""
+"""Forks stay, the list of stages names and deletes them, a ghost compares them, and the ways back from one."""
 
 import httpx
 from browser.conftest import Server, until
@@ -43,7 +43,28 @@ def test_a_fork_gets_a_name_and_a_key_leads_back_to_main(viewer: Page) -> None:
 def test_who_deletes_the_watched_fork_is_led_to_its_origin(server: Server, viewer: Page) -> None:
     made = fork(viewer)
     viewer.keyboard.press("o")
-    viewer.get_by_role("button", name="delete faq-walker").click()
+    viewer.locator("#stages [aria-current=true]").get_by_role("button", name="delete").click()
     viewer.get_by_role("button", name="delete it").click()
     until(viewer, AT_MAIN)
     wait_for(lambda: made not in {stage["id"] for stage in httpx.get(f"{server.url}/api/stages").json()})
+
+
+def test_a_key_tapped_in_the_past_is_held_and_released_in_one_fork(server: Server, viewer: Page) -> None:
+    made = fork(viewer)
+    address = f"{server.url}/api/stages/{made}"
+    wait_for(lambda: "release CROUCH" in httpx.get(address).json()["newest_input"]["text"])
+    stages = httpx.get(f"{server.url}/api/stages").json()
+    assert [stage["id"] for stage in stages if stage["origin"]] == [made]
+
+
+def test_the_ghost_of_the_origin_stands_at_the_same_tick_and_is_compared_by_joint(viewer: Page) -> None:
+    fork(viewer)
+    viewer.keyboard.press("x")
+    viewer.keyboard.press("p")
+    viewer.wait_for_selector("[data-link=paused]")
+    until(viewer, "__viewer.ghost() === __viewer.tick()")
+    viewer.keyboard.press("o")
+    until(viewer, "document.querySelectorAll('#difference tbody tr').length > 3")
+    viewer.keyboard.press("Escape")
+    viewer.keyboard.press("x")
+    until(viewer, "__viewer.ghost() === -1")

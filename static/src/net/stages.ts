@@ -7,3 +7,11 @@ export const rename = (stage_id: string, name: string) =>
 /** Forks a stage at a tick; null: at its playhead. */
 export const fork = (stage_id: string, tick: number | null, name: string) =>
   ask("post", "/api/stages/{stage_id}/fork", { stage_id }, { body: { tick, name } });
+/** Compares two stages at a tick; null: in the newest ticks that both have. */
+export const differences = (stage_id: string, other: string, tick: number | null) =>
+  ask(
+    "get",
+    "/api/stages/{stage_id}/differences",
+    { stage_id },
+    { query: { with: other, ...(tick === null ? {} : { from: tick, to: tick }) } },
+  );

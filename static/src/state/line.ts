@@ -26,6 +26,10 @@ export class Line {
   /** Returns whether the message was sent. */
   readonly send = (message: ClientMessage): boolean => this.connection.send(message);
 
+  close(): void {
+    this.connection.close();
+  }
+
   retry(): void {
     this.connection.retryNow();
   }

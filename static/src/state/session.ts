@@ -54,6 +54,9 @@ export class Session {
   /** The stage, and the tick at which it came back, of the newest notice about it. */
   private toldRestored = "";
   private refs = 1;
+  /** The newest fork of an event in the past, and what was released before the page watched it. */
+  private forking = "";
+  private released: { actor: number; event: string }[] = [];
 
   constructor(private readonly parts: SessionParts) {
     const { line, past } = parts;
@@ -107,6 +110,7 @@ export class Session {
     this.tellTrouble(hello);
     stage.greet(hello);
     this.tellRestored(hello);
+    this.releaseIn(hello.stage);
     selection.settle();
     if (restarted) playback.scrubber.forget();
     else playback.scrubber.again();
@@ -155,6 +159,7 @@ export class Session {
       words: `back to ${origin}`,
       act: () => this.watch(origin),
     });
+    this.forking = stage;
     this.forked.emit(stage);
     this.watch(stage);
   }
@@ -194,8 +199,19 @@ export class Session {
     const actor = this.parts.selection.actor.value;
     const tick = this.parts.playback.looking.value;
     if (actor === null) return;
+    if (kind === "release" && tick !== null) {
+      this.released.push({ actor, event });
+      return;
+    }
     const past = tick === null ? {} : { tick };
     this.parts.line.send({ type: "event", kind, actor, event, ref: `event ${this.refs++}`, ...past });
+  }
+
+  /** Releases in a fork what was held in the past; there, the release would make another fork. */
+  private releaseIn(stage: string): void {
+    for (const release of stage === this.forking ? this.released : [])
+      this.parts.line.send({ type: "event", kind: "release", ...release, ref: `event ${this.refs++}` });
+    this.released = [];
   }
 
   ping(): void {

@@ -4,6 +4,7 @@ import { Commands } from "./commands";
 import { Editing } from "./editing";
 import { Event } from "./event";
 import { Frames } from "./frames";
+import { Ghost } from "./ghost";
 import { Inspection } from "./inspection";
 import { KeyChanges } from "./keyChanges";
 import { Library } from "./library";
@@ -46,6 +47,7 @@ export function makeState() {
   const session = new Session({ line, stage, selection, machine, past, playback, frames, notices });
   const stages = new OwnStages(session, stage);
   const stageList = new StageList(stage);
+  const ghost = new Ghost(stage, notices);
   const library = new Library(session, stages);
   const travel = new Travel(session, selection, playback);
   const editing = new Editing(machine, notices);
@@ -68,6 +70,7 @@ export function makeState() {
     session,
     stages,
     stageList,
+    ghost,
     library,
     travel,
     editing,

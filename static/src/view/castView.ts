@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import type { CastHello, Skinning } from "../net/protocol";
 import type { CastFrame } from "../net/wire";
+import { token } from "../ui/dom";
 import { Crowd } from "./crowd";
 import { contactShadows } from "./ground";
 import type { Solid } from "./looks";
@@ -19,6 +20,12 @@ export interface ActorColours {
   accent: string;
   bone: string;
 }
+
+export const themeColours = (): ActorColours => ({
+  ink: token("--ink"),
+  accent: token("--accent"),
+  bone: token("--bone"),
+});
 
 export class CastView {
   readonly crowd: Crowd;

@@ -55,6 +55,13 @@ export class Casting {
     }
   }
 
+  /** Takes the stage off the picture. */
+  leave(): void {
+    this.generation++;
+    this.shown = "";
+    this.clear();
+  }
+
   /** Loads a cast's model; a model that fails says so where it would stand. */
   private modelOf({ model, machine }: CastHello): Promise<Model> {
     const url = new URL(model, document.baseURI).href;

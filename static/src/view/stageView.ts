@@ -7,10 +7,11 @@ import type { State } from "../state/state";
 import { type Signal, signal } from "@preact/signals-core";
 import { token } from "../ui/dom";
 import { Casting } from "./casting";
-import type { CastView } from "./castView";
+import { type CastView, themeColours } from "./castView";
 import { MOST_INFLUENCES } from "./influences";
 import type { Crowd } from "./crowd";
 import { DetailChoice } from "./detailChoice";
+import { GhostView } from "./ghostView";
 import { GlbStage } from "./glbStage";
 import { Looks } from "./looks";
 import { paintSkins } from "./paint";
@@ -45,6 +46,7 @@ export class StageView {
   readonly detail = new DetailChoice();
   readonly proof: SkinProof;
   readonly watched: WatchedActor;
+  readonly ghost: GhostView;
   private readonly glb: GlbStage;
   private readonly terrain = new Terrain();
   private readonly casting: Casting;
@@ -62,6 +64,7 @@ export class StageView {
     this.casting.cleared.on(() => this.clear());
     this.casting.built.on(() => this.dress());
     this.watched = new WatchedActor(scene, state, this.casting, this.modes);
+    this.ghost = new GhostView(scene, state, new Casting(scene, state, this.detail));
     this.glb = new GlbStage(scene.quality === "high", (index, name) =>
       materialOf(new Set(this.crowds.map(({ model }) => model)), index, name),
     );
@@ -127,6 +130,7 @@ export class StageView {
 
   /** Shows the newest frame, if the models are loaded. */
   update(): void {
+    this.ghost.update();
     if (!this.casting.actors.size) return;
     if (this.state.frames.pose) this.showPose();
     if (this.state.frames.glb) this.showGlb();
@@ -182,7 +186,8 @@ export class StageView {
 
   /** Applies the theme's colours. */
   recolour(): void {
-    const colours = { ink: token("--ink"), accent: token("--accent"), bone: token("--bone") };
+    const colours = themeColours();
+    this.ghost.dress();
     for (const cast of this.casts) cast.colour(colours);
     this.watched.colour(colours.accent);
     wireColour(token("--ink"));

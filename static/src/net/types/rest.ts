@@ -8,6 +8,7 @@ export type {
   ActorView as ActorFacts,
   ClipView as Clip,
   ClampedView as ClampedJoint,
+  DifferencesView as StageDifferences,
   EventLine,
   HistoryView as StateHistory,
   LogHeader,

@@ -9,6 +9,7 @@ import { reasonOf } from "../../net/reason";
 import { nameOf } from "../../state/stageList";
 import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
+import { ghostDifference } from "./ghostDifference";
 import { nowWords, originWords, type Row, spanOf, treeOf } from "./stageTree";
 
 const READ_MS = 2000;
@@ -21,7 +22,8 @@ const DEEPEST = 6;
 type Asked = { stage: string; about: "name" | "deletion" } | null;
 
 export function stagesPanel(host: HTMLElement, app: App): void {
-  const { inspection, notices, playback, session, stage, stageList, stages } = app;
+  const { commands, ghost, inspection, notices, playback, session, stage, stageList, stages } = app;
+  const difference = ghostDifference(app);
   const asked = signal<Asked>(null);
   const isOpen = (): boolean => inspection.drawer.value === "stages";
 
@@ -59,6 +61,26 @@ export function stagesPanel(host: HTMLElement, app: App): void {
     void act(stages.discard(id, origin?.is_there ? origin.stage : "main"));
   }
 
+  /** Shows the origin of the watched stage as its ghost, or takes the ghost away. */
+  function toggleGhost(): void {
+    const watched = stageList.all.value.find(({ id }) => id === stage.id);
+    const origin = watched?.origin?.is_there ? watched.origin.stage : null;
+    if (ghost.stage.value !== null) ghost.hide();
+    else if (origin !== null) ghost.show(origin);
+    else notices.emit("This stage is no fork. Choose a ghost in the list of stages (O).");
+  }
+
+  const ghostButton = (id: string, name: string): TemplateResult =>
+    html`<button
+      type="button"
+      aria-label=${`ghost of ${name}`}
+      title="show it over the watched stage, at the same tick"
+      aria-pressed=${ghost.stage.value === id}
+      @click=${() => (ghost.stage.value === id ? ghost.hide() : ghost.show(id))}
+    >
+      ghost
+    </button>`;
+
   const deletion = (doomed: StageInfo): TemplateResult =>
     html`<form
       @submit=${(submit: Event) => {
@@ -85,6 +107,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
 
   const actions = ({ id }: StageInfo, name: string): TemplateResult =>
     html`<div class="stage-actions">
+      ${id === stage.hello.value?.stage ? nothing : ghostButton(id, name)}
       <button type="button" aria-label=${`rename ${name}`} @click=${() => ask({ stage: id, about: "name" })}>
         rename
       </button>
@@ -142,8 +165,10 @@ export function stagesPanel(host: HTMLElement, app: App): void {
       </form>
       <ul aria-label="stages">
         ${treeOf(stageList.all.value).map(row)}
-      </ul>`;
+      </ul>
+      ${difference()}`;
   });
+  commands.add({ keys: ["x"], words: "ghost of the origin of a fork: show, hide", act: toggleGhost });
   host.addEventListener("keydown", (press) => {
     if (press.key !== "Escape" || asked.value === null) return;
     settle();

@@ -1,0 +1,26 @@
+import { expect, it } from "vitest";
+import type { StageDifferences } from "../../net/protocol";
+import { jointLines, spanWords } from "./jointLines";
+
+const compared = (id: number, joint_distance: number[], joint_angle_deg: number[]) => ({
+  ...{ id, name: "walker", joints: ["Hip", "Knee", "Toe"], ticks: [4], by_tick: null },
+  ...{ root_distance: [0], root_angle_deg: [0], distance: [0], distance_joint: [0] },
+  ...{ angle_deg: [0], angle_joint: [0], joint_distance, joint_angle_deg },
+});
+
+const difference: StageDifferences = {
+  ...{ stage: "a", other: "main", from: 4, to: 4, first_difference: 4, note: "" },
+  ...{ only_here: [], only_there: [] },
+  actors: [compared(1, [9, 9, 9], [0, 0, 0]), compared(2, [0.0001, 0.25, 0.5], [0.01, 30, 2])],
+};
+
+it("lists the joints of the watched actor that differ, the farthest first", () => {
+  expect(jointLines(difference, 2)).toEqual([
+    { joint: "Toe", distance: "50.0", angle: "2.0" },
+    { joint: "Knee", distance: "25.0", angle: "30.0" },
+  ]);
+});
+
+it("says that no joint differs, and at which tick", () => {
+  expect(spanWords({ ...difference, first_difference: null })).toBe("No joint differs at tick 4.");
+});

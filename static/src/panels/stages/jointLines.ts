@@ -1,0 +1,34 @@
+/** The difference of two stages by joint, in words, the farthest joint first. */
+
+import type { StageDifferences } from "../../net/protocol";
+
+export interface JointLine {
+  joint: string;
+  /** Centimetres. */
+  distance: string;
+  /** Degrees. */
+  angle: string;
+}
+
+/** Returns the joints of an actor that differ; without it those of the first actor. */
+export function jointLines({ actors }: StageDifferences, actor: number | null): JointLine[] {
+  const compared = actors.find(({ id }) => id === actor) ?? actors[0];
+  if (!compared) return [];
+  const { joints, joint_distance, joint_angle_deg } = compared;
+  return joints
+    .map((joint, j) => ({ joint, distance: joint_distance[j]!, angle: joint_angle_deg[j]! }))
+    .sort((a, b) => b.distance - a.distance)
+    .map(({ joint, distance, angle }) => ({
+      joint,
+      distance: (100 * distance).toFixed(1),
+      angle: angle.toFixed(1),
+    }))
+    .filter(({ distance, angle }) => Number(distance) > 0 || Number(angle) > 0);
+}
+
+/** Says of which ticks the numbers are. */
+export function spanWords({ from, to, note, first_difference }: StageDifferences): string {
+  if (note) return note;
+  const ticks = from === to ? `at tick ${from}` : `in the ticks ${from} to ${to}`;
+  return first_difference === null ? `No joint differs ${ticks}.` : `The largest differences ${ticks}:`;
+}
