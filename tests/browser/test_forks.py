@@ -1,4 +1,4 @@
-"""Forks stay, the list of stages names and deletes them, a ghost compares them, and the ways back from one."""
+"""Forks stay, the list of stages names and deletes them, ghosts compare them; the ways back from one."""
 
 import httpx
 from browser.conftest import Server, until
