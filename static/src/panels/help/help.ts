@@ -108,7 +108,7 @@ class HelpDialog {
       <div class="help-columns">
         ${section(machine?.title ?? machine?.name ?? "machine", keys)}
         ${section(
-          "commands (click a key to change it)",
+          "commands: click to change",
           all.value.map((command) => this.command(command, machine?.keys ?? {})),
         )}
         ${section(
