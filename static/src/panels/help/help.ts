@@ -98,7 +98,7 @@ class HelpDialog {
     return html`<button
         type="button"
         class="plain close"
-        aria-label="close"
+        aria-label="esc: close"
         @click=${() => this.dialog.close()}
       >
         esc
