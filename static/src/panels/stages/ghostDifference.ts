@@ -17,8 +17,8 @@ export function ghostDifference({ ghost, inspection, playback, selection, stage 
 
   /** Compares the shown tick, or the newest ticks while the page is live; one request at a time. */
   async function compare(): Promise<void> {
-    const [other, tick] = [ghost.stage.value, playback.looking.value];
-    if (other === null || isAsking || inspection.drawer.value !== "stages") return;
+    const [other, tick, drawer] = [ghost.stage.value, playback.looking.value, inspection.drawer.value];
+    if (other === null || isAsking || drawer !== "stages") return;
     isAsking = true;
     const answer = await differences(stage.id, other, tick).catch(reasonOf);
     isAsking = false;
@@ -28,7 +28,6 @@ export function ghostDifference({ ghost, inspection, playback, selection, stage 
 
   effect(() => {
     if (ghost.stage.value === null) said.value = null;
-    void [playback.looking.value, inspection.drawer.value];
     void compare();
   });
   setInterval(() => playback.isLive && void compare(), COMPARE_MS);
