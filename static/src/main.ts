@@ -25,6 +25,7 @@ import { machineMenuPanel } from "./panels/machineMenu/machineMenu";
 import { noticesPanel } from "./panels/notices/notices";
 import { palettePanel } from "./panels/palette/palette";
 import { parametersPanel } from "./panels/parameters/parameters";
+import { peoplePanel } from "./panels/people/people";
 import { pickerPanel } from "./panels/picker/picker";
 import { routeBarPanel } from "./panels/routeBar/routeBar";
 import { stageNamePanel } from "./panels/stageName/stageName";
@@ -79,6 +80,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["versions", versionsPanel],
   ["text", yamlPanel],
   ["stages", stagesPanel],
+  ["people", peoplePanel],
   ["drawer", drawerPanel],
   ["palette", palettePanel],
   ["help", helpPanel],

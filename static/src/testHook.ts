@@ -28,6 +28,7 @@
  * circle(name) [x, y] where the circle of a joint is drawn, pixels
  * pixels()     draws the characters alone: { covered: share of the picture 0…1,
  *              box: [left, top, right, bottom] 0…1, colour: mean [r, g, b] 0…255 of what is covered }
+ * camera()     { position, target }, metres
  * ghost()      the tick at which the ghost is drawn; -1: there is none
  * listen(s)    counts messages for s seconds: { perSecond, gapP99Ms, ticks: number of distinct ticks }
  */
@@ -210,6 +211,7 @@ export function exposeForTests(app: App): void {
     handles: () => handlesOf(stageView),
     joint: () => stageView.watched.joint.value,
     circle: (name: string) => circleAt(stageView, name),
+    camera: () => stageView.scene.view.place,
     ghost: () => stageView.ghost.posed,
     pixels: () => measure(drawBodies(stageView)),
     listen: (seconds: number) => listen(state, seconds),

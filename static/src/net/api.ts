@@ -50,12 +50,18 @@ interface Sent {
   body?: object | undefined;
   version?: number;
   key?: string;
+  viewer?: number | undefined;
   signal?: AbortSignal;
 }
 
-async function send(method: Method, url: URL, { body, version, key, signal }: Sent = {}): Promise<Response> {
+async function send(
+  method: Method,
+  url: URL,
+  { body, version, key, viewer, signal }: Sent = {},
+): Promise<Response> {
   const headers: Record<string, string> = version === undefined ? {} : { "if-match": `"${version}"` };
   if (key !== undefined) headers["idempotency-key"] = key;
+  if (viewer !== undefined) headers["statwalk-viewer"] = String(viewer);
   const options: RequestInit = { method: method.toUpperCase(), headers, ...(signal && { signal }) };
   if (body)
     Object.assign(options, {
@@ -144,10 +150,10 @@ export const newStage = async (opening: { machine: string } | { scene: string })
   return (await ask("post", "/api/stages", {}, { body: { clock: "real", ...begin } })).id;
 };
 
-export const pause = (stage_id: string, paused: boolean) =>
-  ask("post", "/api/stages/{stage_id}/pause", { stage_id }, { body: { paused } });
-export const speed = (stage_id: string, value: number) =>
-  ask("post", "/api/stages/{stage_id}/speed", { stage_id }, { body: { speed: value } });
-export const step = (stage_id: string, ticks: number) =>
-  ask("post", "/api/stages/{stage_id}/step", { stage_id }, { body: { ticks } });
+export const pause = (stage_id: string, paused: boolean, viewer?: number) =>
+  ask("post", "/api/stages/{stage_id}/pause", { stage_id }, { body: { paused }, viewer });
+export const speed = (stage_id: string, value: number, viewer?: number) =>
+  ask("post", "/api/stages/{stage_id}/speed", { stage_id }, { body: { speed: value }, viewer });
+export const step = (stage_id: string, ticks: number, viewer?: number) =>
+  ask("post", "/api/stages/{stage_id}/step", { stage_id }, { body: { ticks }, viewer });
 export const remove = (stage_id: string) => ask("delete", "/api/stages/{stage_id}", { stage_id });

@@ -19,7 +19,7 @@ export interface Selected {
 }
 
 /** What the drawer beside the panels shows; null: it is closed. */
-export type Drawer = "cell" | "machine" | "versions" | "text" | "stages" | null;
+export type Drawer = "cell" | "machine" | "versions" | "text" | "stages" | "people" | null;
 
 export class Inspection {
   readonly selected = signal<Selected | null>(null);

@@ -218,8 +218,11 @@ export class Session {
     this.parts.line.send({ type: "ping", ref: this.trip.ask(performance.now()) });
   }
 
-  /** Runs a REST request on the stage; a refusal is shown. */
-  async command(request: (stage: string) => Promise<unknown>): Promise<void> {
-    await request(this.parts.stage.id).catch((error: unknown) => this.parts.notices.emit(reasonOf(error)));
+  /** Runs a REST request on the stage, as its viewer with this page's number; a refusal is shown. */
+  async command(request: (stage: string, viewer?: number) => Promise<unknown>): Promise<void> {
+    const { id, hello } = this.parts.stage;
+    await request(id, hello.value?.viewer).catch((error: unknown) =>
+      this.parts.notices.emit(reasonOf(error)),
+    );
   }
 }

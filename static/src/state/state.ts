@@ -13,6 +13,7 @@ import type { Notice } from "./notice";
 import { OwnStages } from "./ownStages";
 import { ParameterValues } from "./parameterValues";
 import { Past } from "./past";
+import { People } from "./people";
 import { Playback } from "./playback";
 import { Selection } from "./selection";
 import { Session } from "./session";
@@ -48,6 +49,7 @@ export function makeState() {
   const stages = new OwnStages(session, stage);
   const stageList = new StageList(stage);
   const ghost = new Ghost(stage, notices);
+  const people = new People(line, stage, selection, notices);
   const library = new Library(session, stages);
   const travel = new Travel(session, selection, playback);
   const editing = new Editing(machine, notices);
@@ -71,6 +73,7 @@ export function makeState() {
     stages,
     stageList,
     ghost,
+    people,
     library,
     travel,
     editing,

@@ -21,6 +21,11 @@ export function makeApp(canvas: HTMLCanvasElement, renderer: string): App {
   const quality = chooseQuality(renderer, location.search);
   const view = new StageView(new Scene(canvas, quality, reducedMotion), state);
   state.frame.on(() => view.update());
+  const { people, frame } = state;
+  const { view: camera } = view.scene;
+  frame.on(({ now }) => people.look(camera.place, now));
+  people.cameras.on((place) => camera.stand(place));
+  camera.controls.addEventListener("start", () => people.follow(null));
   onTheme(() => view.recolour());
   return { ...state, view };
 }

@@ -1,6 +1,7 @@
 /** Frames a character and follows it smoothly, at the angle and distance that the user has chosen. */
 
 import * as THREE from "three";
+import type { CameraAt } from "../net/protocol";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 /** Time constant of the following, seconds. */
@@ -16,6 +17,12 @@ const ELEVATION = 0.14;
 /** With several actors: from behind and above, so that you see what lies ahead. */
 const COMPANY_AZIMUTH = Math.PI + 0.45;
 const COMPANY_ELEVATION = 0.34;
+
+const millimetres = ({ x, y, z }: THREE.Vector3): CameraAt["position"] => [
+  Math.round(1000 * x) / 1000,
+  Math.round(1000 * y) / 1000,
+  Math.round(1000 * z) / 1000,
+];
 
 export class FollowCamera {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 500);
@@ -82,6 +89,19 @@ export class FollowCamera {
   aim(position: THREE.Vector3, heading = this.heading): void {
     this.goal.copy(position);
     this.heading = heading;
+  }
+
+  /** Where the camera stands and what it looks at, to a millimetre. */
+  get place(): CameraAt {
+    return { position: millimetres(this.camera.position), target: millimetres(this.controls.target) };
+  }
+
+  /** Stands where another camera stands; from there it goes on with the character. */
+  stand({ position, target }: CameraAt): void {
+    this.followed.copy(this.goal);
+    this.camera.position.fromArray(position);
+    this.controls.target.fromArray(target);
+    this.controls.update();
   }
 
   /** Moves by `dt` seconds; returns whether the view changed. */

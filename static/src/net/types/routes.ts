@@ -26,12 +26,13 @@ export type Query<M extends Method, P extends Route<M>> =
 
 /**
  * A request beside its path; `version` is that of the machine that an edit is based on; requests with the same `key`
- * count once.
+ * count once; `viewer` is the number of this page among the stage's viewers.
  */
 export interface Extras<M extends Method, P extends Route<M>> {
   query?: Query<M, P>;
   body?: Body<M, P>;
   version?: number;
   key?: string;
+  viewer?: number | undefined;
   signal?: AbortSignal;
 }

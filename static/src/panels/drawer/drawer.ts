@@ -13,6 +13,7 @@ const TABS: readonly (readonly [NonNullable<Drawer>, string])[] = [
   ["versions", "versions"],
   ["text", "YAML"],
   ["stages", "stages"],
+  ["people", "people"],
 ];
 
 export function drawerPanel(host: HTMLElement, app: App): void {

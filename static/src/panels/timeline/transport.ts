@@ -49,7 +49,8 @@ export class Transport {
     this.liveButton.addEventListener("click", () => app.playback.live());
     this.speed.addEventListener(
       "change",
-      () => void this.app.session.command((stage) => api.speed(stage, Number(this.speed.value))),
+      () =>
+        void this.app.session.command((stage, viewer) => api.speed(stage, Number(this.speed.value), viewer)),
     );
     host.append(
       back,
@@ -77,7 +78,7 @@ export class Transport {
   private toggle(): void {
     if (this.app.playback.looking.value !== null) return this.app.playback.toggle();
     const paused = !this.app.stage.status.value.paused;
-    void this.app.session.command((stage) => api.pause(stage, paused));
+    void this.app.session.command((stage, viewer) => api.pause(stage, paused, viewer));
   }
 
   /** Steps one tick; past the head the stage pauses and makes the step. */
@@ -87,9 +88,9 @@ export class Transport {
       this.app.playback.live();
     }
     const paused = this.app.stage.status.value.paused;
-    void this.app.session.command(async (stage) => {
-      if (!paused) await api.pause(stage, true);
-      await api.step(stage, 1);
+    void this.app.session.command(async (stage, viewer) => {
+      if (!paused) await api.pause(stage, true, viewer);
+      await api.step(stage, 1, viewer);
     });
   }
 
