@@ -38,7 +38,7 @@ import { versionsPanel } from "./panels/versions/versions";
 import { viewControlsPanel } from "./panels/viewControls/viewControls";
 import { whyPanel } from "./panels/why/why";
 import { yamlPanel } from "./panels/yaml/yaml";
-import { keepAddress, stageOfAddress } from "./state/address";
+import { keepAddress } from "./state/keepAddress";
 import { exposeForTests } from "./testHook";
 import { byId, canvasById, el } from "./ui/dom";
 import { freeFocus } from "./ui/focus";
@@ -111,12 +111,11 @@ function start(renderer: string): void {
   for (const [id, panel] of PANELS) if (!isKiosk || KIOSK.includes(id)) panel(byId(id), app);
   tabs(byId("tabs"), byId("panels"));
   freeFocus();
-  keepAddress(app.stage, app.stages, app.session);
   exposeForTests(app);
   for (const back of ["online", "focus"]) window.addEventListener(back, () => app.line.retry());
   setInterval(() => app.session.ping(), PING_MS);
   drawForever(app);
-  void app.stages.begin(stageOfAddress());
+  keepAddress(app);
 }
 
 const renderer = rendererName();

@@ -1,29 +1,26 @@
 // @vitest-environment happy-dom
 import { beforeEach, expect, it } from "vitest";
-import { hello } from "../net/types/examples";
-import { exampleApp } from "../view/exampleApp";
-import { keepAddress, stageOfAddress } from "./address";
+import { type Address, addressWith, readAddress } from "./address";
 
-const app = exampleApp();
-keepAddress(app.stage, app.stages, app.session);
-const watch = (stage: string): void => app.stage.greet(hello({ stage }));
+const none: Address = { stage: null, opening: null, actor: null, layer: null, tick: null, camera: null };
 
-beforeEach(() => {
-  app.session.gone.emit(null);
-  watch("main");
+beforeEach(() => history.replaceState(null, "", "/?quality=low"));
+
+it("writes and reads the same parts, and keeps others", () => {
+  const whole: Address = {
+    ...{ stage: "a1", opening: { machine: "walker" }, actor: 3, layer: "head", tick: 77 },
+    camera: [0, 1.25, 3, 0, 1, 0],
+  };
+  const { search } = addressWith(whole);
+  expect(readAddress(search)).toEqual(whole);
+  expect(search).toContain("quality=low");
 });
 
-it("makes another stage another page of the browser's history, and a reconnection none", () => {
-  const before = history.length;
-  watch("a");
-  watch("a");
-  expect([stageOfAddress(), history.length - before]).toEqual(["a", 1]);
+it("leaves out what is as the page shows it anyway", () => {
+  history.replaceState(null, "", addressWith({ ...none, stage: "a1", tick: 5 }));
+  expect(addressWith(none).search).toBe("?quality=low");
 });
 
-it("replaces a stage that is gone", () => {
-  watch("a");
-  const before = history.length;
-  app.session.gone.emit(null);
-  watch("main");
-  expect([stageOfAddress(), history.length - before]).toEqual([null, 0]);
+it("reads wrong parts as left out", () => {
+  expect(readAddress("?actor=x&tick=-4&camera=1,2")).toEqual(none);
 });

@@ -1,39 +1,62 @@
-/**
- * Keeps the stage's name in the address, so that you can reload and share it, and what it began with. Another stage
- * is another page of the browser's history: Back and Forward lead to the stages that you watched.
- */
+/** What the page's address says: the stage, and what is looked at there, from where, and when. */
 
-import type { OwnStages } from "./ownStages";
-import type { Session } from "./session";
-import type { WatchedStage } from "./watchedStage";
+import type { Opening } from "./ownStages";
 
-/** Returns the stage that the address names, or null. */
-export function stageOfAddress(): string | null {
-  return new URLSearchParams(location.search).get("stage");
+export interface Address {
+  /** Null: main. */
+  stage: string | null;
+  /** What the stage began with, for the time when it is gone. */
+  opening: Opening | null;
+  /** Null: the first. */
+  actor: number | null;
+  /** Null: the base layer. */
+  layer: string | null;
+  /** Null: the present. */
+  tick: number | null;
+  /** Where the camera stands and what it looks at, metres from the actor's root; null: as the page frames it. */
+  camera: readonly number[] | null;
 }
 
-/** Returns the address of the page at a stage. */
-export function addressOf(stage: string): URL {
+const CAMERA_NUMBERS = 6;
+
+/** Returns the whole number that a text is, or null. */
+const countOf = (text: string | null): number | null =>
+  text && /^\d{1,9}$/.test(text) ? Number(text) : null;
+
+function cameraOf(text: string | null): readonly number[] | null {
+  const numbers = (text ?? "").split(",").map(Number);
+  return text && numbers.length === CAMERA_NUMBERS && numbers.every(Number.isFinite) ? numbers : null;
+}
+
+function openingOf(query: URLSearchParams): Opening | null {
+  const [machine, scene] = [query.get("machine"), query.get("scene")];
+  return machine ? { machine } : scene ? { scene } : null;
+}
+
+/** Reads an address; what is wrong in it counts as left out. */
+export function readAddress(search: string = location.search): Address {
+  const query = new URLSearchParams(search);
+  return {
+    stage: query.get("stage"),
+    opening: openingOf(query),
+    actor: countOf(query.get("actor")),
+    layer: query.get("layer"),
+    tick: countOf(query.get("tick")),
+    camera: cameraOf(query.get("camera")),
+  };
+}
+
+/** Returns the page's address with these parts in place of its own; its other parts stay. */
+export function addressWith({ opening, camera, ...plain }: Address): URL {
   const address = new URL(location.href);
-  if (stage === "main") address.searchParams.delete("stage");
-  else address.searchParams.set("stage", stage);
+  const parts = {
+    ...{ machine: null, scene: null, ...opening },
+    ...plain,
+    camera: camera?.map((metres) => metres.toFixed(2)).join(",") ?? null,
+  };
+  for (const [name, value] of Object.entries(parts)) {
+    if (value === null) address.searchParams.delete(name);
+    else address.searchParams.set(name, String(value));
+  }
   return address;
-}
-
-export function keepAddress(stage: WatchedStage, stages: OwnStages, session: Session): void {
-  // You did not choose the next stage now: the address did, or the server.
-  let isLed = true;
-  session.gone.on(() => (isLed = true));
-  window.addEventListener("popstate", () => {
-    isLed = true;
-    void stages.begin(stageOfAddress());
-  });
-  stage.hello.subscribe((hello) => {
-    if (!hello) return;
-    const address = addressOf(hello.stage);
-    const opening = stages.openingOf(hello.stage);
-    if (isLed || address.href === location.href) history.replaceState(opening, "", address);
-    else history.pushState(opening, "", address);
-    isLed = false;
-  });
 }

@@ -28,11 +28,12 @@ export class OwnStages {
 
   /**
    * Watches the stage that the address names, or main. A stage that this tab made is its own again after a
-   * reload; if the server has closed it meanwhile, a new one is opened.
+   * reload; if the server has closed it meanwhile, a new one is opened, also of what a link names (`linked`).
    */
-  async begin(stage: string | null): Promise<void> {
-    const opening = history.state as Opening | null;
-    if (stage === null || !opening) {
+  async begin(stage: string | null, linked: Opening | null = null): Promise<void> {
+    const own = history.state as Opening | null;
+    const opening = own ?? linked;
+    if (!opening) {
       this.choices++;
       this.session.watch(stage ?? "main");
       return;
@@ -40,8 +41,9 @@ export class OwnStages {
     const choice = ++this.choices;
     const stages = await api.stages().catch(() => []);
     if (choice !== this.choices) return;
-    if (!stages.some(({ id }) => id === stage)) return this.choose(opening, Promise.resolve(false));
-    this.made.set(stage, opening);
+    if (stage === null || !stages.some(({ id }) => id === stage))
+      return this.choose(opening, Promise.resolve(false));
+    if (own) this.made.set(stage, own);
     this.session.watch(stage);
   }
 

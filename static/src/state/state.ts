@@ -19,6 +19,7 @@ import { Selection } from "./selection";
 import { Session } from "./session";
 import { StageList } from "./stageList";
 import { Travel } from "./travel";
+import { Viewpoint } from "./viewpoint";
 import { WatchedMachine } from "./watchedMachine";
 import { WatchedStage } from "./watchedStage";
 
@@ -49,6 +50,7 @@ export function makeState() {
   const stages = new OwnStages(session, stage);
   const stageList = new StageList(stage);
   const ghost = new Ghost(stage, notices);
+  const viewpoint = new Viewpoint();
   const people = new People(line, stage, selection, notices);
   const library = new Library(session, stages);
   const travel = new Travel(session, selection, playback);
@@ -74,6 +76,7 @@ export function makeState() {
     stageList,
     ghost,
     people,
+    viewpoint,
     library,
     travel,
     editing,

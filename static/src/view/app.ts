@@ -14,6 +14,8 @@ export interface App extends State {
 /** Fills its element of the page, and keeps it up to date with the state. */
 export type Panel = (host: HTMLElement, app: App) => void;
 
+const SWING_MS = 600;
+
 /** Makes the state and the stage view; `renderer`: the name of the browser's renderer. */
 export function makeApp(canvas: HTMLCanvasElement, renderer: string): App {
   teachSkinning();
@@ -26,6 +28,10 @@ export function makeApp(canvas: HTMLCanvasElement, renderer: string): App {
   frame.on(({ now }) => people.look(camera.place, now));
   people.cameras.on((place) => camera.stand(place));
   camera.controls.addEventListener("start", () => people.follow(null));
+  camera.controls.addEventListener("end", () => {
+    // The camera swings on for a moment.
+    setTimeout(() => (state.viewpoint.chosen.value = camera.around), SWING_MS);
+  });
   onTheme(() => view.recolour());
   return { ...state, view };
 }

@@ -104,6 +104,20 @@ export class FollowCamera {
     this.controls.update();
   }
 
+  /** Where the camera stands and what it looks at, from the followed root, metres. */
+  get around(): number[] {
+    return [this.camera.position, this.controls.target].flatMap((place) =>
+      place.clone().sub(this.followed).toArray(),
+    );
+  }
+
+  /** Stands around the followed root, as another page did. */
+  standAround(around: readonly number[]): void {
+    this.camera.position.fromArray(around).add(this.followed);
+    this.controls.target.fromArray(around, 3).add(this.followed);
+    this.controls.update();
+  }
+
   /** Moves by `dt` seconds; returns whether the view changed. */
   update(dt: number): boolean {
     const way = this.goal.distanceTo(this.followed);

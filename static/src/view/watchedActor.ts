@@ -118,6 +118,8 @@ export class WatchedActor {
     const company = others.length > 1;
     this.scene.view.subject(framed(company ? withCompany(actor, box, others) : box, this.framing.value));
     this.scene.view.frame(company);
+    const asked = this.state.viewpoint.take();
+    if (asked) this.scene.view.standAround(asked);
     this.framed = keyOf(actor);
     this.scene.invalidate();
   }

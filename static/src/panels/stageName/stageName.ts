@@ -2,6 +2,8 @@
 
 import "./stageName.css";
 import { html, nothing, svg, type TemplateResult } from "lit-html";
+import { addressWith } from "../../state/address";
+import { shownAddress } from "../../state/keepAddress";
 import { nameOf } from "../../state/stageList";
 import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
@@ -14,13 +16,26 @@ const FORK = svg`<path
 const PERSON = svg`<circle cx="8" cy="4.6" r="2.9" /><path d="M2.5 14c0-6.6 11-6.6 11 0z" />`;
 
 export function stageNamePanel(host: HTMLElement, app: App): void {
-  const { inspection, commands, people, session, stage, stageList } = app;
+  const { inspection, commands, notices, people, session, stage, stageList } = app;
   const toggle = (): void =>
     void (inspection.drawer.value = inspection.drawer.value === "stages" ? null : "stages");
   commands.add(
     { keys: ["o"], words: "stages and forks", act: toggle },
+    { keys: ["y"], words: "copy a link to this moment", act: () => void copyLink() },
     { keys: ["h"], words: "back to the stage main", act: () => stage.id === "main" || session.watch("main") },
   );
+  /** Copies the address with the shown tick; a browser that has no clipboard for the page shows it. */
+  async function copyLink(): Promise<void> {
+    const { tick } = stage;
+    const link = addressWith({ ...shownAddress(app), tick }).href;
+    try {
+      await navigator.clipboard.writeText(link);
+      notices.emit(`Copied: a link to tick ${tick}, as you see it.`);
+    } catch {
+      notices.emit(link);
+    }
+  }
+
   const viewers = (): TemplateResult | typeof nothing => {
     const count = people.all.value.length;
     if (count < 2) return nothing;

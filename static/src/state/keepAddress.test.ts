@@ -1,0 +1,39 @@
+// @vitest-environment happy-dom
+import { beforeEach, expect, it } from "vitest";
+import { cast, hello } from "../net/types/examples";
+import { exampleApp } from "../view/exampleApp";
+import { readAddress } from "./address";
+import { keepAddress } from "./keepAddress";
+
+const app = exampleApp();
+keepAddress(app);
+const watch = (stage: string): void => app.stage.greet(hello({ stage }));
+
+beforeEach(() => {
+  app.session.gone.emit(null);
+  watch("main");
+});
+
+it("makes another stage another page of the browser's history, and a reconnection none", () => {
+  const before = history.length;
+  watch("a");
+  watch("a");
+  expect([readAddress().stage, history.length - before]).toEqual(["a", 1]);
+});
+
+it("replaces a stage that is gone", () => {
+  watch("a");
+  const before = history.length;
+  app.session.gone.emit(null);
+  watch("main");
+  expect([readAddress().stage, history.length - before]).toEqual([null, 0]);
+});
+
+it("looks at the tick and the actor of the address that Back leads to", async () => {
+  const casts = [cast({ actors: [1, 2].map((id) => ({ id, name: `actor ${id}` })) })];
+  history.replaceState(null, "", "?actor=2&tick=40");
+  window.dispatchEvent(new PopStateEvent("popstate"));
+  app.stage.greet(hello({ head: 90, casts }));
+  await Promise.resolve();
+  expect([app.selection.actor.value, app.playback.looking.value]).toEqual([2, 40]);
+});

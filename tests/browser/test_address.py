@@ -1,0 +1,24 @@
+"""The address names the moment, and from where the page looks: another page shows the same there."""
+
+import pytest
+from browser.conftest import until
+from browser.test_time import SCRUB
+from playwright.sync_api import Page
+
+MOMENT = "['tick=', 'camera='].every(part => location.search.includes(part))"
+
+
+def test_a_link_shows_the_same_moment_from_the_same_place(viewer: Page) -> None:
+    until(viewer, "__viewer.tick() > 60")
+    viewer.mouse.move(200, 300)
+    viewer.mouse.down()
+    viewer.mouse.move(300, 310)
+    viewer.mouse.up()
+    viewer.evaluate(SCRUB, 50)
+    until(viewer, f"__viewer.posed() === 50 && {MOMENT}")
+    other = viewer.context.new_page()
+    other.goto(viewer.url)
+    until(other, "window.__viewer?.ready && __viewer.posed() === 50")
+    assert other.evaluate("__viewer.joints()") == viewer.evaluate("__viewer.joints()")
+    there, here = (page.evaluate("__viewer.camera()") for page in (other, viewer))
+    assert there["position"] == pytest.approx(here["position"], abs=0.02)
