@@ -1,5 +1,6 @@
 """The journeys of docs/journeys.md, each with as many steps as it says there."""
 
+from browser.conftest import until
 from browser.journeys.conftest import Journey
 from paths import GLTF, needs_assets
 from statwalk.services.library.load import shipped_machines_folder
@@ -58,3 +59,42 @@ def test_fix_the_printed_table(journey: Journey) -> None:
     journey.edit_cell("WALK", "JUMP", "JUMP")
     page.get_by_label("findings: nothing is wrong").wait_for()
     assert journey.steps == journey.promised("Fix the printed table")
+
+
+def look_at(journey: Journey, share: float) -> None:
+    """Clicks the timeline at a share of its width."""
+    journey.steps += 1
+    bar = journey.page.locator(".scrub")
+    box = bar.bounding_box()
+    assert box is not None
+    bar.click(position={"x": share * box["width"], "y": box["height"] / 2})
+    journey.until("__viewer.looking() !== null && __viewer.posed() === __viewer.looking()")
+
+
+def test_compare_two_ideas(journey: Journey) -> None:
+    page = journey.page
+    journey.press("c")
+    journey.until("__viewer.state() === 'CRCH'")
+    look_at(journey, 0.02)
+    journey.press("ArrowUp")
+    journey.until("__viewer.stage() !== 'main' && __viewer.ready")
+    journey.click(page.get_by_role("button", name="stage faq-walker"))
+    journey.click(page.get_by_role("button", name="ghost of main"))
+    journey.click(page.get_by_role("button", name="the first that differs"))
+    journey.until("__viewer.posed() === __viewer.looking() && __viewer.ghost() === __viewer.looking()")
+    page.get_by_role("columnheader", name="degrees").wait_for()
+    assert journey.steps == journey.promised("Compare two ideas")
+
+
+def test_send_a_colleague_the_moment_that_goes_wrong(journey: Journey) -> None:
+    page = journey.page
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    journey.press("Space")
+    page.get_by_text("JUMP: dropped").wait_for()
+    look_at(journey, 0.5)
+    journey.press("y")
+    page.get_by_text("Copied: a link").wait_for()
+    colleague = page.context.new_page()
+    colleague.goto(page.evaluate("navigator.clipboard.readText()"))
+    until(colleague, "window.__viewer?.ready && __viewer.looking() === arg", page.evaluate("__viewer.tick()"))
+    assert journey.steps == journey.promised("Send a colleague the moment that goes wrong")

@@ -62,11 +62,12 @@ export function stagesPanel(host: HTMLElement, app: App): void {
   }
 
   /** Shows the origin of the watched stage as its ghost, or takes the ghost away. */
-  function toggleGhost(): void {
+  async function toggleGhost(): Promise<void> {
+    if (ghost.stage.value !== null) return ghost.hide();
+    await stageList.read();
     const watched = stageList.all.value.find(({ id }) => id === stage.id);
     const origin = watched?.origin?.is_there ? watched.origin.stage : null;
-    if (ghost.stage.value !== null) ghost.hide();
-    else if (origin !== null) ghost.show(origin);
+    if (origin !== null) ghost.show(origin);
     else notices.emit("This stage is no fork. Choose a ghost in the list of stages (O).");
   }
 
@@ -168,7 +169,11 @@ export function stagesPanel(host: HTMLElement, app: App): void {
       </ul>
       ${difference()}`;
   });
-  commands.add({ keys: ["x"], words: "ghost of the origin of a fork: show, hide", act: toggleGhost });
+  commands.add({
+    keys: ["x"],
+    words: "ghost of the origin of a fork: show, hide",
+    act: () => void toggleGhost(),
+  });
   host.addEventListener("keydown", (press) => {
     if (press.key !== "Escape" || asked.value === null) return;
     settle();
