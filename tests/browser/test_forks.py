@@ -49,7 +49,7 @@ def test_who_deletes_the_watched_fork_is_led_to_its_origin(server: Server, viewe
     wait_for(lambda: made not in {stage["id"] for stage in httpx.get(f"{server.url}/api/stages").json()})
 
 
-def test_a_key_tapped_in_the_past_is_held_and_released_in_one_fork(server: Server, viewer: Page) -> None:
+def test_a_key_tapped_in_the_past_makes_one_fork_with_its_release(server: Server, viewer: Page) -> None:
     made = fork(viewer)
     address = f"{server.url}/api/stages/{made}"
     wait_for(lambda: "release CROUCH" in httpx.get(address).json()["newest_input"]["text"])

@@ -54,9 +54,10 @@ export class Session {
   /** The stage, and the tick at which it came back, of the newest notice about it. */
   private toldRestored = "";
   private refs = 1;
-  /** The newest fork of an event in the past, and what was released before the page watched it. */
+  /** What follows an event in the past until the page watches its fork: there it would make other forks. */
+  private waiting: (() => void)[] | null = null;
+  /** The fork that the page goes to. */
   private forking = "";
-  private released: { actor: number; event: string }[] = [];
 
   constructor(private readonly parts: SessionParts) {
     const { line, past } = parts;
@@ -97,6 +98,7 @@ export class Session {
 
   private refused({ ref, title, detail }: Refused): void {
     if (this.trip.answer(ref, performance.now())) return;
+    this.waiting = null;
     this.parts.playback.scrubber.refused();
     this.parts.notices.emit(detail || title);
   }
@@ -110,7 +112,7 @@ export class Session {
     this.tellTrouble(hello);
     stage.greet(hello);
     this.tellRestored(hello);
-    this.releaseIn(hello.stage);
+    this.sendWaiting(hello.stage);
     selection.settle();
     if (restarted) playback.scrubber.forget();
     else playback.scrubber.again();
@@ -199,19 +201,23 @@ export class Session {
     const actor = this.parts.selection.actor.value;
     const tick = this.parts.playback.looking.value;
     if (actor === null) return;
-    if (kind === "release" && tick !== null) {
-      this.released.push({ actor, event });
+    if (this.waiting) {
+      this.waiting.push(() => this.post(kind, actor, event));
       return;
     }
-    const past = tick === null ? {} : { tick };
-    this.parts.line.send({ type: "event", kind, actor, event, ref: `event ${this.refs++}`, ...past });
+    const isSent = this.post(kind, actor, event, tick === null ? {} : { tick });
+    if (isSent && tick !== null) this.waiting = [];
   }
 
-  /** Releases in a fork what was held in the past; there, the release would make another fork. */
-  private releaseIn(stage: string): void {
-    for (const release of stage === this.forking ? this.released : [])
-      this.parts.line.send({ type: "event", kind: "release", ...release, ref: `event ${this.refs++}` });
-    this.released = [];
+  private post(kind: EventKind, actor: number, event: string, past: { tick?: number } = {}): boolean {
+    const ref = `event ${this.refs++}`;
+    return this.parts.line.send({ type: "event", kind, actor, event, ref, ...past });
+  }
+
+  private sendWaiting(stage: string): void {
+    const waiting = this.waiting ?? [];
+    this.waiting = null;
+    if (stage === this.forking) for (const send of waiting) send();
   }
 
   ping(): void {
