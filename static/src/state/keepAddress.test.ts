@@ -1,10 +1,15 @@
 // @vitest-environment happy-dom
-import { beforeEach, expect, it } from "vitest";
+import { beforeEach, expect, it, vi } from "vitest";
 import { cast, hello } from "../net/types/examples";
 import { exampleApp } from "../view/exampleApp";
 import { readAddress } from "./address";
 import { keepAddress } from "./keepAddress";
 
+/** There is no server to connect to. */
+class Silent {
+  readonly postMessage = (): undefined => undefined;
+}
+vi.stubGlobal("Worker", Silent);
 const app = exampleApp();
 keepAddress(app);
 const watch = (stage: string): void => app.stage.greet(hello({ stage }));
