@@ -63,7 +63,10 @@ export function stagesPanel(host: HTMLElement, app: App): void {
 
   /** Shows the origin of the watched stage as its ghost, or takes the ghost away. */
   async function toggleGhost(): Promise<void> {
-    if (ghost.stage.value !== null) return ghost.hide();
+    if (ghost.stage.value !== null) {
+      ghost.hide();
+      return;
+    }
     await stageList.read();
     const watched = stageList.all.value.find(({ id }) => id === stage.id);
     const origin = watched?.origin?.is_there ? watched.origin.stage : null;
