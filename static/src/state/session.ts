@@ -91,6 +91,7 @@ export class Session {
     else if (message.type === "status") this.report(message);
     else if (message.type === "verdict") this.judge(message);
     else if (message.type === "action") this.act(message);
+    else if (message.type === "accepted") this.accepted(message.stage);
     else if (message.type === "forked") this.fork(message.stage);
     else if (message.type === "pong") this.trip.answer(message.ref, performance.now());
     else if (message.type === "error") this.refused(message);
@@ -112,7 +113,8 @@ export class Session {
     this.tellTrouble(hello);
     stage.greet(hello);
     this.tellRestored(hello);
-    this.sendWaiting(hello.stage);
+    if (hello.stage === this.forking) this.sendWaiting();
+    this.waiting = null;
     selection.settle();
     if (restarted) playback.scrubber.forget();
     else playback.scrubber.again();
@@ -152,6 +154,11 @@ export class Session {
   private act(action: Action): void {
     this.parts.past.events.act(action);
     if (this.parts.playback.isLive) this.actions.emit(action);
+  }
+
+  /** An event that was sent to the newest tick makes no fork. */
+  private accepted(stage: string): void {
+    if (stage === this.parts.stage.id) this.sendWaiting();
   }
 
   private fork(stage: string): void {
@@ -214,10 +221,10 @@ export class Session {
     return this.parts.line.send({ type: "event", kind, actor, event, ref, ...past });
   }
 
-  private sendWaiting(stage: string): void {
+  private sendWaiting(): void {
     const waiting = this.waiting ?? [];
     this.waiting = null;
-    if (stage === this.forking) for (const send of waiting) send();
+    for (const send of waiting) send();
   }
 
   ping(): void {
