@@ -19,6 +19,8 @@ export interface BoundField {
   key: string;
   value: string;
   error: string;
+  /** Whether the value is typed and not kept. */
+  changed: boolean;
   typed: (text: string) => void;
   left: (text: string) => void;
   dropped: () => void;
@@ -40,6 +42,7 @@ export class EditingFields {
       key,
       value: draft?.text ?? value,
       error: draft?.error ?? "",
+      changed: draft !== undefined,
       typed: (text) => this.typed(key, text, text === value, means),
       left: (text) => void this.keep(key, text, text === value, means),
       dropped: () => this.put(key, null),

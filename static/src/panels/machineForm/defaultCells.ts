@@ -9,7 +9,7 @@ export function defaultPlaces({ table }: LayerInfo): [string, string][] {
   const cells = Object.values(table).flatMap((row) => Object.values(row));
   const places = cells.filter(({ written }) => written.some((name) => name.endsWith("*")));
   const distinct = new Map(places.map(({ written }) => [written.join("/"), written]));
-  return [...distinct.values()].map(([state, event]) => [state!, event!]);
+  return [...distinct.values()].map(([state, event]) => [state, event]);
 }
 
 export function defaultCells({ inspection, machine }: App): TemplateResult {

@@ -80,8 +80,8 @@ export function act(
 }
 
 /** Returns the operation that moves an entry up, by the name before it; nothing for the first. */
-export function movedUp<T extends { name: string }>(
-  entries: readonly T[],
+export function movedUp(
+  entries: readonly { name: string }[],
   at: number,
   operation: (before: string) => Operation,
 ): { earlier?: Operation[] } {

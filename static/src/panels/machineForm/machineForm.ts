@@ -1,10 +1,11 @@
-/** The form of the machine: parameters, senses, layers, defaults, properties; each field makes one edit. */
+/** The form of the machine: parameters, senses, layers, defaults; each field makes one edit. */
 
 import "./machineForm.css";
 import { effect } from "@preact/signals-core";
 import { html } from "lit-html";
 import { EditingFields } from "../../state/editingFields";
 import { draw } from "../../ui/draw";
+import { keepFocus } from "../../ui/keepFocus";
 import type { App } from "../../view/app";
 import { defaultCells } from "./defaultCells";
 import { sectionForm } from "./entries";
@@ -30,4 +31,6 @@ export function machineFormPanel(host: HTMLElement, app: App): void {
     return html`<h2 .textContent=${info.title || info.name}></h2>
       ${SECTIONS.map((section) => sectionForm(fields, section(info)))} ${defaultCells(app)}`;
   });
+  const again = keepFocus(host);
+  machine.info.subscribe(() => queueMicrotask(again));
 }

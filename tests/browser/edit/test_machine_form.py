@@ -1,0 +1,31 @@
+"""The form of the machine: parameters, senses and layers are made, renamed and deleted by the keyboard alone."""
+
+from browser.conftest import Server, until
+from browser.edit.conftest import machine
+from playwright.sync_api import Page
+
+
+def edited(page: Page, times: int) -> None:
+    until(page, "__viewer.version() === window.start + arg", times)
+
+
+def test_a_parameter_and_a_sense_of_it_by_the_keyboard_alone(own: Server, table: Page) -> None:
+    """The sense follows the parameter's new name, and the keyboard stays at the renamed entry."""
+    table.get_by_role("button", name="inspect").press("Enter")
+    table.get_by_role("tab", name="cell", exact=True).press("ArrowRight")
+    parameters, senses = (table.locator(f"[data-section={name}]") for name in ("parameters", "senses"))
+    parameters.locator("summary").press("Enter")
+    parameters.get_by_label("new").fill("pace")
+    table.keyboard.press("Enter")
+    edited(table, 1)
+    parameters.get_by_label("name").last.fill("stride")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    until(table, "document.activeElement.value === 'stride'")
+    senses.locator("summary").press("Enter")
+    senses.get_by_label("new").fill("HURRY: stride > 0.5")
+    table.keyboard.press("Enter")
+    edited(table, 3)
+    made = machine(own)
+    assert made["parameters"][-1]["name"] == "stride"
+    assert made["senses"] == {"HURRY": {"when": "stride > 0.5", "release": ""}}
