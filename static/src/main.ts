@@ -101,7 +101,7 @@ function start(renderer: string): void {
   for (const [id, panel] of PANELS) panel(byId(id), app);
   tabs(byId("tabs"), byId("panels"));
   freeFocus();
-  keepAddress(app.stage, app.stages);
+  keepAddress(app.stage, app.stages, app.session);
   exposeForTests(app);
   for (const back of ["online", "focus"]) window.addEventListener(back, () => app.line.retry());
   setInterval(() => app.session.ping(), PING_MS);

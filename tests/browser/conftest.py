@@ -52,8 +52,8 @@ def until(page: Page, condition: str, arg: object = None) -> None:
 def expression_value(name: str) -> str:
     """JavaScript for the value that the page shows beside the expression of a channel or a variable."""
     row = (
-        "[...document.querySelectorAll('#expressions dl > div')]"
-        f".find(row => row.querySelector('dt span').textContent === '{name}')"
+        "[...document.querySelectorAll('#expressions li')]"
+        f".find(row => row.querySelector('b span').textContent === '{name}')"
     )
     return f"Number({row}?.querySelector('output').textContent)"
 

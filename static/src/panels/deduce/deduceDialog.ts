@@ -39,7 +39,7 @@ class DeduceDialog {
 
   constructor() {
     const solve = el("button", { type: "button", class: "primary" }, "solve");
-    const close = el("button", { type: "button", class: "plain close", "aria-label": "close" }, "esc");
+    const close = el("button", { type: "button", class: "plain close", "aria-label": "esc: close" }, "esc");
     const left = el("div", {}, this.text, solve, this.problem);
     const right = el("div", {}, this.drawing, this.turn);
     const values = el("table", { "aria-label": "values" }, this.list);

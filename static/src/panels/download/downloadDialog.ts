@@ -17,7 +17,7 @@ class DownloadDialog {
 
   /** `watched` returns the watched character. */
   constructor(private readonly watched: () => string | null) {
-    const close = el("button", { type: "button", class: "plain close", "aria-label": "close" }, "esc");
+    const close = el("button", { type: "button", class: "plain close", "aria-label": "esc: close" }, "esc");
     this.dialog = el(
       "dialog",
       { class: "download", "aria-labelledby": "download-title" },

@@ -26,7 +26,7 @@ function shown() {
 test("lists the lines of the machine, and those of the present states", () => {
   const { app, host } = shown();
   const rows = (): string[] =>
-    [...host.querySelectorAll("dl > div")].map((row) => row.textContent.replace(/\s+/g, " ").trim());
+    [...host.querySelectorAll("li")].map((row) => row.textContent.replace(/\s+/g, " ").trim());
   expect(rows()).toEqual(["7 a b * 2"]);
   app.selection.tellStates(["A"]);
   expect(rows()).toEqual(["7 a b * 2", "cA 1"]);

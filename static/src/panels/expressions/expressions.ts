@@ -24,7 +24,7 @@ function row(
   formula: string,
   value: string,
 ): TemplateResult {
-  return html`<div>
+  return html`<li>
     ${
       number === null
         ? html`<span></span>`
@@ -34,10 +34,10 @@ function row(
             .textContent=${String(number)}
           ></span>`
     }
-    <dt><span .textContent=${name}></span>${from ? html`<small .textContent=${from}></small>` : null}</dt>
-    <dd .textContent=${formula}></dd>
+    <b><span .textContent=${name}></span>${from ? html`<small .textContent=${from}></small>` : null}</b>
+    <span class="formula" .textContent=${formula}></span>
     <output .textContent=${value}></output>
-  </div>`;
+  </li>`;
 }
 
 /** Makes a row for each line of the machine and its character, then for each line of the present states. */
@@ -61,7 +61,9 @@ function rows({ machine, selection }: App, facts: ActorView | null): TemplateRes
 }
 
 function list(shown: readonly TemplateResult[]): TemplateResult {
-  const all = html`<dl>${shown}</dl>`;
+  const all = html`<ul>
+    ${shown}
+  </ul>`;
   if (shown.length <= MANY) return all;
   return html`<details>
     <summary .textContent=${`${shown.length} expressions`}></summary>

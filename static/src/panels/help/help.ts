@@ -63,7 +63,7 @@ class HelpDialog {
     const keys = Object.entries(machine?.keys ?? {}).map(([key, binding]) =>
       row([cap(key)], bindingWords(binding)),
     );
-    const close = el("button", { type: "button", class: "plain close", "aria-label": "close" }, "esc");
+    const close = el("button", { type: "button", class: "plain close", "aria-label": "esc: close" }, "esc");
     close.addEventListener("click", () => this.dialog.close());
     const section = (title: string, rows: HTMLElement[]): HTMLElement =>
       el("section", {}, el("h2", {}, title), el("dl", {}, ...rows));

@@ -133,7 +133,7 @@ export class ImportDialog {
   }
 
   private show(title: string, ...parts: (Node | null)[]): void {
-    const close = el("button", { type: "button", class: "plain close", "aria-label": "close" }, "esc");
+    const close = el("button", { type: "button", class: "plain close", "aria-label": "esc: close" }, "esc");
     close.addEventListener("click", () => this.dialog.close());
     this.dialog.replaceChildren(
       close,

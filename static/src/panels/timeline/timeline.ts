@@ -109,7 +109,7 @@ class Timeline {
   private setZoom(all: boolean): void {
     this.all = all;
     this.zoom.textContent = all ? "all" : "2 min";
-    this.zoom.setAttribute("aria-label", all ? "shows all of the history" : "shows the last two minutes");
+    this.zoom.setAttribute("aria-label", all ? "all of the history" : "2 min: the last two minutes");
     this.drawn = "";
   }
 

@@ -54,7 +54,7 @@ export class YamlEditor {
           yaml(),
           syntaxHighlighting(colours),
           keymap.of([{ key: "Mod-s", run: keep }, ...defaultKeymap, ...historyKeymap, ...lintKeymap]),
-          EditorView.contentAttributes.of({ "aria-label": "machine.yaml" }),
+          EditorView.contentAttributes.of({ "aria-label": "machine.yaml", tabindex: "0" }),
           EditorView.updateListener.of((update) => {
             const shown = update.transactions.some((transaction) => transaction.annotation(SHOWN));
             if (update.docChanged && !shown) told.typed();
