@@ -2,7 +2,7 @@
 
 import type { LayerInfo, MachineInfo, Operation } from "../../net/protocol";
 import { type Entry, movedUp, type Section } from "./entries";
-import { listed, numberOrName, numberText } from "./texts";
+import { listed, numberOrName, numberText } from "../../state/fieldTexts";
 
 type Fields = Extract<Operation, { kind: "set_layer" }>["fields"];
 const MODES = [

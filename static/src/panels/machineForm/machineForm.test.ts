@@ -10,7 +10,7 @@ import { machineFormPanel } from "./machineForm";
 import { parameterSection } from "./parameters";
 import { newSense, senseSection } from "./senses";
 import { defaultsSection } from "./settings";
-import { numberOrName } from "./texts";
+import { numberOrName } from "../../state/fieldTexts";
 
 /** Returns the operations of a text in the field `label` of an entry. */
 function typed({ entries }: Section, name: string, label: string, text: string): readonly Operation[] {

@@ -2,7 +2,7 @@
 
 import type { MachineInfo, Operation, Parameter } from "../../net/protocol";
 import { type Entry, type EntryField, movedUp, type Section } from "./entries";
-import { listed, numberOrNone, numberText } from "./texts";
+import { listed, numberOrNone, numberText } from "../../state/fieldTexts";
 
 type Kind = Parameter["kind"];
 type Fields = Extract<Operation, { kind: "set_parameter" }>["fields"];

@@ -2,7 +2,7 @@
 
 import type { MachineInfo, Operation, Sense } from "../../net/protocol";
 import type { Entry, EntryField, Section } from "./entries";
-import { listed } from "./texts";
+import { listed } from "../../state/fieldTexts";
 
 type Fields = Extract<Operation, { kind: "set_sense" }>["fields"];
 const MOMENTS = [

@@ -2,7 +2,7 @@
 
 import type { MachineInfo, Operation } from "../../net/protocol";
 import type { Section } from "./entries";
-import { numberOrNone, numberText } from "./texts";
+import { numberOrNone, numberText } from "../../state/fieldTexts";
 
 const CURVES = [
   ["cubic", "cubic"],
