@@ -1,4 +1,4 @@
-"""The form of the machine: parameters, senses and layers are made, renamed and deleted by the keyboard alone."""
+"""The form of the machine: what it has is made and renamed by the keyboard alone; properties are proved there."""
 
 from browser.conftest import Server, until
 from browser.edit.conftest import machine
@@ -29,3 +29,17 @@ def test_a_parameter_and_a_sense_of_it_by_the_keyboard_alone(own: Server, table:
     made = machine(own)
     assert made["parameters"][-1]["name"] == "stride"
     assert made["senses"] == {"HURRY": {"when": "stride > 0.5", "release": ""}}
+
+
+def test_what_refutes_a_property_is_played_on_a_stage(table: Page) -> None:
+    """The walker jumps from WALK, which the typed property forbids."""
+    table.get_by_role("button", name="inspect").click()
+    table.get_by_role("tab", name="machine").click()
+    properties = table.locator("[data-section=properties]")
+    properties.locator("summary").click()
+    properties.get_by_label("new").fill("never WALK -> JUMP")
+    play = properties.get_by_role("button", name="play what refutes it")
+    play.click()
+    until(table, "__viewer.stage() !== 'main' && __viewer.ready && __viewer.looking() !== null")
+    until(table, "__viewer.lanes().some(([, , state]) => state === 'JUMP')")
+    until(table, "__viewer.state() === 'WALK'")

@@ -1,4 +1,4 @@
-/** The form of the machine: parameters, senses, layers, defaults; each field makes one edit. */
+/** The form of the machine: parameters, senses, layers, properties, defaults; each field makes one edit. */
 
 import "./machineForm.css";
 import { effect } from "@preact/signals-core";
@@ -11,6 +11,7 @@ import { defaultCells } from "./defaultCells";
 import { sectionForm } from "./entries";
 import { layerSection } from "./layers";
 import { parameterSection } from "./parameters";
+import { propertyForm } from "./properties";
 import { senseSection } from "./senses";
 import { aboutSection, defaultsSection } from "./settings";
 
@@ -29,7 +30,8 @@ export function machineFormPanel(host: HTMLElement, app: App): void {
     const info = machine.info.value;
     if (!info) return html``;
     return html`<h2 .textContent=${info.title || info.name}></h2>
-      ${SECTIONS.map((section) => sectionForm(fields, section(info)))} ${defaultCells(app)}`;
+      ${SECTIONS.map((section) => sectionForm(fields, section(info)))} ${defaultCells(app)}
+      ${propertyForm(app, fields, info)}`;
   });
   const again = keepFocus(host);
   machine.info.subscribe(() => queueMicrotask(again));
