@@ -1,4 +1,4 @@
-"""The form of the machine: its parts are made and renamed by the keyboard alone; properties are proved there."""
+"""The form of the machine: the keyboard alone makes and renames its parts; properties are proved there."""
 
 from browser.conftest import Server, until
 from browser.edit.conftest import machine
