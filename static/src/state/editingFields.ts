@@ -76,7 +76,8 @@ export class EditingFields {
 
   private async keep(key: string, text: string, same: boolean, means: Means): Promise<void> {
     clearTimeout(this.timer);
-    this.put(key, same ? null : { ...FINE, text });
+    // What was wrong with it stays until the answer: what stands below the field must not move under the pointer.
+    this.put(key, same ? null : { ...(this.drafts.value.get(key) ?? FINE), text });
     if (same) return;
     const answer = await answered(() => this.editing.keep(means(text)));
     if (this.drafts.value.get(key)?.text !== text) return;

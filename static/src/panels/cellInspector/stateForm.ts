@@ -1,11 +1,14 @@
 /** The form of a state: its name, its motion, its markers. */
 
+import type { Signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { LayerInfo, MachineInfo, Operation, StateInfo } from "../../net/protocol";
 import type { EditingFields } from "../../state/editingFields";
 import { numberOrName, numberText } from "../../state/fieldTexts";
 import { formField } from "../../ui/formField";
 import type { App } from "../../view/app";
+import { blendForm, newBlend } from "./blendForm";
+import type { Drag } from "./blendPad";
 import { clipChoice } from "./clipChoice";
 
 const YES_NO = [
@@ -24,7 +27,13 @@ function phase(text: string): number | null {
 
 type StateFields = Extract<Operation, { kind: "set_state" }>["fields"];
 
-export function stateForm(app: App, fields: EditingFields, layer: LayerInfo, name: string): TemplateResult {
+export function stateForm(
+  app: App,
+  fields: EditingFields,
+  drag: Signal<Drag | null>,
+  layer: LayerInfo,
+  name: string,
+): TemplateResult {
   const info = layer.states.find((state) => state.name === name);
   const composite = layer.composites.find((state) => state.name === name);
   const state = { state: name, layer: layer.name };
@@ -38,7 +47,7 @@ export function stateForm(app: App, fields: EditingFields, layer: LayerInfo, nam
   const set = (members: StateFields): Operation[] => [{ kind: "set_state", ...state, fields: members }];
   const isFinal = (info ?? composite)?.final ?? false;
   return html`<h2 .textContent=${name}></h2>
-    ${formField(own, { label: "name" })} ${info ? motionFields(app, fields, layer, info) : nothing}
+    ${formField(own, { label: "name" })} ${info ? motionFields(app, fields, drag, layer, info) : nothing}
     ${info && info.motion !== null ? html`${flag("loop", info.loop, "loops")} ${speedField(app, fields, info, set)}` : nothing}
     ${composite ? flag("resume", composite.resume, "resumes where it was left") : nothing}
     ${outer ? flag("final", isFinal, `ends ${outer}`) : nothing}
@@ -81,23 +90,23 @@ function initialButton(
 }
 
 function motionFields(
-  { library, machine }: App,
+  app: App,
   fields: EditingFields,
+  drag: Signal<Drag | null>,
   layer: LayerInfo,
-  { name, motion, over, clips }: StateInfo,
+  info: StateInfo,
 ): TemplateResult {
-  if (over.length)
-    return html`<p
-      class="hint"
-      .textContent=${`Blends ${clips.join(", ")} over ${over.join(" and ")}.`}
-    ></p>`;
+  const { library, machine } = app;
+  const { name, motion } = info;
+  if (info.over.length) return blendForm(app, fields, drag, layer.name, info);
   const isBase = layer.name === "base";
   const field = fields.bind("motion", motion ?? (isBase ? "" : "none"), (text) => [
     { kind: "set_state", state: name, layer: layer.name, fields: { motion: text } },
   ]);
   const character = machine.info.value?.character ?? "";
   const others = [["", "the pose at rest"], ...(isBase ? [] : [["none", "none"]])] as [string, string][];
-  return clipChoice(field, character, library.clipsOf(character), others);
+  return html`${clipChoice(field, character, library.clipsOf(character), others)}
+  ${newBlend(app, fields, layer.name, info)}`;
 }
 
 function markers(

@@ -96,6 +96,7 @@ test("defaults of rows and columns are found once each", () => {
 test("the keyboard stays at an entry that is renamed, and goes to the section when the last is deleted", async () => {
   const app = exampleApp();
   const host = document.body.appendChild(document.createElement("div"));
+  app.inspection.drawer.value = "machine";
   machineFormPanel(host, app);
   watch(app, { parameters: [parameter({ name: "pace" })] });
   const focused = (): string | undefined => (document.activeElement as HTMLInputElement).value;

@@ -2,7 +2,7 @@
 
 import "./machineForm.css";
 import { effect } from "@preact/signals-core";
-import { html } from "lit-html";
+import { html, noChange } from "lit-html";
 import { EditingFields } from "../../state/editingFields";
 import { draw } from "../../ui/draw";
 import { keepFocus } from "../../ui/keepFocus";
@@ -18,7 +18,7 @@ import { aboutSection, defaultsSection } from "./settings";
 const SECTIONS = [parameterSection, senseSection, layerSection, defaultsSection, aboutSection];
 
 export function machineFormPanel(host: HTMLElement, app: App): void {
-  const { machine, editing } = app;
+  const { machine, editing, inspection } = app;
   const fields = new EditingFields(editing);
   let shown: string | undefined;
   effect(() => {
@@ -27,6 +27,8 @@ export function machineFormPanel(host: HTMLElement, app: App): void {
     shown = name;
   });
   draw(host, () => {
+    // A large machine has thousands of cells: what is not seen is not drawn.
+    if (inspection.drawer.value !== "machine") return noChange;
     const info = machine.info.value;
     if (!info) return html``;
     return html`<h2 .textContent=${info.title || info.name}></h2>
