@@ -71,6 +71,13 @@ export class OwnStages {
     await api.remove(stage);
   }
 
+  /** Watches a stage that this page has made. */
+  show(stage: string, opening: Opening): void {
+    this.choices++;
+    this.made.set(stage, opening);
+    this.session.watch(stage);
+  }
+
   /** Returns what a stage of this page began with, or null. */
   openingOf(stage: string): Opening | null {
     return this.made.get(stage) ?? null;
