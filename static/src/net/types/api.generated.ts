@@ -809,7 +809,7 @@ export interface paths {
         /**
          * Get Recording
          * @description Returns the ticks `from` … `to` (by default the playhead) as one .glb with an animation, a key at each
-         *     tick.
+         *     tick. With a `framing` it has a camera that follows the actor, by default the first.
          */
         get: operations["get_recording_api_stages__stage_id__recording_glb_get"];
         put?: never;
@@ -5327,7 +5327,9 @@ export interface operations {
     import_machine_api_machines__name__import_zip_put: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
             path: {
                 name: string;
             };
@@ -5391,7 +5393,9 @@ export interface operations {
     make_machine_api_machines_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -5665,7 +5669,9 @@ export interface operations {
     rename_machine_api_machines__name__rename_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
             path: {
                 name: string;
             };
@@ -6238,6 +6244,8 @@ export interface operations {
             query?: {
                 from?: number;
                 to?: number | null;
+                framing?: ("whole" | "upper body" | "face" | "wide") | null;
+                actor?: number | null;
             };
             header?: never;
             path: {
