@@ -1,0 +1,104 @@
+"""Every panel and dialog in turn: axe finds nothing wrong, in both themes, and no control is too small to hit.
+
+A new panel is a line of `PANELS`.
+"""
+
+import base64
+from collections.abc import Callable, Iterator
+
+import httpx
+import pytest
+from browser.conftest import Server, leave
+from browser.test_import import DROP
+from paths import ROOT
+from playwright.sync_api import Page
+
+AXE = ROOT / "static" / "node_modules" / "axe-core" / "axe.min.js"
+NAME = "every-panel"
+CELL = "td[data-state=WALK][data-column=RIGHT]"
+# An arrow whose label ends in "+2" names all its events.
+VIOLATIONS = """async rules => {
+  const { violations } = await axe.run(document, { resultTypes: ['violations'], ...rules });
+  return violations
+    .flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target.join(' ')}`))
+    .filter(each => !(each.startsWith('label-content-name-mismatch') && each.includes('.edge')));
+}"""
+SMALL = """least => [...document.querySelectorAll(
+    'button, a[href], input, select, textarea, summary, [role=option], [role=menuitem], td[tabindex], th[tabindex]')]
+  .filter(shown => shown.checkVisibility({ visibilityProperty: true }))
+  .map(shown => [shown, shown.getBoundingClientRect()])
+  .filter(([, { width, height }]) => Math.min(width, height) < least - 0.5)
+  .map(([{ outerHTML }, { width, height }]) => `${least}: ${width} x ${height}: ${outerHTML.slice(0, 120)}`)"""
+
+
+def drop_a_model(page: Page) -> None:
+    model = (ROOT / "machines" / "principles" / "principles.glb").read_bytes()
+    page.evaluate(DROP, ["mine.glb", base64.b64encode(model).decode()])
+
+
+def ask_why(page: Page) -> None:
+    page.click("[data-event=JUMP]")
+    page.click("#verdict[data-tick]")
+
+
+PANELS: dict[str, tuple[Callable[[Page], object], str]] = {
+    "the page alone": (Page.bring_to_front, "#table td"),
+    "help": (lambda page: page.keyboard.press("?"), "dialog.help"),
+    "palette": (lambda page: page.keyboard.press("Control+k"), "#choices li"),
+    "download": (lambda page: page.click("#download"), "dialog.download a"),
+    "IK rules": (lambda page: page.click("#deduce"), "dialog.deduce"),
+    "machine menu": (lambda page: page.click("#machine-menu button"), "[role=menuitem]"),
+    "import": (drop_a_model, "dialog.import input"),
+    "cell editor": (lambda page: page.click(CELL), "#cell-inspector .findings li"),
+    "menu of a column": (lambda page: page.click("#table th[data-column=RIGHT]"), ".head-menu"),
+    "inspector": (lambda page: (page.focus(CELL), page.keyboard.press("Alt+Enter")), "#cell h2"),
+    "versions": (lambda page: page.get_by_role("button", name="versions").click(), "#versions li"),
+    "YAML": (lambda page: page.get_by_role("tab", name="YAML").click(), ".yaml-editor .cm-line"),
+    "why": (ask_why, "#why .event-why"),
+}
+"""how a panel is opened, in this order, and what is seen then; Escape closes it"""
+
+
+@pytest.fixture
+def wide(server: Server, page: Page, opened: Callable[[str], Page]) -> Iterator[Callable[[], Page]]:
+    """Opens the page with a machine that may be edited, in a window where all panels are seen."""
+    httpx.post(f"{server.url}/api/machines", json={"name": NAME, "copy_of": "faq-walker"}).raise_for_status()
+    made = httpx.post(f"{server.url}/api/stages", json={"actors": [{"machine": NAME}]}, timeout=60)
+    stage = made.raise_for_status().headers["Location"].rsplit("/", 1)[1]
+    page.set_viewport_size({"width": 1440, "height": 900})
+    yield lambda: opened(f"{server.url}/?stage={stage}")
+    leave(page, f"{server.url}/api/stages/{stage}", f"{server.url}/api/machines/{NAME}")
+
+
+def wrong_in_panels(page: Page, look: Callable[[Page], list[str]]) -> dict[str, list[str]]:
+    """Opens each panel, and returns what `look` finds in it."""
+    wrong = {}
+    for name, (open_panel, seen) in PANELS.items():
+        open_panel(page)
+        page.locator(seen).first.wait_for()
+        wrong[name] = look(page)
+        page.keyboard.press("Escape")
+        page.evaluate("document.activeElement.blur()")
+    return {name: found for name, found in wrong.items() if found}
+
+
+def faults(page: Page) -> list[str]:
+    """Returns what axe finds, of the light theme only in its colours, and what is hard to hit with a mouse."""
+    page.emulate_media(color_scheme="light")
+    found = page.evaluate(VIOLATIONS, {"runOnly": ["color-contrast"]})
+    page.emulate_media(color_scheme="dark")
+    return [*found, *page.evaluate(VIOLATIONS, {}), *page.evaluate(SMALL, 24)]
+
+
+def test_axe_finds_nothing(wide: Callable[[], Page]) -> None:
+    page = wide()
+    page.evaluate(AXE.read_text())
+    assert wrong_in_panels(page, faults) == {}
+
+
+def test_a_finger_hits_every_control(wide: Callable[[], Page], page: Page) -> None:
+    touch = {"enabled": True, "maxTouchPoints": 1}
+    page.context.new_cdp_session(page).send("Emulation.setTouchEmulationEnabled", touch)
+    page = wide()
+    assert page.evaluate("matchMedia('(pointer: coarse)').matches")
+    assert wrong_in_panels(page, lambda shown: shown.evaluate(SMALL, 44)) == {}
