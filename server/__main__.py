@@ -20,6 +20,8 @@ VENV = ROOT / ".venv"
 LOCKS = ROOT / "server" / "locks"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
+ALONE = ("tests/reliability/alone", "tests/browser")
+"""tests beside which no other test runs"""
 VIEWER_SOURCES = (
     "index.html",
     "package.json",
@@ -128,8 +130,8 @@ def find_assimp() -> None:
 
 
 def run_tests(arguments: list[str]) -> None:
-    """Runs the tests that are asked for; without arguments all tests: those of the browser alone and last,
-    for they draw on all processors and count messages a second.
+    """Runs the tests that are asked for; without arguments all tests, those last that count seconds or draw
+    on all processors: nothing else runs beside these.
     """
     pytest = PYTHON, "-m", "pytest"
     # the tests start Python hundreds of times: without bytecode each start compiles every module
@@ -139,8 +141,8 @@ def run_tests(arguments: list[str]) -> None:
         run(*pytest, *arguments)
         return
     workers = "--numprocesses=auto", "--maxprocesses=4", "--dist=loadfile", "--no-loadscope-reorder"
-    run(*pytest, *workers, "--ignore=tests/browser")
-    run(*pytest, "tests/browser")
+    run(*pytest, *workers, *(f"--ignore={folder}" for folder in ALONE))
+    run(*pytest, *ALONE)
 
 
 def main(arguments: list[str]) -> None:

@@ -15,7 +15,7 @@ import httpx
 import pytest
 import tiny_model
 from paths import ROOT
-from serving import serving, wait_for
+from serving import PATIENCE, serving, wait_for
 from statwalk.web.app import create_app
 
 DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -47,7 +47,10 @@ def test_examples_run(document: Path, tmp_path: Path, monkeypatch: pytest.Monkey
 @pytest.fixture
 def address() -> Iterator[str]:
     """A server that has run for a moment, as a reader's will have."""
-    with serving(create_app()) as address, httpx.Client(base_url=f"http://{address}") as rest:
+    with (
+        serving(create_app()) as address,
+        httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest,
+    ):
         wait_for(lambda: rest.get("/api/stages/main").json()["tick"] > 10)
         yield address
 

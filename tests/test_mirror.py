@@ -53,7 +53,6 @@ LAWS = {
     "stage/test_random_lives.py",
     "stage/test_random_machines.py",
     # the server as a client sees it
-    "web/routes/test_hostile_uploads.py",
     "web/routes/test_recording.py",
     "web/routes/test_upload_and_walk.py",
     "web/test_actions.py",

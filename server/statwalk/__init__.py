@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from statwalk.character.deduce import deduce as deduce
     from statwalk.character.express import Expressed as Expressed
     from statwalk.character.express import express as express
+    from statwalk.character.made_clips import sides_of as sides_of
+    from statwalk.character.motion_path import motion_path as motion_path
     from statwalk.character.retarget import retarget as retarget
     from statwalk.character.role import Role as Role
     from statwalk.errors import ContentError as ContentError
@@ -36,8 +38,20 @@ if TYPE_CHECKING:
     from statwalk.files.gltf.detailed_model import lod as lod
     from statwalk.files.gltf.detailed_model import with_detail as with_detail
     from statwalk.files.gltf.rigged import rigged as rigged
+    from statwalk.files.principles import follow_through as follow_through
+    from statwalk.files.principles import secondary as secondary
+    from statwalk.files.principles import straight_ahead as straight_ahead
     from statwalk.maths.pose import Pose as Pose
     from statwalk.motion.filter_clip import filtered as filtered
+    from statwalk.motion.principles.anticipate import anticipate as anticipate
+    from statwalk.motion.principles.ease import ease as ease
+    from statwalk.motion.principles.exaggerate import exaggerate as exaggerate
+    from statwalk.motion.principles.retime import retime as retime
+    from statwalk.motion.principles.retime import to_frames as to_frames
+    from statwalk.motion.principles.retime import to_seconds as to_seconds
+    from statwalk.motion.principles.squash import squash as squash
+    from statwalk.motion.principles.twinning import twinning as twinning
+    from statwalk.motion.switched import switched as switched
     from statwalk.services.library.convert import convert as convert
     from statwalk.services.library.load import load as load
     from statwalk.services.library.load import shipped_machines as shipped_machines
@@ -52,6 +66,8 @@ _NAMES = {  # imported on first use: `statwalk --help` needs none of them
     "statwalk.character.character": ("Character",),
     "statwalk.character.deduce": ("Deduction", "deduce"),
     "statwalk.character.express": ("Expressed", "express"),
+    "statwalk.character.made_clips": ("sides_of",),
+    "statwalk.character.motion_path": ("motion_path",),
     "statwalk.character.retarget": ("retarget",),
     "statwalk.character.role": ("Role",),
     "statwalk.errors": (
@@ -66,8 +82,16 @@ _NAMES = {  # imported on first use: `statwalk --help` needs none of them
     "statwalk.files.film_strip": ("film_strip",),
     "statwalk.files.gltf.detailed_model": ("lod", "with_detail"),
     "statwalk.files.gltf.rigged": ("rigged",),
+    "statwalk.files.principles": ("follow_through", "secondary", "straight_ahead"),
     "statwalk.maths.pose": ("Pose",),
     "statwalk.motion.filter_clip": ("filtered",),
+    "statwalk.motion.principles.anticipate": ("anticipate",),
+    "statwalk.motion.principles.ease": ("ease",),
+    "statwalk.motion.principles.exaggerate": ("exaggerate",),
+    "statwalk.motion.principles.retime": ("retime", "to_frames", "to_seconds"),
+    "statwalk.motion.principles.squash": ("squash",),
+    "statwalk.motion.principles.twinning": ("twinning",),
+    "statwalk.motion.switched": ("switched",),
     "statwalk.services.library.convert": ("convert",),
     "statwalk.services.library.load": ("load", "shipped_machines"),
     "statwalk.services.library.load_scene": ("load_scene", "shipped_scenes"),

@@ -44,6 +44,7 @@ import { tabs } from "./ui/tabs";
 import { type App, makeApp, type Panel } from "./view/app";
 import { rendererName } from "./view/quality";
 import "./style/panels.css";
+import "./style/kiosk.css";
 
 /** The panels, each with the id of its element in `index.html`. */
 const PANELS: readonly (readonly [string, Panel])[] = [
@@ -81,6 +82,9 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["bar-menu", barMenuPanel],
 ];
 
+/** The panels of a page in a hall: the character alone, and nothing that changes it. */
+const KIOSK: readonly string[] = ["loading"];
+
 const PING_MS = 2000;
 
 /** Emits `frame` and draws, as often as the browser draws. */
@@ -98,10 +102,12 @@ function drawForever({ frame, view }: App): void {
 
 function start(renderer: string): void {
   const app = makeApp(canvasById("stage-view"), renderer);
-  for (const [id, panel] of PANELS) panel(byId(id), app);
+  const isKiosk = new URLSearchParams(location.search).has("kiosk");
+  document.body.classList.toggle("kiosk", isKiosk);
+  for (const [id, panel] of PANELS) if (!isKiosk || KIOSK.includes(id)) panel(byId(id), app);
   tabs(byId("tabs"), byId("panels"));
   freeFocus();
-  keepAddress(app.stage, app.stages);
+  keepAddress(app.stage, app.stages, app.session);
   exposeForTests(app);
   for (const back of ["online", "focus"]) window.addEventListener(back, () => app.line.retry());
   setInterval(() => app.session.ping(), PING_MS);

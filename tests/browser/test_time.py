@@ -52,12 +52,3 @@ def test_pause_stands_still_and_step_is_one_tick(paused: Page) -> None:
     before = paused.evaluate("__viewer.head()")
     paused.keyboard.press(".")
     until(paused, "__viewer.tick() === arg + 1", before)
-
-
-def test_an_event_in_the_past_forks(viewer: Page, allowed: list[str]) -> None:
-    until(viewer, "__viewer.tick() > 60 && __viewer.state() === 'STAT'")
-    viewer.evaluate(SCRUB, viewer.evaluate("__viewer.tick()") - 10)
-    until(viewer, "__viewer.looking() === __viewer.tick()")
-    viewer.keyboard.press("c")
-    until(viewer, "__viewer.stage() !== 'main' && __viewer.link() === 'live'")
-    until(viewer, "location.search.includes('stage=')")

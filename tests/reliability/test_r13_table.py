@@ -65,7 +65,7 @@ REACHED_BY = {
     "::test_a_message_that_is_too_long_ends_the_connection",
     "CREDITS": "web/socket/test_stream.py::test_no_more_than_three_frames_without_acknowledgement",
     "ACKNOWLEDGE_SECONDS": "web/socket/test_stream.py::test_a_viewer_that_never_acknowledges_is_cut_off",
-    "PONG_SECONDS": "reliability/test_r13_limits.py::test_who_acknowledges_without_reading_is_cut_off",
+    "PONG_SECONDS": "reliability/alone/test_r13_limits.py::test_who_acknowledges_without_reading_is_cut_off",
     "UNWRITABLE_SECONDS": "web/socket/test_protocol.py::test_a_viewer_that_never_reads_is_cut_off",
     "MOST_FACTS": "services/publish/test_outbox.py"
     "::test_too_many_facts_cut_the_viewer_off_rather_than_lose_one",
@@ -89,7 +89,8 @@ REACHED_BY = {
     "MOST_ABOUT_ONE": "web/test_long_work.py::test_one_stage_does_not_take_all_places",
     "MOST_WAITING": "web/test_long_work.py::test_one_more_than_may_wait_is_refused",
     "WAIT_SECONDS": "web/test_long_work.py::test_who_has_waited_long_is_told_to_try_again",
-    "work_seconds": "reliability/test_r13_limits.py::test_a_long_step_has_a_deadline_and_says_what_to_do",
+    "work_seconds": "reliability/alone/test_r13_limits.py"
+    "::test_a_long_step_has_a_deadline_and_says_what_to_do",
     "services/limits.MOST_TICKS": f"{HERE}::test_one_tick_more_is_refused",
     "services/hosting/actor_tracks.MOST_TICKS": f"{HERE}::test_a_longer_recording_is_refused",
     "MOST_JOINT_POSES": f"{HERE}::test_a_fuller_recording_is_refused",

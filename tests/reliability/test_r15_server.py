@@ -9,7 +9,7 @@ import httpx
 import pytest
 from disk_faults import FAILING
 from processes import served
-from serving import wait_for
+from serving import PATIENCE, wait_for
 from traced import needs_strace, strace
 from watcher import Watcher
 
@@ -29,7 +29,7 @@ def test_r15_a_server_refuses_shows_and_recovers(tmp_path: Path, error: str, sta
     inject = f"inject={FAILING}:error={error}"
     with (
         served("--data", str(tmp_path)) as (process, address),
-        httpx.Client(base_url=f"http://{address}", timeout=30) as rest,
+        httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest,
         Watcher(address, MAIN) as viewer,
     ):
 

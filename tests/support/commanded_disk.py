@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from serving import PATIENCE
 from stages import registry
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.store.database import opened
@@ -33,7 +34,7 @@ class CommandedDisk:
     def execute(self, sql: str, values: Any = ()) -> sqlite3.Cursor:
         self._check()
         if sql == "COMMIT":
-            self.goes_on.wait(20)
+            self.goes_on.wait(PATIENCE)
         return self.connection.execute(sql, values)
 
     def executemany(self, sql: str, rows: Any) -> sqlite3.Cursor:

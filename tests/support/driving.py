@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import httpx
+from serving import PATIENCE
 
 
 @contextmanager
@@ -18,7 +19,7 @@ def driving(address: str, stage: str, each: float) -> Iterator[list[int]]:
     leaving = threading.Event()
 
     def post() -> None:
-        with httpx.Client(base_url=f"http://{address}", timeout=30) as rest:
+        with httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest:
             while not leaving.wait(each):
                 event = "STOP" if len(statuses) % 2 else "FORWARD"
                 statuses.append(rest.post(f"{stage}/events", json={"event": event}).status_code)

@@ -49,7 +49,10 @@ def live(folder: Path, contents: Sequence[str], seed: int, viewers: int) -> Live
             process.kill()
     with served(*data) as (_, address), watched(address, dict.fromkeys(stages, 1)) as after:
         wait_for(lambda: all(len(frames) >= LATER_FRAMES for frames in after.values()), PATIENCE)
-        logs = {stage: httpx.get(f"http://{address}/api/stages/{stage}/log").text for stage in stages}
+        logs = {
+            stage: httpx.get(f"http://{address}/api/stages/{stage}/log", timeout=PATIENCE).text
+            for stage in stages
+        }
     seen = {stage: before[stage] | after[stage] for stage in stages}
     wrong = [each for stage, log in logs.items() for each in unlike(stage, log.splitlines(), seen[stage])]
     return Live(len(stages), sum(map(len, seen.values())), wrong)

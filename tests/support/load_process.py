@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from raw_viewers import RawViewer, stay
 
-PATIENCE = 30.0
+PATIENCE = 60.0
 
 
 class Seen(NamedTuple):

@@ -8,7 +8,7 @@ from typing import Any, Self
 
 CONTINUATION, TEXT, BINARY, CLOSE, PING, PONG = 0, 1, 2, 8, 9, 10
 MASK = b"\x37\xfa\x21\x3d"  # the one of the RFC's examples
-PATIENCE = 20.0
+PATIENCE = 60.0
 Frame = tuple[int, bytes]
 
 

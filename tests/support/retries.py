@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import httpx
 from cutting_proxy import CuttingProxy
+from serving import PATIENCE
 
 LONGEST_BYTES = 1_500
 """of a connection in one direction: about five requests, or eight answers"""
@@ -56,7 +57,10 @@ async def retried(address: str, inputs: int, seed: int, *, has_keys: bool = True
     """Posts inputs to the stage `main` of a server; `has_keys`: False is the control."""
     keys = iter(range(inputs))
     proxy = CuttingProxy(address, LONGEST_BYTES, seed)
-    async with proxy.open() as through, httpx.AsyncClient(base_url=f"http://{through}") as client:
+    async with (
+        proxy.open() as through,
+        httpx.AsyncClient(base_url=f"http://{through}", timeout=PATIENCE) as client,
+    ):
         poster = _Poster(client, seed, has_keys=has_keys)
 
         async def work() -> None:

@@ -4,10 +4,10 @@ import json
 from types import TracebackType
 from typing import Any, Self
 
+from serving import PATIENCE
 from statwalk.services.publish.pose_message import PoseMessage, decode
 from websockets.sync.client import connect
 
-PATIENCE = 60.0
 CLOSE_SECONDS = 1.0
 """for which websockets may wait for the end of a connection after its close frame, though it has come"""
 MOST_MESSAGES = 2_000
@@ -26,6 +26,7 @@ class Watcher:
             subprotocols=["statwalk.v1"],
             compression=None,
             max_size=None,
+            open_timeout=PATIENCE,
             close_timeout=CLOSE_SECONDS,
             **options,
         )

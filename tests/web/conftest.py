@@ -5,7 +5,7 @@ from typing import Any
 
 import httpx
 import pytest
-from serving import serving
+from serving import PATIENCE, serving
 from statwalk.web.app import create_app
 from statwalk.web.settings import Settings
 
@@ -37,7 +37,7 @@ def address() -> Iterator[str]:
 
 @pytest.fixture
 def rest(address: str) -> Iterator[httpx.Client]:
-    with httpx.Client(base_url=f"http://{address}", timeout=30) as rest:
+    with httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest:
         yield rest
 
 

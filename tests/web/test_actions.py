@@ -7,7 +7,7 @@ from pathlib import Path
 import httpx
 import pytest
 from paths import MACHINES
-from serving import serving
+from serving import PATIENCE, serving
 from statwalk.web.app import create_app
 from statwalk.web.settings import Settings
 from watcher import Watcher
@@ -42,7 +42,7 @@ def address(tmp_path: Path) -> Iterator[str]:
 
 
 def test_each_action_once_in_order(address: str) -> None:
-    with httpx.Client(base_url=f"http://{address}") as rest:
+    with httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest:
         opened = rest.post(
             "/api/stages", json={"clock": "manual", "actors": [{"machine": "caller"}, {"machine": "caller"}]}
         )

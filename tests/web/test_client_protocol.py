@@ -115,7 +115,9 @@ def test_a_body_that_comes_fast_enough_has_time(tmp_path: Path, monkeypatch: pyt
 def test_a_socket_is_no_body_that_comes_too_slowly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(client_protocol, "WINDOW_SECONDS", 0.1)
     with limited(tmp_path, header_seconds=SOON) as (address, _):
-        stage = httpx.post(f"http://{address}/api/stages", json={"actors": [{"machine": "faq-walker"}]})
+        stage = httpx.post(
+            f"http://{address}/api/stages", json={"actors": [{"machine": "faq-walker"}]}, timeout=PATIENT
+        )
         with Watcher(address, stage.headers["location"]) as viewer:
             assert viewer.frame_from(viewer.frame().tick + 150)
 
@@ -123,9 +125,9 @@ def test_a_socket_is_no_body_that_comes_too_slowly(tmp_path: Path, monkeypatch: 
 def test_an_idle_connection_makes_room_for_a_new_one(tmp_path: Path) -> None:
     with limited(tmp_path, connections=3, header_seconds=PATIENT) as (address, _), ExitStack() as open_ones:
         idle = [open_ones.enter_context(dial(address)) for _ in range(10)]
-        assert httpx.get(f"http://{address}/healthz").status_code == 200
+        assert httpx.get(f"http://{address}/healthz", timeout=PATIENT).status_code == 200
         assert idle[0].recv(1) == b""
-        metrics = httpx.get(f"http://{address}/metrics").text
+        metrics = httpx.get(f"http://{address}/metrics", timeout=PATIENT).text
     closed = re.search(r'statwalk_connections_closed_total\{why="idle"\} (\d+)', metrics)
     assert closed
     assert int(closed[1]) >= 8
@@ -133,7 +135,7 @@ def test_an_idle_connection_makes_room_for_a_new_one(tmp_path: Path) -> None:
 
 def test_where_all_are_in_use_one_more_is_told_to_wait(tmp_path: Path) -> None:
     with limited(tmp_path, connections=3, stages=5) as (address, _):
-        stage = httpx.post(f"http://{address}/api/stages", json={}).headers["location"]
+        stage = httpx.post(f"http://{address}/api/stages", json={}, timeout=PATIENT).headers["location"]
         viewers = [open_and_never_read(address, f"{stage}/stream") for _ in range(3)]
         said = until_closed(dial(address))
         assert said.startswith(b"HTTP/1.1 429 Too Many Requests\r\n")

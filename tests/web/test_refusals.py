@@ -50,6 +50,7 @@ def test_each_status_has_a_meaning_and_is_used() -> None:
 
 def test_if_match_is_required() -> None:
     parameters = DOCUMENT["paths"]["/api/machines/{name}"]["put"]["parameters"]
-    (header,) = [parameter for parameter in parameters if parameter["in"] == "header"]
-    assert header["required"]
-    assert header["schema"]["pattern"]
+    headers = {parameter["name"]: parameter for parameter in parameters if parameter["in"] == "header"}
+    assert headers["If-Match"]["required"]
+    assert headers["If-Match"]["schema"]["pattern"]
+    assert not headers["Idempotency-Key"]["required"]

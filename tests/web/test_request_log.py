@@ -6,6 +6,7 @@ from typing import Any
 
 import httpx
 import pytest
+from serving import PATIENCE
 from statwalk.web.log_format import JsonLine
 from watcher import Watcher
 from websockets.exceptions import InvalidStatus
@@ -35,7 +36,11 @@ def test_a_socket_has_an_id_too(address: str, stage: str) -> None:
     with Watcher(address, stage, additional_headers={"X-Request-ID": "viewer"}) as viewer:
         assert viewer.socket.response.headers["x-request-id"] == "viewer"
     with pytest.raises(InvalidStatus) as refused:
-        connect(f"ws://{address}/api/stages/nowhere/stream", additional_headers={"X-Request-ID": "2"})
+        connect(
+            f"ws://{address}/api/stages/nowhere/stream",
+            additional_headers={"X-Request-ID": "2"},
+            open_timeout=PATIENCE,
+        )
     assert refused.value.response.headers["x-request-id"] == "2"
 
 

@@ -76,8 +76,8 @@ def test_a_signal_before_uvicorn_listens_for_it_counts() -> None:
 
 def test_the_page_and_the_default_machine_are_there() -> None:
     with served() as (_, address):
-        page = httpx.get(f"http://{address}/")
-        main = httpx.get(f"http://{address}{MAIN}").json()
+        page = httpx.get(f"http://{address}/", timeout=PATIENCE)
+        main = httpx.get(f"http://{address}{MAIN}", timeout=PATIENCE).json()
     assert page.headers["content-type"].startswith("text/html")
     assert (main["clock"], main["actors"][0]["machine"]) == ("real", "faq-walker")
 
@@ -85,7 +85,7 @@ def test_the_page_and_the_default_machine_are_there() -> None:
 @pytest.mark.parametrize("host", ["127.0.0.2", "::1", "localhost"])
 def test_it_answers_at_the_loopback_address_that_you_name(host: str) -> None:
     with served("--host", host) as (_, address):
-        assert httpx.get(f"http://{address}{MAIN}").status_code == 200
+        assert httpx.get(f"http://{address}{MAIN}", timeout=PATIENCE).status_code == 200
 
 
 def test_uploads_are_kept_in_the_data_folder(tmp_path: Path) -> None:
@@ -93,12 +93,15 @@ def test_uploads_are_kept_in_the_data_folder(tmp_path: Path) -> None:
         headers = {"content-type": "model/gltf-binary"}
         assert (
             httpx.put(
-                f"http://{address}/api/characters/tiny", content=tiny_model.model(), headers=headers
+                f"http://{address}/api/characters/tiny",
+                content=tiny_model.model(),
+                headers=headers,
+                timeout=PATIENCE,
             ).status_code
             == 201
         )
     with served("--data", str(tmp_path)) as (_, address):
-        assert httpx.get(f"http://{address}/api/characters/tiny").status_code == 200
+        assert httpx.get(f"http://{address}/api/characters/tiny", timeout=PATIENCE).status_code == 200
 
 
 def refused(*arguments: str) -> str:
@@ -143,7 +146,8 @@ def test_a_shipped_name_is_what_the_page_opens_on(name: str, tmp_path: Path) -> 
         assert process.stdout is not None
         address = process.stdout.readline().split("http://")[1].split("/")[0]
         machines = {
-            actor["machine"] for actor in httpx.get(f"http://{address}/api/stages/main").json()["actors"]
+            actor["machine"]
+            for actor in httpx.get(f"http://{address}/api/stages/main", timeout=PATIENCE).json()["actors"]
         }
         process.terminate()
     assert any(machine.startswith(name) for machine in machines)

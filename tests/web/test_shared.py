@@ -12,6 +12,7 @@ from typing import NamedTuple
 import httpx
 import pytest
 from certificates import certificate_in
+from serving import PATIENCE
 from statwalk.services.access.access_file import AccessFile
 from websockets.exceptions import ConnectionClosedError
 from websockets.sync.client import connect
@@ -30,7 +31,9 @@ class Running(NamedTuple):
     log: Path
 
     def rest(self, **options: object) -> httpx.Client:
-        return httpx.Client(base_url=f"https://{self.address}", verify=self.trust, timeout=30, **options)
+        return httpx.Client(
+            base_url=f"https://{self.address}", verify=self.trust, timeout=PATIENCE, **options
+        )
 
 
 @pytest.fixture(scope="module")
@@ -67,8 +70,10 @@ def test_the_printed_link_opens_the_page(running: Running) -> None:
 def test_the_stream_flows_over_tls(running: Running) -> None:
     url = f"wss://{running.address}/api/stages/main/stream"
     headers = {"authorization": f"Bearer {running.token}"}
-    with connect(url, ssl=running.trust, additional_headers=headers, compression=None) as viewer:
-        assert '"hello"' in str(viewer.recv(timeout=20))
+    with connect(
+        url, ssl=running.trust, additional_headers=headers, compression=None, open_timeout=PATIENCE
+    ) as viewer:
+        assert '"hello"' in str(viewer.recv(timeout=PATIENCE))
         viewer.send("x" * (65 << 10))
         with pytest.raises(ConnectionClosedError):
             list(viewer)  # ends with the connection
@@ -94,9 +99,9 @@ def test_what_is_in_an_address_is_not_in_the_log(running: Running) -> None:
     for headers in ({}, {"authorization": f"Bearer {running.token}"}):
         url = f"wss://{running.address}/api/stages/nowhere/stream{query}"
         with pytest.raises(Exception, match="HTTP 40"):
-            connect(url, ssl=running.trust, additional_headers=headers)
+            connect(url, ssl=running.trust, additional_headers=headers, open_timeout=PATIENCE)
     running.process.send_signal(signal.SIGTERM)
-    printed, _ = running.process.communicate(timeout=20)
+    printed, _ = running.process.communicate(timeout=PATIENCE)
     assert running.process.returncode == 0
     said = printed + running.log.read_text()
     assert GUESS not in said

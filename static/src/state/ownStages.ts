@@ -1,4 +1,4 @@
-/** Opens stages for this page, and closes them when the page leaves them. */
+/** Opens stages for this page, and closes them when the page leaves them; forks and their origins stay. */
 
 import * as api from "../net/api";
 import type { Session } from "./session";
@@ -8,8 +8,8 @@ import type { WatchedStage } from "./watchedStage";
 export type Opening = { machine: string } | { scene: string };
 
 export class OwnStages {
-  /** The stages that this page made; null: a fork, which cannot be made again. */
-  private readonly made = new Map<string, Opening | null>();
+  /** The stages that this page made. */
+  private readonly made = new Map<string, Opening>();
   /** Stages to close as soon as the page has another one. */
   private left: string[] = [];
   private choices = 0;
@@ -18,7 +18,7 @@ export class OwnStages {
     private readonly session: Session,
     private readonly stage: WatchedStage,
   ) {
-    session.forked.on((stage) => this.made.set(stage, null));
+    session.forked.on(() => this.keep());
     session.leaving.on(() => this.leave());
     stage.hello.subscribe((hello) => {
       if (hello) this.close();
@@ -32,10 +32,13 @@ export class OwnStages {
   async begin(stage: string | null): Promise<void> {
     const opening = history.state as Opening | null;
     if (stage === null || !opening) {
+      this.choices++;
       this.session.watch(stage ?? "main");
       return;
     }
+    const choice = ++this.choices;
     const stages = await api.stages().catch(() => []);
+    if (choice !== this.choices) return;
     if (!stages.some(({ id }) => id === stage)) return this.choose(opening, Promise.resolve(false));
     this.made.set(stage, opening);
     this.session.watch(stage);
@@ -53,6 +56,12 @@ export class OwnStages {
   /** Returns what a stage of this page began with, or null. */
   openingOf(stage: string): Opening | null {
     return this.made.get(stage) ?? null;
+  }
+
+  /** Keeps the watched stage, also if Back and Forward lead to it again and away. */
+  private keep(): void {
+    this.made.delete(this.stage.id);
+    history.replaceState(null, "");
   }
 
   /** Notes that the page leaves its stage, unless somebody else watches it too. */

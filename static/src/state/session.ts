@@ -43,6 +43,8 @@ export class Session {
   readonly actions = new Event<Action>();
   /** Emitted with the stage that an event in the past has made, before this page watches it. */
   readonly forked = new Event<string>();
+  /** Emitted if the server has closed the stage, or shows this browser only another one, before this page watches that. */
+  readonly gone = new Event<null>();
   /** Emitted before this page leaves its stage: held events must be released. */
   readonly leaving = new Event<null>();
   readonly trip = new RoundTrip();
@@ -161,6 +163,7 @@ export class Session {
     if (refusal?.status === 403) await this.findShared(refusal.message);
     if (refusal?.status !== 404 || id === "main") return;
     this.parts.notices.emit(`Stage ${id} is gone: you now watch main.`);
+    this.gone.emit(null);
     this.watch("main");
   }
 
@@ -172,6 +175,7 @@ export class Session {
       this.parts.line.refuse(detail);
       return;
     }
+    this.gone.emit(null);
     this.watch(stage);
   }
 

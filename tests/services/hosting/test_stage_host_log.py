@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
+from serving import PATIENCE
 from statwalk.errors import CancelledError
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting import stage_messages as ask
@@ -62,7 +63,7 @@ def test_a_post_is_acknowledged_when_it_is_durable(host: StageHost) -> None:
     host._live.stage._log = log
     with ThreadPoolExecutor(1) as pool:
         answer = pool.submit(host.handle, ask.Post((FORWARD,)))
-        assert log.asked.wait(10)
+        assert log.asked.wait(PATIENCE)
         assert not answer.done()
         log.written.set()
         assert answer.result(10).seq == log.newest
@@ -73,7 +74,7 @@ def test_a_post_that_is_given_up_does_not_wait_for_the_disk(host: StageHost) -> 
     host._live.stage._log = log
     with ThreadPoolExecutor(1) as pool:
         answer = pool.submit(host.handle, ask.Post((FORWARD,)), token)
-        assert log.asked.wait(10)
+        assert log.asked.wait(PATIENCE)
         token.cancel()
         with pytest.raises(CancelledError):
             answer.result(10)

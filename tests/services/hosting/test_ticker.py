@@ -5,6 +5,7 @@ import time
 from typing import Any
 
 import pytest
+from serving import PATIENCE
 from statwalk.services.hosting import ticker as ticker_module
 from statwalk.services.hosting.ticker import SHORTEST_SLEEP, Ticker
 
@@ -33,7 +34,7 @@ def test_a_stage_that_fails_does_not_stop_the_others(caplog: pytest.LogCaptureFi
     good = Counting()
     ticker = Ticker(lambda: [Failing(), good])
     ticker.start()
-    assert good.enough.wait(20)
+    assert good.enough.wait(PATIENCE)
     ticker.stop()
     assert "a stage failed in its step" in caplog.text
 
@@ -72,7 +73,7 @@ def test_it_wakes_for_a_new_stage_and_ends() -> None:
     ticker.start()
     stages.append(Counting())
     ticker.wake()
-    assert stages[0].enough.wait(20)
+    assert stages[0].enough.wait(PATIENCE)
     ticker.stop()
     assert not ticker.thread.is_alive()
 
@@ -83,12 +84,12 @@ def test_a_stage_that_fails_is_a_fault_until_it_is_closed() -> None:
     ticker = Ticker(lambda: stages)
     assert "does not run" in ticker.fault()
     ticker.start()
-    assert good.enough.wait(20)
+    assert good.enough.wait(PATIENCE)
     assert ticker.fault() == "1 of the stages fail in their steps; the log says why"
     stages.remove(failing)
     good.turns, good.enough = 0, threading.Event()
     ticker.wake()
-    assert good.enough.wait(20)
+    assert good.enough.wait(PATIENCE)
     assert ticker.fault() == ""
     ticker.stop()
 
@@ -101,7 +102,7 @@ class Stuck:
 
     def advance_to(self, _: float) -> float:
         self.began.set()
-        self.told.wait(20)
+        self.told.wait(PATIENCE)
         return 1.0
 
 
@@ -110,7 +111,7 @@ def test_a_round_without_an_end_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> N
     stuck = Stuck()
     ticker = Ticker(lambda: [stuck])
     ticker.start()
-    assert stuck.began.wait(20)
+    assert stuck.began.wait(PATIENCE)
     assert "has stood still" in ticker.fault()
     stuck.told.set()
     ticker.stop()

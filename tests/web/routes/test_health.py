@@ -5,7 +5,7 @@ from importlib.metadata import version
 import httpx
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
-from serving import serving, wait_for
+from serving import PATIENCE, serving, wait_for
 from statwalk.web.app import create_app
 from statwalk.web.settings import Settings
 from watcher import Watcher
@@ -27,7 +27,7 @@ async def test_without_its_clock_a_server_lives_but_is_not_ready(client: httpx.A
 def test_a_stage_that_fails_makes_the_server_unready(monkeypatch: pytest.MonkeyPatch) -> None:
     app = create_app(Settings())
     registry = app.app.app.state.registry
-    with serving(app) as address, httpx.Client(base_url=f"http://{address}") as rest:
+    with serving(app) as address, httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest:
         assert rest.get("/readyz").status_code == 200
         monkeypatch.setattr(registry.find("main"), "advance_to", lambda _: 1 / 0)
         wait_for(lambda: rest.get("/readyz").status_code == 503)

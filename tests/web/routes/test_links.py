@@ -5,7 +5,7 @@ from typing import Any
 
 import httpx
 import pytest
-from serving import serving, wait_for
+from serving import PATIENCE, serving, wait_for
 from statwalk.services.access.access_file import AccessFile
 from statwalk.services.access.authenticator import Authenticator
 from statwalk.web.app import create_app
@@ -25,7 +25,7 @@ class Shared:
 
     def rest(self, token: str) -> httpx.Client:
         headers = {"authorization": f"Bearer {token}"}
-        return httpx.Client(base_url=f"http://{self.address}", headers=headers, timeout=30)
+        return httpx.Client(base_url=f"http://{self.address}", headers=headers, timeout=PATIENCE)
 
     def link(self, role: str, stage: str = MAIN, **more: Any) -> tuple[str, str]:
         """The address and the token of a new link."""

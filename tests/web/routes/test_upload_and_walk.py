@@ -10,7 +10,7 @@ from pathlib import Path
 import httpx
 import pytest
 from paths import ASSETS, GLTF, MACHINES, needs_assets
-from serving import serving, wait_for
+from serving import PATIENCE, serving, wait_for
 from statwalk.web.app import create_app
 from statwalk.web.settings import Settings
 from watcher import Watcher
@@ -27,7 +27,7 @@ def address(tmp_path: Path) -> Iterator[str]:
 
 @pytest.fixture
 def rest(address: str) -> Iterator[httpx.Client]:
-    with httpx.Client(base_url=f"http://{address}", timeout=30) as rest:
+    with httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest:
         yield rest
 
 

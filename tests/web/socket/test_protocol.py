@@ -76,7 +76,10 @@ def test_the_server_ends_although_a_viewer_never_reads() -> None:
 
 def test_a_viewer_that_reads_again_in_time_is_kept() -> None:
     flood = Flood()
-    with serving(flood) as address, connect(f"ws://{address}/", max_size=None, compression=None) as viewer:
+    with (
+        serving(flood) as address,
+        connect(f"ws://{address}/", max_size=None, compression=None, open_timeout=PATIENCE) as viewer,
+    ):
         wait_for(lambda: is_stuck(flood))
         stuck_at = flood.sent
         for _ in range(stuck_at + 2):
@@ -106,7 +109,10 @@ class SendsToTheEnd:
 def test_a_peer_that_sends_too_much_gets_the_reason() -> None:
     """It reads the close frame although it still sent when the server refused its message."""
     app = SendsToTheEnd()
-    with serving(app) as address, connect(f"ws://{address}/", compression=None) as viewer:
+    with (
+        serving(app) as address,
+        connect(f"ws://{address}/", compression=None, open_timeout=PATIENCE) as viewer,
+    ):
         viewer.send(b"x" * (8 << 20))
         with pytest.raises(ConnectionClosed) as closed:
             viewer.recv(timeout=PATIENCE)
@@ -121,7 +127,7 @@ def test_a_refusal_is_no_error_in_the_log(address: str, caplog: pytest.LogCaptur
     log.addHandler(caplog.handler)
     for _ in range(2):
         with pytest.raises(InvalidStatus):
-            connect(f"ws://{address}/api/stages/nowhere/stream")
+            connect(f"ws://{address}/api/stages/nowhere/stream", open_timeout=PATIENCE)
     log.removeHandler(caplog.handler)
     assert caplog.messages == []
 

@@ -4,7 +4,7 @@ import contextlib
 
 import httpx
 import pytest
-from serving import serving
+from serving import PATIENCE, serving
 from statwalk.services.limits import Limits
 from statwalk.web.app import create_app
 from statwalk.web.settings import Settings
@@ -69,8 +69,8 @@ def test_who_floods_is_cut_off_and_does_not_come_straight_back() -> None:
     with serving(create_app(Settings(limits=Limits(cooling_seconds=60.0)))) as address:
         assert flood(address) == 4029
         with pytest.raises(InvalidStatus) as refused:
-            connect(f"ws://{address}/api/stages/main/stream")
-        assert httpx.get(f"http://{address}/api/stages/main").status_code == 200
+            connect(f"ws://{address}/api/stages/main/stream", open_timeout=PATIENCE)
+        assert httpx.get(f"http://{address}/api/stages/main", timeout=PATIENCE).status_code == 200
     assert refused.value.response.status_code == 429
     assert 1 <= int(refused.value.response.headers["retry-after"]) <= 60
 
@@ -91,5 +91,5 @@ def test_who_has_waited_comes_back() -> None:
 )
 def test_refused_before_the_upgrade(address: str, path: str, options: dict, status: int) -> None:
     with pytest.raises(InvalidStatus) as refused:
-        connect(f"ws://{address}{path}", **options)
+        connect(f"ws://{address}{path}", open_timeout=PATIENCE, **options)
     assert refused.value.response.status_code == status

@@ -6,13 +6,16 @@ changed what they touch.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
+from statwalk.character.role import Role
 from statwalk.errors import ConflictError, StatwalkError, VersionConflictError
 from statwalk.files.machine_yaml.edit.edited import conflict, edited
 from statwalk.files.machine_yaml.edit.operation import EditOperation
+from statwalk.files.machine_yaml.machine_file import FILE_NAME, machine_of
 from statwalk.machine.model_checker.work import Checkpoint, go_on
+from statwalk.services.hosting.edit_keys import EditKey
 from statwalk.services.hosting.machine_versions import CurrentMachine, Edited, MachineVersions, Step
 from statwalk.services.hosting.store.records import MachineVersion
 
@@ -28,6 +31,26 @@ class EditRequest(NamedTuple):
     seen: int
     author: str = ""
     checkpoint: Checkpoint = go_on
+    key: EditKey | None = None
+
+
+def once(versions: MachineVersions, request: EditRequest, edit: Callable[[], Edited]) -> Edited:
+    """Makes an edit, or returns what it made already, if it came before with the same key.
+
+    :raises BusyError: when an edit with this key is under way.
+    :raises ConflictError: when the key belongs to another edit.
+    """
+    with versions.keys.reserved(request.name, request.key):
+        version = versions.keys.earlier(request.name, request.key, versions.of(request.name))
+        return edit() if version is None else _as_made(versions, request, version)
+
+
+def _as_made(versions: MachineVersions, request: EditRequest, version: MachineVersion) -> Edited:
+    """What the edit answered that made a version."""
+    entry, newest, _ = versions.current(request.name)
+    file = machine_of(version.text, entry.folder, FILE_NAME)
+    role = Role.build(newest.name, newest.character, file.definition, file.root_joint)
+    return Edited(version, file, role, list(role.verify(request.checkpoint)))
 
 
 def change(versions: MachineVersions, request: EditRequest, operations: Sequence[EditOperation]) -> Edited:
@@ -42,7 +65,12 @@ def change(versions: MachineVersions, request: EditRequest, operations: Sequence
         current, text = _applied(versions, request, operations)
         try:
             return versions.change(
-                current, text, what(operations), author=request.author, checkpoint=request.checkpoint
+                current,
+                text,
+                what(operations),
+                author=request.author,
+                checkpoint=request.checkpoint,
+                key=request.key,
             )
         except VersionConflictError:  # another edit came while this one was verified: again on top of it
             if not last:
@@ -169,4 +197,5 @@ def _back_to(
         step=step,
         author=request.author,
         checkpoint=request.checkpoint,
+        key=request.key,
     )

@@ -16,6 +16,7 @@ from statwalk.files.machine_yaml.machine_file import FILE_NAME, MachineFile, loa
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
+from statwalk.services.hosting.edit_keys import EditKey, EditKeys
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_messages import Edit
 from statwalk.services.hosting.store.records import MachineVersion
@@ -61,6 +62,7 @@ class MachineVersions:
         self, catalogue: Catalogue, stages: Callable[[], list[StageHost]], store: Store | None = None
     ) -> None:
         self.catalogue, self.stages, self.store = catalogue, stages, store
+        self.keys = EditKeys(store)
         self.lock = threading.RLock()
         """held only to read or replace the entry, the role and the versions of a machine together"""
         self.storing = threading.Lock()
@@ -164,6 +166,7 @@ class MachineVersions:
         step: Step | None = None,
         author: str = "",
         checkpoint: Checkpoint = go_on,
+        key: EditKey | None = None,
     ) -> Edited:
         """Makes the text the newest version: in the machine's file (`write`), and on every stage that plays
         the machine and whose playhead is at its newest tick. The same text makes no version.
@@ -176,10 +179,11 @@ class MachineVersions:
         edited, name = self.checked(current, text, what, step, author, checkpoint), current.entry.name
         with self.storing:
             entry = self.based_on(name, current.version.number).entry
-            if edited.version is current.version:
-                return edited
             if self.store:
                 self.store.writer.check()
+            self.keys.keep(name, key, edited.version)
+            if edited.version is current.version:
+                return edited
             if write and saved(entry) == "file":
                 put_machine_in_place(entry.folder, MachineText.of(edited.version.text))
             versions = [*self.of(name), edited.version]
@@ -229,9 +233,8 @@ class MachineVersions:
         :raises ContentError: when the text is refused; the machine keeps its version.
         """
         current = self.current(name)
-        entry = current.entry
-        text = load_machine(entry.folder).text
-        if text == entry.file.text:
+        text = load_machine(current.entry.folder).text
+        if text == current.entry.file.text:
             return None
         return self.change(current, text, "the file was saved", write=False)
 

@@ -17,13 +17,14 @@ from statwalk.files.machine_yaml.edit import operations as edit
 from statwalk.files.machine_yaml.machine_file import SCHEMA_PATH
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.services.hosting import machine_edits
+from statwalk.services.hosting.edit_keys import EditKey
 from statwalk.services.hosting.machine_edits import EditRequest
 from statwalk.services.hosting.machine_versions import Edited, MachineVersions
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, grant_of, registry_in
 from statwalk.web.errors import Problem, from_error
 from statwalk.web.routes.machines import encoded, machine_members
-from statwalk.web.schemas.base import Flag
+from statwalk.web.schemas.base import Flag, IdempotencyKey, RequestModel
 from statwalk.web.schemas.finding import FindingView, finding_views
 from statwalk.web.schemas.machine import EditedMachine, NewCell, NewExpressions, NewText, RefusedTrial
 from statwalk.web.schemas.machine_operations import NewOperations
@@ -71,9 +72,26 @@ Versions = Annotated[MachineVersions, Depends(_versions_of)]
 SeenVersion = Annotated[int, Depends(_version_of)]
 
 
-def _editor(name: str, request: Request, seen: SeenVersion, token: LongWorkToken) -> EditRequest:
-    """Returns who edits which machine, and what cancels it."""
-    return EditRequest(name, seen, grant_of(request).name, token.check)
+Key = Annotated[IdempotencyKey, Header(alias="Idempotency-Key")]
+
+
+def _editor(
+    name: str, request: Request, seen: SeenVersion, token: LongWorkToken, key: Key = ""
+) -> EditRequest:
+    """Returns who edits which machine, what cancels it, and the key of the request without its body."""
+    return EditRequest(
+        name,
+        seen,
+        grant_of(request).name,
+        token.check,
+        EditKey.of(key, request.method, request.url.path, seen),
+    )
+
+
+def bearing(editor: EditRequest, body: RequestModel) -> EditRequest:
+    """Returns an editor whose key stands for the body, too."""
+    key = editor.key and EditKey.of(editor.key.key, editor.key.request, body.model_dump_json())
+    return editor._replace(key=key)
 
 
 Editor = Annotated[EditRequest, Depends(_editor)]
@@ -108,8 +126,12 @@ def _operate(
     operations: Sequence[edit.EditOperation],
     dry: bool,
 ) -> Response:
-    act = machine_edits.trial if dry else machine_edits.change
-    return _answered(lambda: answer(versions, editor.name, act(versions, editor, operations)), dry)
+    if dry:
+        return _answered(
+            lambda: answer(versions, editor.name, machine_edits.trial(versions, editor, operations)), dry
+        )
+    edited = machine_edits.once(versions, editor, lambda: machine_edits.change(versions, editor, operations))
+    return answer(versions, editor.name, edited)
 
 
 @router.put("/machines/{name}", response_model=EditedMachine | RefusedTrial)
@@ -118,16 +140,20 @@ def put_machine(new: NewText, versions: Versions, editor: Editor, dry: Flag = Fa
 
     `dry`: only verifies, and changes nothing.
     """
+    if dry:
+        return _answered(lambda: answer(versions, editor.name, _replaced(new, versions, editor, dry)), dry)
+    editor = bearing(editor, new)
+    edited = machine_edits.once(versions, editor, lambda: _replaced(new, versions, editor, dry))
+    return answer(versions, editor.name, edited)
+
+
+def _replaced(new: NewText, versions: MachineVersions, editor: EditRequest, dry: bool) -> Edited:
     current = versions.based_on(editor.name, editor.seen)
     tables = MachineText.of(current.version.text).tables if new.tables is None else new.tables
-    act = versions.checked if dry else versions.change
-
-    def put() -> Response:
-        text = MachineText(new.text, tables).whole()
-        edited = act(current, text, "another text", author=editor.author, checkpoint=editor.checkpoint)
-        return answer(versions, editor.name, edited)
-
-    return _answered(put, dry)
+    text, what, author = MachineText(new.text, tables).whole(), "another text", editor.author
+    if dry:
+        return versions.checked(current, text, what, author=author, checkpoint=editor.checkpoint)
+    return versions.change(current, text, what, author=author, checkpoint=editor.checkpoint, key=editor.key)
 
 
 @router.patch("/machines/{name}", response_model=EditedMachine | RefusedTrial)
@@ -138,7 +164,9 @@ def patch_machine(new: NewOperations, versions: Versions, editor: Editor, dry: F
 
     `dry`: only verifies, and changes nothing.
     """
-    return _operate(versions, editor, [operation.operation() for operation in new.operations], dry)
+    return _operate(
+        versions, bearing(editor, new), [operation.operation() for operation in new.operations], dry
+    )
 
 
 @router.patch("/machines/{name}/cells", response_model=EditedMachine | RefusedTrial)
@@ -147,7 +175,9 @@ def patch_cell(new: NewCell, versions: Versions, editor: Editor, dry: Flag = Fal
 
     `dry`: only verifies, and changes nothing.
     """
-    return _operate(versions, editor, [edit.SetCell(new.state, new.event, new.text, layer=new.layer)], dry)
+    return _operate(
+        versions, bearing(editor, new), [edit.SetCell(new.state, new.event, new.text, layer=new.layer)], dry
+    )
 
 
 @router.patch("/machines/{name}/expressions", response_model=EditedMachine | RefusedTrial)
@@ -156,7 +186,7 @@ def patch_expressions(new: NewExpressions, versions: Versions, editor: Editor, d
 
     `dry`: only verifies, and changes nothing.
     """
-    return _operate(versions, editor, [edit.SetExpressions(new.text)], dry)
+    return _operate(versions, bearing(editor, new), [edit.SetExpressions(new.text)], dry)
 
 
 @router.get("/schemas/machine.json", response_class=Response, responses=SCHEMA)

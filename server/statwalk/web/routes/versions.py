@@ -9,6 +9,7 @@ from fastapi import APIRouter, Path, Query, Response
 from statwalk.files.machine_yaml.edit.differences import differences
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.services.hosting import machine_edits
+from statwalk.services.hosting.machine_edits import once
 from statwalk.services.hosting.store.records import MachineVersion
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken
@@ -31,13 +32,13 @@ Number = Annotated[int, Path(ge=1, le=LARGEST_NUMBER)]
 @router.post("/undo", response_model=EditedMachine)
 def undo(versions: Versions, editor: Editor) -> Response:
     """Makes a new version with the text of the version before the newest; again: the one before that."""
-    return answer(versions, editor.name, machine_edits.undo(versions, editor))
+    return answer(versions, editor.name, once(versions, editor, lambda: machine_edits.undo(versions, editor)))
 
 
 @router.post("/redo", response_model=EditedMachine)
 def redo(versions: Versions, editor: Editor) -> Response:
     """Takes an undo back; 409 if nothing was undone, or an edit came after it."""
-    return answer(versions, editor.name, machine_edits.redo(versions, editor))
+    return answer(versions, editor.name, once(versions, editor, lambda: machine_edits.redo(versions, editor)))
 
 
 @router.get("/versions")
@@ -80,7 +81,9 @@ def get_differences(
 @router.post("/versions/{number}/restore", response_model=EditedMachine)
 def restore(number: Number, versions: Versions, editor: Editor) -> Response:
     """Makes a new version with the text of an older one; an undo takes it back."""
-    return answer(versions, editor.name, machine_edits.restore(versions, editor, number))
+    return answer(
+        versions, editor.name, once(versions, editor, lambda: machine_edits.restore(versions, editor, number))
+    )
 
 
 def _view(version: MachineVersion) -> VersionView:

@@ -5093,6 +5093,7 @@ export interface operations {
         parameters: {
             query?: never;
             header: {
+                "Idempotency-Key"?: string;
                 "If-Match": string;
             };
             path: {
@@ -5130,6 +5131,7 @@ export interface operations {
         parameters: {
             query?: never;
             header: {
+                "Idempotency-Key"?: string;
                 "If-Match": string;
             };
             path: {
@@ -5258,6 +5260,7 @@ export interface operations {
         parameters: {
             query?: never;
             header: {
+                "Idempotency-Key"?: string;
                 "If-Match": string;
             };
             path: {
@@ -5455,6 +5458,7 @@ export interface operations {
                 dry?: boolean;
             };
             header: {
+                "Idempotency-Key"?: string;
                 "If-Match": string;
             };
             path: {
@@ -5530,6 +5534,7 @@ export interface operations {
                 dry?: boolean;
             };
             header: {
+                "Idempotency-Key"?: string;
                 "If-Match": string;
             };
             path: {
@@ -5701,6 +5706,7 @@ export interface operations {
                 dry?: boolean;
             };
             header: {
+                "Idempotency-Key"?: string;
                 "If-Match": string;
             };
             path: {
@@ -5745,6 +5751,7 @@ export interface operations {
                 dry?: boolean;
             };
             header: {
+                "Idempotency-Key"?: string;
                 "If-Match": string;
             };
             path: {

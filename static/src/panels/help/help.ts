@@ -1,12 +1,16 @@
-/** The help dialog: the machine's keys, the viewer's shortcuts, the pointer's gestures. */
+/** The help dialog: the keys, which the user can change, the marks in cells, the pointer's gestures. */
 
 import "./help.css";
+import { signal } from "@preact/signals-core";
+import { html, nothing, type TemplateResult } from "lit-html";
+import { type Command, keyCap, keyName } from "../../state/commands";
 import { bindingOf, cap, onDown, onUp } from "../../state/keyBindings";
-import { keyCap } from "../../state/commands";
 import { changedBy } from "../../state/keyChanges";
 import type { KeyBinding } from "../../net/protocol";
 import type { App } from "../../view/app";
 import { el } from "../../ui/dom";
+import { draw } from "../../ui/draw";
+import { MARKS, POINTER } from "./gestures";
 
 /** Describes a key binding. */
 export function bindingWords(binding: KeyBinding): string {
@@ -24,69 +28,134 @@ export function bindingWords(binding: KeyBinding): string {
     .join(" · ");
 }
 
-function row(keys: string[], text: string): HTMLElement {
-  return el(
-    "div",
-    { class: "help-row" },
-    el("dt", {}, ...keys.map((key) => el("kbd", {}, key))),
-    el("dd", {}, text),
-  );
-}
+const row = (how: readonly string[], words: string): TemplateResult =>
+  html`<div class="help-row">
+    <dt>${how.map((key) => html`<kbd .textContent=${key}></kbd>`)}</dt>
+    <dd .textContent=${words}></dd>
+  </div>`;
 
-const POINTER: [string, string][] = [
-  ["drag", "turn around the character"],
-  ["right drag", "move sideways and up"],
-  ["wheel", "nearer, farther"],
-  ["cell", "edit it: STATE, STATE!, -, STATE at end"],
-  ["state, twice", "travel there by the fastest events"],
-  ["timeline", "drag: the past; click: why?"],
-];
+const section = (title: string, rows: readonly TemplateResult[]): TemplateResult =>
+  html`<section>
+    <h2 .textContent=${title}></h2>
+    <dl>${rows}</dl>
+  </section>`;
 
 class HelpDialog {
   private readonly dialog = el("dialog", { class: "help", "aria-label": "keys", tabindex: -1 });
+  private readonly open = signal(false);
+  /** The words of the command whose next key is awaited, or null. */
+  private readonly awaiting = signal<string | null>(null);
+  private readonly told = signal("");
 
   constructor(private readonly app: App) {
     document.body.append(this.dialog);
-    app.machine.info.subscribe(() => this.dialog.open && this.fill());
+    draw(this.dialog, () => (this.open.value ? this.content() : html``));
     this.dialog.addEventListener("click", (click) => click.target === this.dialog && this.dialog.close());
+    this.dialog.addEventListener("keydown", (press) => this.pressed(press));
+    this.dialog.addEventListener("close", () => this.closed());
   }
 
   toggle(): void {
     if (this.dialog.open) return this.dialog.close();
-    this.fill();
+    this.open.value = true;
     this.dialog.showModal();
     this.dialog.focus();
   }
 
-  private fill(): void {
+  private closed(): void {
+    this.open.value = false;
+    this.awaiting.value = null;
+    this.told.value = "";
+  }
+
+  /** Takes the awaited key. */
+  private pressed(press: KeyboardEvent): void {
+    const words = this.awaiting.value;
+    if (words === null || ["Shift", "Control", "Alt", "Meta", "Tab"].includes(press.key)) return;
+    press.preventDefault();
+    if (press.key === "Escape") {
+      this.awaiting.value = null;
+      return;
+    }
+    const key = keyName(press);
+    this.told.value = this.machines(press) ?? this.app.commands.rebind(words, key) ?? "";
+    if (!this.told.value) this.awaiting.value = null;
+  }
+
+  /** Says that a key is the machine's, which comes before the page's commands; else null. */
+  private machines({ key, code, ctrlKey, metaKey }: KeyboardEvent): string | null {
+    const machine = this.app.machine.info.value;
+    if (!machine || ctrlKey || metaKey || bindingOf(machine.keys, key, code) === null) return null;
+    return `${keyCap(key)} is a key of ${machine.title || machine.name}`;
+  }
+
+  private content(): TemplateResult {
     const machine = this.app.machine.info.value;
     const keys = Object.entries(machine?.keys ?? {}).map(([key, binding]) =>
       row([cap(key)], bindingWords(binding)),
     );
-    const close = el("button", { type: "button", class: "plain close", "aria-label": "esc: close" }, "esc");
-    close.addEventListener("click", () => this.dialog.close());
-    const section = (title: string, rows: HTMLElement[]): HTMLElement =>
-      el("section", {}, el("h2", {}, title), el("dl", {}, ...rows));
-    // A key of the machine comes before the same key of the viewer.
-    const own = this.app.commands.all.value.flatMap(({ keys, words }) => {
-      const free = keys.filter((key) => bindingOf(machine?.keys ?? {}, key, key) === null);
-      return free.length ? [row(free.map(keyCap), words)] : [];
-    });
-    const pointer = POINTER.map(([how, words]) => row([how], words));
-    const title = machine?.title ?? machine?.name ?? "machine";
-    const about = machine?.description ? el("p", { class: "about" }, machine.description) : null;
-    const sections = el(
-      "div",
-      { class: "help-columns" },
-      section(title, keys),
-      section("viewer", own),
-      section("pointer", pointer),
-    );
-    this.dialog.replaceChildren(...[close, about, sections].filter((part) => part !== null));
+    const { all, areChanged } = this.app.commands;
+    return html`<button
+        type="button"
+        class="plain close"
+        aria-label="esc: close"
+        @click=${() => this.dialog.close()}
+      >
+        esc
+      </button>
+      ${machine?.description ? html`<p class="about" .textContent=${machine.description}></p>` : nothing}
+      <p class="told" role="status" .textContent=${this.told.value}></p>
+      <div class="help-columns">
+        ${section(machine?.title ?? machine?.name ?? "machine", keys)}
+        ${section(
+          "commands: click to change",
+          all.value.map((command) => this.command(command, machine?.keys ?? {})),
+        )}
+        ${section(
+          "marks in cells",
+          MARKS.map(([mark, words]) => row([mark], words)),
+        )}
+        ${section(
+          "pointer",
+          POINTER.map(([how, words]) => row([how], words)),
+        )}
+      </div>
+      <button
+        type="button"
+        class="reset"
+        ?hidden=${!areChanged.value}
+        @click=${() => this.app.commands.reset()}
+      >
+        reset all keys
+      </button>`;
+  }
+
+  /** A key of the machine comes before the same key of a command. */
+  private command({ words, keys }: Command, taken: Record<string, KeyBinding>): TemplateResult {
+    const free = keys.filter((key) => bindingOf(taken, key, key) === null);
+    const awaited = this.awaiting.value === words;
+    const label = awaited ? "press a key" : free.map(keyCap).join(" ") || "none";
+    const change = (): void => {
+      this.told.value = "";
+      this.awaiting.value = awaited ? null : words;
+    };
+    return html`<div class="help-row">
+      <dt>
+        <button
+          type="button"
+          class="key"
+          aria-label=${`key of “${words}”: ${label}`}
+          aria-pressed=${awaited}
+          @click=${change}
+          .textContent=${label}
+        ></button>
+      </dt>
+      <dd .textContent=${words}></dd>
+    </div>`;
   }
 }
 
-/** The button `host` opens the dialog, as the key `?` does. */
+/** The button `host` opens the dialog, as its key does. */
 export function helpPanel(host: HTMLElement, app: App): void {
   const dialog = new HelpDialog(app);
   app.commands.add({ keys: ["?"], words: "this help", act: () => dialog.toggle() });

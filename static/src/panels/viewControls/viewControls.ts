@@ -31,6 +31,14 @@ function wireOrSkin(stageView: StageView): void {
   stageView.modes.value = { ...stageView.modes.value, wire: !wire, skin: wire };
 }
 
+/** Fills the screen with the page, or stops it; a browser that refuses changes nothing. */
+function toggleFullScreen(): Promise<void> {
+  const change = document.fullscreenElement
+    ? document.exitFullscreen()
+    : document.documentElement.requestFullscreen();
+  return change.catch(() => undefined);
+}
+
 function viewCommands({ view, frames }: App): Command[] {
   const mode = (name: keyof Modes, ...keys: string[]): Command => ({
     keys,
@@ -46,6 +54,7 @@ function viewCommands({ view, frames }: App): Command[] {
     mode("tetra", "4"),
     mode("limits", "5"),
     { keys: ["t"], words: "wire, smooth skin", act: () => wireOrSkin(view) },
+    { keys: ["m"], words: "full screen", act: () => void toggleFullScreen() },
     { keys: ["r"], words: "turntable", act: () => (turning.value = !turning.value) },
     {
       keys: ["g"],

@@ -10,7 +10,7 @@ from statwalk.errors import ContentError, StorageError
 from statwalk.services.hosting.store.database import FORMAT
 from statwalk.services.hosting.store.writer import Statement, Writer
 
-PATIENCE = 20.0
+PATIENCE = 60.0
 
 
 @pytest.fixture

@@ -19,6 +19,7 @@ from statwalk.services.hosting.store.records import (
     StageIdentity,
     StageRecord,
     chained,
+    machine_keys,
     row_digest,
     stage_row,
     version_row,
@@ -95,6 +96,23 @@ class KeptRecords:
             if row_digest(stage, key, *answer) != digest:
                 raise StorageError(f"the answer to the request with the key {key} is damaged")
             yield key, KeptKey(*answer)
+
+    def edit_key(self, machine: str, key: str) -> KeptKey | None:
+        """Returns what is kept of the answer to an edit with an idempotency key; None: nothing.
+
+        :raises StorageError: when it is damaged.
+        """
+        owner = machine_keys(machine)
+        columns = "request, tick, seq, answered_by, digest"
+        for *answer, digest in self._rows(
+            f"SELECT {columns} FROM keys WHERE stage = ? AND key = ?",  # noqa: S608 - our own names
+            owner,
+            key,
+        ):
+            if row_digest(owner, key, *answer) != digest:
+                raise StorageError(f"the answer to the edit with the key {key} is damaged")
+            return KeptKey(*answer)
+        return None
 
     def _roles(self, stage: str) -> Iterator[tuple[str, KeptRole]]:
         for key, text, model, digest in self._rows(

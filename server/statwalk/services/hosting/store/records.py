@@ -132,6 +132,13 @@ def chained(before: bytes, line: str) -> bytes:
     return hashlib.blake2b(before + line.encode(), digest_size=16).digest()
 
 
+def machine_keys(machine: str) -> str:
+    """Returns what stands in the place of a stage with the keys of a machine's edits; no stage's id has a
+    space.
+    """
+    return f"machine {machine}"
+
+
 Value = str | int | float | bytes
 
 

@@ -11,11 +11,21 @@ from statwalk.services.hosting.store import database
 from statwalk.services.hosting.store.folder_lock import FolderLock
 from statwalk.services.hosting.store.kept_stage import KeptStage
 from statwalk.services.hosting.store.read_records import KeptRecords
-from statwalk.services.hosting.store.records import MachineVersion, StageIdentity, version_row
+from statwalk.services.hosting.store.records import (
+    KeptKey,
+    MachineVersion,
+    StageIdentity,
+    machine_keys,
+    sealed,
+    version_row,
+)
 from statwalk.services.hosting.store.writer import Statement, Writer
 
 PATIENCE_SECONDS = 20.0
 """how long a request waits for a disk that is only slow"""
+MOST_EDIT_KEYS = 1_000
+"""of one machine; those of the oldest versions are forgotten first"""
+FORGET_KEYS = "DELETE FROM keys WHERE stage = ?"
 
 
 class Store:
@@ -90,6 +100,26 @@ class Store:
         )
         self.flush()
 
+    def keep_edit_key(self, machine: str, key: str, answer: KeptKey) -> None:
+        """Keeps the key of an edit, forgets the oldest ones, and waits until it is durable.
+
+        :raises StorageError: when the disk refuses.
+        """
+        owner = machine_keys(machine)
+        self.writer.put(
+            [
+                Statement(
+                    "INSERT OR REPLACE INTO keys VALUES (?, ?, ?, ?, ?, ?, ?)", [sealed(owner, key, *answer)]
+                ),
+                Statement(
+                    "DELETE FROM keys WHERE stage = ?1 AND key NOT IN "
+                    "(SELECT key FROM keys WHERE stage = ?1 ORDER BY tick DESC LIMIT ?2)",
+                    [(owner, MOST_EDIT_KEYS)],
+                ),
+            ]
+        )
+        self.flush()
+
     def rename_versions(self, machine: str, new: str, versions: Iterable[MachineVersion]) -> None:
         """Keeps the versions of a machine under another name, and waits until that is durable.
 
@@ -99,6 +129,7 @@ class Store:
         self.writer.put(
             [
                 Statement("DELETE FROM versions WHERE machine = ?", [(machine,), (new,)]),
+                Statement(FORGET_KEYS, [(machine_keys(machine),), (machine_keys(new),)]),
                 Statement("INSERT INTO versions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows),
             ]
         )
@@ -109,5 +140,10 @@ class Store:
 
         :raises StorageError: when the disk refuses.
         """
-        self.writer.put([Statement("DELETE FROM versions WHERE machine = ?", [(machine,)])])
+        self.writer.put(
+            [
+                Statement("DELETE FROM versions WHERE machine = ?", [(machine,)]),
+                Statement(FORGET_KEYS, [(machine_keys(machine),)]),
+            ]
+        )
         self.flush()

@@ -1,0 +1,27 @@
+"""The help changes keys; a page in a hall shows the character alone."""
+
+from browser.conftest import Server, until
+from playwright.sync_api import Page
+
+SEEN = """[...document.querySelectorAll("body *")]
+  .filter(element => element.checkVisibility() && element.clientWidth)
+  .map(({ id }) => id)"""
+
+
+def test_a_key_that_was_changed_is_kept_when_the_page_is_opened_again(viewer: Page) -> None:
+    viewer.keyboard.press("?")
+    viewer.get_by_role("button", name="key of “full screen”: M").click()
+    viewer.keyboard.press("q")
+    viewer.get_by_role("button", name="key of “full screen”: Q").wait_for()
+    viewer.reload()
+    until(viewer, "window.__viewer?.ready")
+    viewer.keyboard.press("q")
+    until(viewer, "document.fullscreenElement === document.documentElement")
+
+
+def test_a_kiosk_shows_the_character_alone(server: Server, page: Page) -> None:
+    page.goto(f"{server.url}/?kiosk")
+    until(page, "window.__viewer?.ready")
+    assert set(page.evaluate(SEEN)) == {"", "stage-view"}
+    box = page.locator("#stage-view").bounding_box()
+    assert box == {"x": 0, "y": 0, **page.viewport_size}
