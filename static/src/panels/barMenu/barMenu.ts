@@ -36,10 +36,22 @@ function fold({ control, place }: Foldable, menu: HTMLElement, all: readonly Fol
   menu.insertBefore(control, next?.control ?? null);
 }
 
-/** The menu is in `host`, the last of the header's children; it hides while there is room for all of them. */
-export function barMenuPanel(host: HTMLElement): void {
-  const bar = host.parentElement!;
-  const all = foldables(bar);
+/** Folds as little as needed: nothing of the header is cut. `host` has the menu, and hides while it is empty. */
+function fit(bar: HTMLElement, host: HTMLElement, menu: HTMLElement, all: readonly Foldable[]): void {
+  const focused = document.activeElement;
+  all.forEach(unfold);
+  host.hidden = true;
+  for (const next of [...all].sort((a, b) => orderOf(a) - orderOf(b))) {
+    if (bar.scrollWidth <= bar.clientWidth) break;
+    host.hidden = false;
+    fold(next, menu, all);
+  }
+  if (focused instanceof HTMLElement && focused !== document.activeElement)
+    (menu.contains(focused) && menu.hidden ? host.querySelector("button")! : focused).focus();
+}
+
+/** Makes the button and its menu; the keyboard works both. */
+function hangMenu(host: HTMLElement): HTMLElement {
   const menu = el("div", { class: "menu bar-menu", role: "menu", "aria-label": "more", hidden: true });
   const button = el(
     "button",
@@ -58,19 +70,6 @@ export function barMenuPanel(host: HTMLElement): void {
     (menu.hidden ? button : menu.querySelector<HTMLElement>("[role=menuitem]"))?.focus();
   }
 
-  function fit(): void {
-    const focused = document.activeElement;
-    all.forEach(unfold);
-    host.hidden = true;
-    for (const next of [...all].sort((a, b) => orderOf(a) - orderOf(b))) {
-      if (bar.scrollWidth <= bar.clientWidth) break;
-      host.hidden = false;
-      fold(next, menu, all);
-    }
-    if (focused instanceof HTMLElement && focused !== document.activeElement)
-      (menu.contains(focused) && menu.hidden ? button : focused).focus({ preventScroll: true });
-  }
-
   button.addEventListener("click", toggle);
   // Before the control acts: a dialog that it opens gives the focus back to the button.
   menu.addEventListener("click", toggle, { capture: true });
@@ -81,10 +80,18 @@ export function barMenuPanel(host: HTMLElement): void {
     else if (!stepThrough(menu, press)) return;
     press.preventDefault();
   });
+  show(false);
   document.addEventListener("pointerdown", ({ target }) => {
     if (!menu.hidden && target instanceof Node && !host.contains(target)) show(false);
   });
-  const sizes = new ResizeObserver(fit);
+  return menu;
+}
+
+/** `host` is the last of the header's children. */
+export function barMenuPanel(host: HTMLElement): void {
+  const bar = host.parentElement!;
+  const [menu, all] = [hangMenu(host), foldables(bar)];
+  const sizes = new ResizeObserver(() => fit(bar, host, menu, all));
   sizes.observe(bar);
   for (const child of bar.querySelectorAll(":scope > :not([data-fold])"))
     if (child !== host) sizes.observe(child);
