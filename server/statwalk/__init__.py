@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from statwalk.character.motion_path import motion_path as motion_path
     from statwalk.character.retarget import retarget as retarget
     from statwalk.character.role import Role as Role
+    from statwalk.character.staging import staging as staging
     from statwalk.errors import ContentError as ContentError
     from statwalk.errors import MachineError as MachineError
     from statwalk.errors import ModelError as ModelError
@@ -70,6 +71,7 @@ _NAMES = {  # imported on first use: `statwalk --help` needs none of them
     "statwalk.character.motion_path": ("motion_path",),
     "statwalk.character.retarget": ("retarget",),
     "statwalk.character.role": ("Role",),
+    "statwalk.character.staging": ("staging",),
     "statwalk.errors": (
         "ContentError",
         "MachineError",

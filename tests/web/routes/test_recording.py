@@ -47,6 +47,26 @@ async def test_it_is_valid(client, walked):
     assert khronos.errors(answer.content) == []
 
 
+async def test_with_a_framing_a_camera_follows(client, walked):
+    answer = await client.get(f"{walked}/recording.glb", params={"framing": "upper body", "actor": 1})
+    assert khronos.errors(answer.content) == []
+    shown = read_model(answer.content, "shown")
+    camera, root = (shown.skeleton.names.index(name) for name in ("camera", "Root"))
+    first, last = (shown.world(shown.clips["recording"].sample(time)) for time in (0, 40 / 60))
+    way = (last - first)[[camera, root], 2, 3]
+    assert 0.1 < way[0] < way[1]
+    assert first[camera, 2, 3] > 1
+
+
+@pytest.mark.parametrize(
+    ("params", "status"),
+    [({"framing": "feet"}, 422), ({"framing": "face", "actor": 7}, 422), ({"actor": "x"}, 422)],
+)
+async def test_a_camera_that_cannot_be_is_refused(client, walked, params, status):
+    answer = await client.get(f"{walked}/recording.glb", params=params)
+    assert (answer.status_code, answer.headers["content-type"]) == (status, "application/problem+json")
+
+
 async def test_an_actor_that_came_later_is_in_it(client, walked):
     await client.post(
         f"{walked}/actors", json={"machine": "faq-walker", "position": [2, 0, 0], "name": "late"}

@@ -13,11 +13,13 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from statwalk.character.character import Character
+from statwalk.character.staging import Framing
 from statwalk.files.gltf import container, json_text
 from statwalk.files.gltf.builder import GENERATOR, Builder
 from statwalk.files.gltf.check import Json
 from statwalk.files.gltf.keys import Keys, reduce_keys
 from statwalk.files.gltf.materials import extensions_used, with_textures_from
+from statwalk.files.gltf.recording_camera import add_camera
 from statwalk.files.gltf.recording_draft import (
     Recorded,
     RecordingDraft,
@@ -40,17 +42,22 @@ UP = np.array([0, 1, 0], np.float64)
 
 
 def recording_glb(
-    actors: Sequence[Recorded], rate: float, checkpoint: Callable[[], None] = lambda: None
+    actors: Sequence[Recorded],
+    rate: float,
+    checkpoint: Callable[[], None] = lambda: None,
+    camera: tuple[Recorded, Framing] | None = None,
 ) -> bytes:
     """Returns the actors with their motion as a GLB, `rate` ticks a second; time 0 is tick 0.
 
     Each actor is a node that follows the actor's path, with the skeleton below. Actors of one character share
-    meshes, materials and textures. `checkpoint` is called several times for each actor; an exception in it
-    ends the work.
+    meshes, materials and textures. `camera`: the actor that a camera follows, and its framing.
+    `checkpoint` is called several times for each actor; an exception in it ends the work.
     """
     draft = RecordingDraft(rate, checkpoint)
     for actor in actors:
         _add_actor(draft, actor)
+    if camera:
+        add_camera(draft, *camera)
     animations = (
         [{"name": "recording", "samplers": draft.samplers, "channels": draft.channels}] if actors else []
     )
@@ -60,6 +67,7 @@ def recording_glb(
         "nodes": draft.nodes,
         "meshes": draft.meshes,
         "skins": draft.skins,
+        "cameras": draft.cameras,
         "materials": draft.materials,
         "animations": animations,
         **draft.resources,

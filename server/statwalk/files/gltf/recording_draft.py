@@ -56,6 +56,7 @@ class RecordingDraft:
     meshes: list[Json] = field(default_factory=list)
     materials: list[Json] = field(default_factory=list)
     skins: list[Json] = field(default_factory=list)
+    cameras: list[Json] = field(default_factory=list)
     samplers: list[Json] = field(default_factory=list)
     channels: list[Json] = field(default_factory=list)
     resources: Resources = field(default_factory=no_resources)

@@ -2,26 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from statwalk.character.staging import Framing
+from statwalk.errors import UnknownNameError
 from statwalk.files.gltf.recording import recording_glb
 from statwalk.files.gltf.recording_draft import Recorded
 from statwalk.services.hosting.actor_tracks import ActorTrack, tracks_of
 from statwalk.stage.stage import Stage
 
 
-def recorded(stage: Stage, first: int, last: int) -> bytes:
+def recorded(stage: Stage, first: int, last: int, camera: tuple[Framing, int | None] | None = None) -> bytes:
     """Returns the ticks `first` to `last` of a stage as a GLB; time 0 is tick `first`.
 
-    Moves the stage to `last`.
+    camera: a framing, and the actor that a camera follows (None: the first). Moves the stage to `last`.
 
     :raises StageError: when the stage does not have the ticks, or when they are too many for one file.
+    :raises UnknownNameError: when the actor to be watched is not in these ticks.
     """
     tracks = tracks_of(stage, first, last)
     names = {actor.id: actor.name for actor in stage.actors}
-    return recording_glb(
-        [_recorded(track, first, names.get(actor, f"actor {actor}")) for actor, track in tracks.items()],
-        stage.rate,
-        stage.before_tick,
-    )
+    actors = {
+        actor: _recorded(track, first, names.get(actor, f"actor {actor}")) for actor, track in tracks.items()
+    }
+    shot = (_watched(actors, camera[1]), camera[0]) if camera else None
+    return recording_glb(list(actors.values()), stage.rate, stage.before_tick, shot)
+
+
+def _watched(actors: Mapping[int, Recorded], watched: int | None) -> Recorded:
+    wanted = next(iter(actors)) if watched is None and actors else watched
+    if wanted is None or wanted not in actors:
+        raise UnknownNameError("actor", "" if wanted is None else str(wanted), map(str, actors))
+    return actors[wanted]
 
 
 def _recorded(track: ActorTrack, first: int, name: str) -> Recorded:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
+from statwalk.character.staging import Framing
 from statwalk.files.skeleton_svg import Side
 from statwalk.services.hosting import stage_replies as replies
 from statwalk.services.hosting.commands import PROGRAM, Command, Doer
@@ -200,9 +201,7 @@ class Frame(Message[EncodedFrame]):
 
 @dataclass(frozen=True)
 class FrameFile(Message[bytes]):
-    """Asks for the frame of a tick (None: the playhead) as a complete .glb with its images; `skinning` None:
-    each character's own.
-    """
+    """Asks for the frame of a tick (None: the playhead) as a whole .glb; `skinning` None: each one's own."""
 
     tick: int | None = None
     skinning: Skinning | None = None
@@ -219,10 +218,11 @@ class StickFigures(Message[str]):
 
 @dataclass(frozen=True)
 class Recording(Message[bytes]):
-    """Asks for the ticks `first` … `last` (None: the playhead) as one .glb with an animation."""
+    """Asks for the ticks `first` … `last` (None: the playhead) as one .glb; `camera`: see `recorded`."""
 
     first: int
     last: int | None = None
+    camera: tuple[Framing, int | None] | None = None
 
 
 @dataclass(frozen=True)

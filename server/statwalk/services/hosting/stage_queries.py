@@ -151,7 +151,8 @@ def _stick_figures(stage: Stage, message: ask.StickFigures) -> str:
 
 
 def _recording(stage: Stage, message: ask.Recording) -> bytes:
-    return recorded(stage, message.first, stage.tick if message.last is None else message.last)
+    last = stage.tick if message.last is None else message.last
+    return recorded(stage, message.first, last, message.camera)
 
 
 def _joints(stage: Stage, message: ask.Joints) -> JointTracks:

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Query, Response
 
+from statwalk.character.staging import Framing
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.registry import Registry
@@ -202,9 +203,11 @@ def get_recording(
     token: LongWorkToken,
     start: Annotated[Tick, Query(alias="from")] = 0,
     end: Annotated[Tick | None, Query(alias="to")] = None,
+    framing: Annotated[Framing | None, Query()] = None,
+    actor: Annotated[int | None, Query()] = None,
 ) -> Response:
     """Returns the ticks `from` … `to` (by default the playhead) as one .glb with an animation, a key at each
-    tick.
+    tick. With a `framing` it has a camera that follows the actor, by default the first.
     """
-    data = host.handle(ask.Recording(start, end), token)
+    data = host.handle(ask.Recording(start, end, (framing, actor) if framing else None), token)
     return Response(data, media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})

@@ -809,7 +809,7 @@ export interface paths {
         /**
          * Get Recording
          * @description Returns the ticks `from` … `to` (by default the playhead) as one .glb with an animation, a key at each
-         *     tick.
+         *     tick. With a `framing` it has a camera that follows the actor, by default the first.
          */
         get: operations["get_recording_api_stages__stage_id__recording_glb_get"];
         put?: never;
@@ -6238,6 +6238,8 @@ export interface operations {
             query?: {
                 from?: number;
                 to?: number | null;
+                framing?: ("whole" | "upper body" | "face" | "wide") | null;
+                actor?: number | null;
             };
             header?: never;
             path: {
