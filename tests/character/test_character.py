@@ -62,3 +62,9 @@ def test_shared_meshes_are_drawn_once_a_node():
 
 def test_its_arrays_cannot_be_written():
     locked_arrays.check(builders.character())
+
+
+def test_a_character_prints_on_one_line(tiny):
+    size = f"{len(tiny.skeleton)} joints, {len(tiny.clips)} clips"
+    vertices = sum(len(part.positions) for part in tiny.vertices(tiny.bind_pose))
+    assert repr(tiny) == f"Character({tiny.name!r}, {size}, {vertices} vertices)"

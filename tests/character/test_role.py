@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from builders import TABLE, role
+from builders import TABLE, character, role
 from playing import STATES, role_of, text_of
 from statwalk.character.role import Role
 from statwalk.errors import MachineError
@@ -53,3 +53,7 @@ def test_a_blend_whose_clips_have_moved_gets_other_tables():
 def test_a_role_knows_whether_it_travels():
     assert role().travels
     assert not role(root=None).travels
+
+
+def test_a_role_prints_on_one_line():
+    assert repr(role()) == f"Role('tiny', 4 states, 5 events, {character()!r})"

@@ -128,3 +128,11 @@ def test_a_name_that_no_log_can_hold_is_refused():
     with pytest.raises(StageError, match="half a character"):
         stage.add(ROLE, name="\ud800")
     assert stage.actors == []
+
+
+def test_a_stage_prints_on_one_line():
+    stage = Stage(seed=3)
+    stage.add(role())
+    stage.step(5)
+    stage.seek(2)
+    assert repr(stage) == "Stage(tick 2 of 5, 1 actors, seed 3)"

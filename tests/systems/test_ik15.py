@@ -165,3 +165,12 @@ def test_poses_of_a_clip_are_solved_together_and_one_by_one_alike():
         alone = character.solve(poses.take(row), names, **asked)
         assert alone.pose.rotation.tobytes() == together.pose.rotation[row].tobytes()
         assert alone.distance == together.distance[row]
+
+
+def test_an_answer_prints_on_one_line():
+    """The leg is 0.85 m long, its hip a metre up: a target three metres below is out of reach."""
+    character = statwalk.load("faq-walker").character
+    names = ("Left.upperleg", "Left.lowerleg", "Left.foot")
+    answer = character.solve(character.bind_pose, names, target=(0.1, -3, 0))
+    assert repr(answer).startswith("SolveAnswer(0 of 1 reached, at most 3.")
+    assert "\n" not in repr(answer)

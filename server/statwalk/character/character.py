@@ -86,6 +86,11 @@ class Character:
     def __post_init__(self) -> None:
         lock_fields(self)
 
+    def __repr__(self) -> str:
+        vertices = sum(len(part.positions) for part in self.parts)
+        size = f"{len(self.skeleton)} joints, {len(self.clips)} clips, {vertices} vertices"
+        return f"Character({self.name!r}, {size})"
+
     def clip(self, name: str) -> Clip:
         """Returns a clip by its name.
 

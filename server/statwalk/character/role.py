@@ -66,6 +66,10 @@ class Role:
     root: int
     stock: Stock
 
+    def __repr__(self) -> str:
+        size = f"{len(self.machine.states)} states, {len(self.machine.events)} events"
+        return f"Role({self.name!r}, {size}, {self.character!r})"
+
     @classmethod
     def build(
         cls,
@@ -168,16 +172,12 @@ class Role:
 
     @cached_property
     def contacts(self) -> dict[str, ClipContacts]:
-        """Returns the foot contacts of all clips, by clip, with the corrections of the machine file; found on
-        first use.
-        """
+        """Returns the foot contacts of all clips, corrected by the machine file; found on first use."""
         return contacts_in(self.character, self.definition, self.feet)
 
     @cached_property
     def looks_at(self) -> frozenset[str]:
-        """Returns the names of the colliders, its own and other roles', that its touches and its
-        flock use.
-        """
+        """Returns the names of the colliders, its own and others', that its touches and its flock use."""
         flock = self.definition.flock
         touched = (name for touch in self.machine.touches for name in (touch.own, touch.other))
         return frozenset(touched) | frozenset(flock.avoid if flock else ())

@@ -92,6 +92,11 @@ class SolveAnswer:
     clamped: Mapping[str, Floats]
     """radians (…) by which limits cut the last turn of a joint, by its name; other joints are left out"""
 
+    def __repr__(self) -> str:
+        reached = f"{np.count_nonzero(self.reached)} of {np.size(self.reached)} reached"
+        farthest, most = np.max(self.distance, initial=0), np.max(self.iterations, initial=0)
+        return f"SolveAnswer({reached}, at most {farthest:.4g} m away, at most {most} iterations)"
+
 
 def solve_pose(
     skeleton: Skeleton,

@@ -47,6 +47,9 @@ class Stage(Timeline):
     ticks.
     """
 
+    def __repr__(self) -> str:
+        return f"Stage(tick {self.tick} of {self.head}, {len(self._state.ids)} actors, seed {self.seed})"
+
     @property
     def actors(self) -> list[Actor]:
         """The actors at the tick that is shown, by id."""
