@@ -192,6 +192,11 @@ def test_a_knee_without_a_marker_is_found_between_hip_and_ankle():
         ({"upper": {"DIR": [0, 0, 0]}}, "upper.DIR", "direction"),
         ({"fore": {"path": [[1, 1, 1], [1, 1, 1]]}}, "fore.path", "from one point to another"),
         ({"upper": [1, 2]}, "upper", "quantity: value"),
+        (
+            {"upper": {"SP": np.zeros((4, 3))}, "fore": {"bend": [0, 1, 0], "EP": np.ones((5, 3))}},
+            "fore.EP",
+            "(5,) frames here, (4,) in",
+        ),
     ],
 )
 def test_contradictions_and_impossible_values_are_errors(known, place, what):
@@ -214,6 +219,15 @@ def test_contradictions_and_impossible_values_are_errors(known, place, what):
 def test_wrong_expressions_are_errors(lines, what):
     with pytest.raises((ContentError, UnknownNameError), match=what):
         deduce(ARM, {}, lines)
+
+
+def test_a_tolerance_is_a_share():
+    with pytest.raises(ContentError, match="tolerance: -1 is outside"):
+        deduce(ARM, {}, tolerance=-1)
+
+
+def test_what_was_found_prints_on_one_line():
+    assert repr(deduce(ARM, {"upper": {"SP": [0, 0, 0]}})).startswith("Deduction(2 bones, ")
 
 
 def test_unknown_names_are_errors():

@@ -4,6 +4,7 @@ faces +Z, bends its knees forward and stands on the ground.
 
 from functools import cache
 
+import builders
 import captures
 import numpy as np
 import pytest
@@ -151,6 +152,12 @@ def test_the_cmu_walk_stands_on_the_ground_on_real_models(model: str) -> None:
     ]
     assert np.abs(ankles - rest).max() < 0.12 * at[head][:, 1].mean()
     assert at[hips][-1, 2] > abs(at[hips][-1, 0]) * 5
+
+
+def test_a_clip_of_another_character_is_refused() -> None:
+    walk = read_bvh(captures.walk().encode(), "walk")
+    with pytest.raises(ContentError, match="its source tiny has 3: give the character whose clip it is"):
+        statwalk.retarget(walk.clips["walk"], builders.character(), hero())
 
 
 def test_skeletons_without_known_names_are_refused_with_the_bones_to_name() -> None:

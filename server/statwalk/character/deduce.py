@@ -39,6 +39,10 @@ class Deduction:
     variables: Mapping[str, BoneValue]
     """the free variables that expressions set"""
 
+    def __repr__(self) -> str:
+        found = sum(len(values) for values in self.values.values())
+        return f"Deduction({len(self.values)} bones, {found} values, {len(self.unknown)} unknown)"
+
     def __getitem__(self, bone: str) -> Mapping[str, BoneValue]:
         return self.values[bone]
 
@@ -62,6 +66,8 @@ def deduce(
     :raises UnknownNameError: when a bone, quantity or channel does not exist.
     :raises ContentError: when a value is impossible, values contradict each other, or an expression is wrong.
     """
+    if not 0 <= tolerance <= 1:
+        raise ContentError(f"tolerance: {tolerance:g} is outside 0…1")
     bone_set = bones if isinstance(bones, BoneSet) else bone_set_of(bones)
     state = given_values(bone_set, known)
     numbered = [line if isinstance(line, tuple) else (k, line) for k, line in enumerate(expressions, 1)]

@@ -80,9 +80,8 @@ def retarget(
 ) -> tuple[Clip, Retargeted]:
     """Returns the clip of `source` as a clip of `target`, and a report; the arguments are those of `Wish`.
 
-    :raises ContentError: when the two have too few bones in common, a bone or joint does not exist, or the
-        clip
-        is too long.
+    :raises ContentError: when the clip is not one of `source`, the two have too few bones in common, a bone
+        or joint does not exist, or the clip is too long.
     """
     return retargeted(clip, source, target, Wish(bones, target_bones, start, end))
 
@@ -92,6 +91,12 @@ def retargeted(clip: Clip, source: Character, target: Character, wish: Wish) -> 
 
     :raises ContentError: as `retarget`.
     """
+    joints = clip.rest.rotation.shape[-2]
+    if joints != len(source.skeleton):
+        raise ContentError(
+            f"the clip {clip.name} moves {joints} joints, and its source {source.name} has "
+            f"{len(source.skeleton)}: give the character whose clip it is"
+        )
     ours = Body.of(source, _bones(source, wish.bones, "bones"))
     theirs = Body.of(target, _bones(target, wish.target_bones, "target_bones"))
     common = [bone for bone in BODY_BONES if bone in ours.bones and bone in theirs.bones]

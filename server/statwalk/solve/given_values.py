@@ -28,11 +28,12 @@ def given_values(bones: BoneSet, known: Known) -> BoneValues:
     given.
 
     :raises UnknownNameError: when a bone or quantity does not exist.
-    :raises ContentError: when a value has another shape, is not finite, or is impossible; `place` is
-        `bone.quantity`.
+    :raises ContentError: when a value has another shape or other frames than the others, is not finite, or
+        is impossible; `place` is `bone.quantity`.
     """
     state = BoneValues(bones)
     unknown = set(_read(state, known))
+    _check_frames(state)
     given_points = {key for key in state.values if key[1] in ("SP", "EP")}
     for bone in range(len(bones.names)):
         for name, value in _defaults(bones, bone).items():
@@ -61,6 +62,20 @@ def _read(state: BoneValues, known: Known) -> Iterator[tuple[int, str]]:
                 state.data[bone, name] = array
             else:
                 state.put(bone, name, array, GIVEN)
+
+
+def _check_frames(state: BoneValues) -> None:
+    """Refuses values of different numbers of frames; a value without frames holds in all of them."""
+    arrays = {key: given.value for key, given in state.values.items()} | state.data
+    shapes = SHAPES | DATA
+    lead: tuple[int, ...] = ()
+    for (bone, name), array in arrays.items():
+        own = array.shape[: array.ndim - len(shapes[name])]
+        try:
+            lead = np.broadcast_shapes(lead, own)
+        except ValueError:
+            place = f"{state.bones.names[bone]}.{name}"
+            raise ContentError(f"{own} frames here, {lead} in the values before", place=place) from None
 
 
 def _defaults(bones: BoneSet, bone: int) -> dict[str, Floats]:
