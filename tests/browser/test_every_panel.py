@@ -5,6 +5,7 @@ A new panel is a line of `PANELS`.
 
 import base64
 from collections.abc import Callable, Iterator
+from typing import Literal
 
 import httpx
 import pytest
@@ -31,6 +32,12 @@ POINT_WITH = """([from, to]) => [...document.styleSheets]
   .flatMap(sheet => [...sheet.cssRules])
   .filter(rule => rule.media?.mediaText.includes(from))
   .forEach(rule => (rule.media.mediaText = rule.media.mediaText.replace(from, to)))"""
+STILL = """() => {
+  const still = new CSSStyleSheet();
+  still.replaceSync('* { transition: none !important; animation: none !important }');
+  document.adoptedStyleSheets = [still];
+}"""
+TWO_FRAMES = "async () => { for (const _ of 'ab') await new Promise(requestAnimationFrame); }"
 FINGER, ALWAYS = "(pointer: coarse)", "(min-width: 1px)"
 
 
@@ -76,20 +83,28 @@ def wide(server: Server, page: Page, opened: Callable[[str], Page]) -> Iterator[
     page.set_viewport_size({"width": 1440, "height": 900})
     opened(f"{server.url}/?stage={stage}")
     page.evaluate(AXE.read_text())
+    page.evaluate(STILL)
     yield page
     leave(page, f"{server.url}/api/stages/{stage}", f"{server.url}/api/machines/{NAME}")
+
+
+def looked_at(page: Page, theme: Literal["light", "dark"], look: str, arg: object) -> list[str]:
+    """Returns what `look` finds once the page shows this theme."""
+    page.emulate_media(color_scheme=theme)
+    page.evaluate(TWO_FRAMES)
+    found: list[str] = page.evaluate(look, arg)
+    return found
 
 
 def faults(page: Page) -> list[str]:
     """Returns what axe finds, of the light theme only its colours, and what is hard to hit with a mouse or a
     finger.
     """
-    page.emulate_media(color_scheme="light")
-    found: list[str] = page.evaluate(VIOLATIONS, {"runOnly": ["color-contrast"]})
-    page.emulate_media(color_scheme="dark")
-    found += page.evaluate(VIOLATIONS, {}) + page.evaluate(SMALL, [CONTROLS, 24])
+    found = looked_at(page, "light", VIOLATIONS, {"runOnly": ["color-contrast"]})
+    found += looked_at(page, "dark", VIOLATIONS, {})
+    found += page.evaluate(SMALL, [CONTROLS, 24])
     page.evaluate(POINT_WITH, [FINGER, ALWAYS])
-    found += page.evaluate(SMALL, [CONTROLS, 44])
+    found += looked_at(page, "dark", SMALL, [CONTROLS, 44])
     page.evaluate(POINT_WITH, [ALWAYS, FINGER])
     return found
 
