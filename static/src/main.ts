@@ -22,6 +22,7 @@ import { importPanel } from "./panels/importDialog/importPanel";
 import { jointPanel } from "./panels/joint/joint";
 import { layerTabsPanel } from "./panels/layerTabs/layerTabs";
 import { loadingPanel } from "./panels/loading/loading";
+import { machineFormPanel } from "./panels/machineForm/machineForm";
 import { machineMenuPanel } from "./panels/machineMenu/machineMenu";
 import { noticesPanel } from "./panels/notices/notices";
 import { palettePanel } from "./panels/palette/palette";
@@ -74,6 +75,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["timeline", timelinePanel],
   ["modes", viewControlsPanel],
   ["cell", cellInspectorPanel],
+  ["machine-form", machineFormPanel],
   ["versions", versionsPanel],
   ["text", yamlPanel],
   ["drawer", drawerPanel],

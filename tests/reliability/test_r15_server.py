@@ -1,5 +1,5 @@
-"""R-15 over REST: while the disk of a server refuses, inputs get 507 or 503, and frames go on; afterwards it
-takes inputs again, without a new start.
+"""R-15 over REST: while the disk of a server refuses, inputs and edits get 507 or 503, and frames go on;
+afterwards it takes both again, without a new start.
 """
 
 import json
@@ -16,6 +16,19 @@ from watcher import Watcher
 MAIN = "/api/stages/main"
 TICKS = 30
 CONTENT = {"event": "FORWARD"}
+MACHINES = "/api/machines"
+
+
+def edits(rest: httpx.Client) -> list[int]:
+    """The statuses of a new machine, a new state, another name and a deletion."""
+    mine, state = f"{MACHINES}/mine", {"kind": "add_state", "state": "MORE"}
+    answers = (
+        rest.post(MACHINES, json={"name": "yours"}),
+        rest.patch(mine, json={"operations": [state]}, headers={"If-Match": "1"}),
+        rest.post(f"{mine}/rename", json={"to": "yours"}),
+        rest.delete(mine),
+    )
+    return [answer.status_code for answer in answers]
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -40,12 +53,18 @@ def test_r15_a_server_refuses_shows_and_recovers(tmp_path: Path, error: str, sta
             return answer.status_code
 
         assert post("before") == 202
+        made = rest.post(MACHINES, json={"name": "mine"}).json()
         with strace(process.pid, "-o", "/dev/null", "-e", f"trace={FAILING}", "-e", inject):
             assert [post(key) for key in ("one", "two", "one")] == [status] * 3
+            assert edits(rest) == [status] * 4
             assert rest.get(MAIN).status_code == 200
             viewer.frame_from(viewer.frame().tick + TICKS)
         wait_for(lambda: post("one") == 202)
         assert post("after") == 202
+        assert rest.get(f"{MACHINES}/mine").json() == made
+        assert [path.name for path in (tmp_path / "machines").glob("*/*")] == ["machine.yaml"]
+        assert list((tmp_path / "tmp").iterdir()) == []
+        assert edits(rest) == [201, 200, 409, 204]
         log = rest.get(f"{MAIN}/log").text
     numbers = [entry["number"] for entry in map(json.loads, log.splitlines()[1:]) if entry["kind"] == "press"]
     assert [numbers.count(seq) for seq in seqs] == [1] * 3

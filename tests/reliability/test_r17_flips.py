@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from flips_folder import REPORTED, WHOLE, kept, outcome, outcomes
+from statwalk.services.hosting import reopen
 from statwalk.services.hosting.store import read_records
 from statwalk.services.hosting.store.database import FILE_NAME
 from statwalk.services.library.catalogue import Catalogue
@@ -63,6 +64,32 @@ def test_r17_an_answer_of_another_stage_is_reported(tmp_path: Path, catalogue: C
     with closing(sqlite3.connect(tmp_path / FILE_NAME)) as database, database:
         database.execute("UPDATE keys SET stage = substr(stage, 1, 7) || '%' WHERE key = 'TWIST 1'")
     assert outcome(tmp_path, before, catalogue) == (REPORTED, [])
+
+
+def with_hidden_answers(folder: Path, catalogue: Catalogue) -> dict[str, Any]:
+    """Makes a folder whose database says that a page of answers has a row less than it has."""
+    before, path = kept(folder, catalogue), folder / FILE_NAME
+    data = bytearray(path.read_bytes())
+    size = int.from_bytes(data[16:18])
+    rows = data.index(b"TWIST 1") // size * size + 3
+    data[rows : rows + 2] = (int.from_bytes(data[rows : rows + 2]) - 1).to_bytes(2)
+    path.write_bytes(data)
+    return before
+
+
+def test_r17_a_page_that_hides_answers_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
+    """A bit can do that: seed 2461 of `flips`."""
+    assert outcome(tmp_path, with_hidden_answers(tmp_path, catalogue), catalogue) == (REPORTED, [])
+
+
+def test_r17_a_server_that_does_not_look_at_pages_is_found_out(
+    tmp_path: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The control."""
+    before = with_hidden_answers(tmp_path, catalogue)
+    monkeypatch.setattr(reopen, "_check_answers", lambda *_: None)
+    what, wrong = outcome(tmp_path, before, catalogue)
+    assert (what, len(wrong)) == (WHOLE, 1)
 
 
 def test_r17_a_server_that_compares_no_hashes_is_found_out(

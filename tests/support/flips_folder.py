@@ -58,15 +58,17 @@ def outcome(folder: Path, before: dict[str, Any], catalogue: Catalogue) -> tuple
     """
     try:
         with keeping(folder, catalogue) as held:
-            now, left = _all(held), set(held.left)
+            now, left, answers = _all(held), set(held.left), held.damage
     except (ContentError, StorageError):
         return REPORTED, []
+    if answers:  # it is reported that they are damaged
+        now, before = ({name: what for name, (what, _) in found.items()} for found in (now, before))
     # damage may have given the stage that is reported another name
     wrong = [
         name for name, was in before.items() if now.get(name, None if left else "gone") not in (was, None)
     ]
     wrong += [name for name in now if name not in before]
-    return REPORTED if left else WHOLE, wrong
+    return REPORTED if left or answers else WHOLE, wrong
 
 
 def outcomes(folder: Path, seeds: range, catalogue: Catalogue) -> Iterator[tuple[int, str, list[str]]]:

@@ -9,20 +9,24 @@ from contextlib import contextmanager, nullcontext
 from pathlib import Path
 
 
-def command(*arguments: str) -> list[str]:
-    return [sys.executable, "-m", "statwalk.cli", "serve", *arguments]
+def command(*arguments: str, change: str = "") -> list[str]:
+    """`change`: Python that runs before the server does."""
+    how = ("-c", f"{change}\nfrom statwalk.cli import main\nmain()") if change else ("-m", "statwalk.cli")
+    return [sys.executable, *how, "serve", *arguments]
 
 
 @contextmanager
-def served(*arguments: str, log: Path | None = None) -> Iterator[tuple[subprocess.Popen[str], str]]:
+def served(
+    *arguments: str, log: Path | None = None, change: str = ""
+) -> Iterator[tuple[subprocess.Popen[str], str]]:
     """The process, and the address that it prints; without `--data` its data folder is a new one. `log`: the
-    file that gets its standard error.
+    file that gets its standard error. `change`: Python that runs before the server does.
     """
     environment = os.environ | {"COLUMNS": "200", "PYTHONUNBUFFERED": "1"}
     own = () if "--data" in arguments else ("--data", tempfile.mkdtemp())
     with log.open("w") if log else nullcontext() as errors:
         process = subprocess.Popen(
-            command("--port", "0", *own, *arguments),
+            command("--port", "0", *own, *arguments, change=change),
             stdout=subprocess.PIPE,
             stderr=errors,
             text=True,

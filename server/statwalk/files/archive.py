@@ -56,7 +56,7 @@ def unpack(archive: Path, folder: Path) -> Path:
         bytes_left = LARGEST_UNPACKED_BYTES
         for entry in entries:
             if _is_wanted(PurePosixPath(entry.filename), suffixes):
-                bytes_left -= _extract(opened, entry, folder, bytes_left)
+                bytes_left -= extract(opened, entry, folder, bytes_left).stat().st_size
     return _main_file_in(folder)
 
 
@@ -190,10 +190,12 @@ def _check_different(names: Iterable[str]) -> None:
         )
 
 
-def _extract(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, folder: Path, most_bytes: int) -> int:
-    """Writes an entry below the folder and returns the number of bytes written.
+def extract(
+    opened: zipfile.ZipFile, entry: zipfile.ZipInfo, folder: Path, most_bytes: int = LARGEST_UNPACKED_BYTES
+) -> Path:
+    """Writes an entry below the folder and returns the path of the file.
 
-    Counts the bytes, because the entry's declared size may be wrong.
+    :raises ModelError: when the entry is longer than it declares, or than `most_bytes`.
     """
     target = folder / PurePosixPath(entry.filename)
     target.parent.mkdir(parents=True, exist_ok=True)
@@ -204,7 +206,7 @@ def _extract(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, folder: Path, most
             if written > min(most_bytes, entry.file_size):
                 raise ModelError("the entry is longer than its declared size", place=shown(entry.filename))
             file.write(chunk)
-    return written
+    return target
 
 
 def _main_file_in(folder: Path) -> Path:

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import io
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path, PurePosixPath
 
 from statwalk.errors import MachineError
-from statwalk.files.archive import MODELS, checked_zip, shown
+from statwalk.files.archive import MODELS, checked_zip, extract, shown
+from statwalk.files.captures import SUFFIXES as CAPTURES
 from statwalk.files.machine_yaml.machine_file import FILE_NAME
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import with_value
@@ -34,25 +35,28 @@ def machine_zip(text: MachineText, model_glb: bytes, captures: Mapping[str, byte
     return packed.getvalue()
 
 
-def read_machine_zip(path: Path) -> tuple[MachineText, bool]:
-    """Returns the text of the machine in a zip, with all .csv files beside it, and whether the zip holds a
-    model.
+def read_machine_zip(path: Path, folder: Path) -> tuple[MachineText, dict[str, Path], bool]:
+    """Returns the text of the machine in a zip, with all .csv files beside it; the captures beside it,
+    unpacked into `folder`, by their names; and whether the zip holds a model.
 
     :raises ContentError: when the zip is damaged, too large or unsafe, or holds no machine file.
     """
-    with checked_zip(path, (*TEXTS, *MODELS)) as (archive, entries):
+    with checked_zip(path, (*TEXTS, *MODELS, *CAPTURES)) as (archive, entries):
         paths = {PurePosixPath(entry.filename): entry for entry in entries}
         found = sorted((file for file in paths if file.name == FILE_NAME), key=lambda file: len(file.parts))
         if not found:
             raise MachineError(f"the zip holds no {FILE_NAME}")
-        folder = found[0].parent
-        tables = {
-            file.name: _text(archive, entry)
-            for file, entry in paths.items()
-            if file.parent == folder and file.suffix.lower() == ".csv"
+        beside = {file.name: entry for file, entry in paths.items() if file.parent == found[0].parent}
+        tables = {name: _text(archive, entry) for name, entry in beside.items() if _is(name, (".csv",))}
+        captures = {
+            name: extract(archive, entry, folder) for name, entry in beside.items() if _is(name, CAPTURES)
         }
-        has_model = any(file.suffix.lower() in MODELS for file in paths)
-        return MachineText(_text(archive, paths[found[0]]), tables), has_model
+        has_model = any(_is(file.name, MODELS) for file in paths)
+        return MachineText(_text(archive, paths[found[0]]), tables), captures, has_model
+
+
+def _is(name: str, suffixes: Sequence[str]) -> bool:
+    return PurePosixPath(name).suffix.lower() in suffixes
 
 
 def _text(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> str:

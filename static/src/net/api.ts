@@ -144,6 +144,10 @@ export const newStage = async (opening: { machine: string } | { scene: string })
   return (await ask("post", "/api/stages", {}, { body: { clock: "real", ...begin } })).id;
 };
 
+/** Makes a stage that moves only by steps, with one actor of a machine. */
+export const manualStage = (machine: string, name: string) =>
+  ask("post", "/api/stages", {}, { body: { clock: "manual", name, actors: [{ machine }] } });
+
 export const pause = (stage_id: string, paused: boolean) =>
   ask("post", "/api/stages/{stage_id}/pause", { stage_id }, { body: { paused } });
 export const speed = (stage_id: string, value: number) =>

@@ -3,14 +3,14 @@
  * its findings.
  */
 
-import { computed, signal } from "@preact/signals-core";
+import { batch, computed, signal } from "@preact/signals-core";
 import * as api from "../net/api";
 import * as edits from "../net/edits";
 import type { Edited, Finding, MachineInfo, MachineVersion, Operation } from "../net/protocol";
 import { reasonOf } from "../net/reason";
 import { EditQueue } from "./editQueue";
 import { type Answer, type CellPlace, isUnheard, refusal } from "./editAnswer";
-import type { Event } from "./event";
+import { Event } from "./event";
 import type { WatchedMachine } from "./watchedMachine";
 
 const REST_MS = 700;
@@ -26,6 +26,8 @@ export class Editing {
   /** The verifier's findings about the newest version. */
   readonly findings = signal<readonly Finding[]>([]);
   readonly queue: EditQueue<Edit, Answer>;
+  /** Emitted with the operations of each edit of the shown machine that is kept. */
+  readonly kept = new Event<readonly Operation[]>();
   private checked = "";
 
   constructor(
@@ -137,7 +139,7 @@ export class Editing {
     try {
       const edited = await this.sent(edit, key);
       if (edited.result === "refused") return refusal(edited.detail, edited.findings, placeOf(edit));
-      if (key !== null && edited.name === this.name) this.machine.take(edited);
+      if (key !== null && edited.name === this.name) this.take(edited, edit);
       return { kind: "fine", words: "", findings: edited.findings };
     } catch (error) {
       if (!(error instanceof api.ApiError) || isUnheard(error)) throw error;
@@ -145,6 +147,14 @@ export class Editing {
       await this.reload(edit.machine);
       return { kind: "stale", words: error.message, findings: [] };
     }
+  }
+
+  /** Shows the edited machine; what follows its names does so at once. */
+  private take(edited: Edited, edit: Edit): void {
+    batch(() => {
+      this.machine.take(edited);
+      if ("operations" in edit) this.kept.emit(edit.operations);
+    });
   }
 
   private async sent(edit: Edit, key: string | null) {

@@ -1,7 +1,7 @@
 /** What is typed in the fields of a form: each text is tried while it is typed, and kept when the field is left. */
 
 import { signal } from "@preact/signals-core";
-import type { Operation } from "../net/protocol";
+import type { Finding, Operation } from "../net/protocol";
 import { reasonOf } from "../net/reason";
 import type { Answer } from "./editAnswer";
 import type { Editing } from "./editing";
@@ -12,13 +12,21 @@ const TRIAL_PAUSE_MS = 180;
 interface Draft {
   text: string;
   error: string;
+  /** The verifier's, if it refuses the text. */
+  findings: readonly Finding[];
 }
+
+const FINE: Omit<Draft, "text"> = { error: "", findings: [] };
 
 /** A field: its value, what is wrong with it, what happens while it is typed in and when it is left. */
 export interface BoundField {
   key: string;
   value: string;
   error: string;
+  /** Whether the value is typed and not kept. */
+  changed: boolean;
+  /** The verifier's, if it refuses the text. */
+  findings: readonly Finding[];
   typed: (text: string) => void;
   left: (text: string) => void;
   dropped: () => void;
@@ -40,6 +48,8 @@ export class EditingFields {
       key,
       value: draft?.text ?? value,
       error: draft?.error ?? "",
+      changed: draft !== undefined,
+      findings: draft?.findings ?? [],
       typed: (text) => this.typed(key, text, text === value, means),
       left: (text) => void this.keep(key, text, text === value, means),
       dropped: () => this.put(key, null),
@@ -54,23 +64,24 @@ export class EditingFields {
 
   private typed(key: string, text: string, same: boolean, means: Means): void {
     clearTimeout(this.timer);
-    this.put(key, { text, error: this.drafts.value.get(key)?.error ?? "" });
-    if (same) this.put(key, { text, error: "" });
+    this.put(key, { ...(this.drafts.value.get(key) ?? FINE), text });
+    if (same) this.put(key, { ...FINE, text });
     else this.timer = setTimeout(() => void this.try(key, text, means), TRIAL_PAUSE_MS);
   }
 
   private async try(key: string, text: string, means: Means): Promise<void> {
     const answer = await answered(() => this.editing.try(means(text)));
-    if (answer && this.drafts.value.get(key)?.text === text) this.put(key, { text, error: fault(answer) });
+    if (answer && this.drafts.value.get(key)?.text === text) this.put(key, { text, ...fault(answer) });
   }
 
   private async keep(key: string, text: string, same: boolean, means: Means): Promise<void> {
     clearTimeout(this.timer);
-    this.put(key, same ? null : { text, error: "" });
+    // What was wrong with it stays until the answer: what stands below the field must not move under the pointer.
+    this.put(key, same ? null : { ...(this.drafts.value.get(key) ?? FINE), text });
     if (same) return;
     const answer = await answered(() => this.editing.keep(means(text)));
     if (this.drafts.value.get(key)?.text !== text) return;
-    this.put(key, answer?.kind === "fine" ? null : { text, error: fault(answer) });
+    this.put(key, answer?.kind === "fine" ? null : { text, ...fault(answer) });
   }
 
   private put(key: string, draft: Draft | null): void {
@@ -89,7 +100,7 @@ async function answered(request: () => Promise<Answer | null>): Promise<Answer |
   }
 }
 
-function fault(answer: Answer | null): string {
-  if (!answer || answer.kind === "fine") return "";
-  return answer.findings[0]?.message ?? answer.words;
+function fault(answer: Answer | null): Omit<Draft, "text"> {
+  if (!answer || answer.kind === "fine") return FINE;
+  return { error: answer.findings[0]?.message ?? answer.words, findings: answer.findings };
 }

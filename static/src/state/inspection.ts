@@ -1,6 +1,7 @@
 /** What the page explains and points at: panels ask for it here, other panels show it. */
 
 import { signal } from "@preact/signals-core";
+import type { Operation } from "../net/protocol";
 import { Event } from "./event";
 
 export interface CellRequest {
@@ -28,4 +29,24 @@ export class Inspection {
   readonly why = signal<number | null>(null);
   /** Emitted if a cell of the table shall be shown. */
   readonly cells = new Event<CellRequest>();
+
+  /** Keeps the selected state or cell selected under its new name. */
+  follow(operations: readonly Operation[]): void {
+    const before = this.selected.value;
+    if (before) this.selected.value = operations.reduce(renamed, before);
+  }
+}
+
+function renamed(selected: Selected, operation: Operation): Selected {
+  const { layer, state, event } = selected;
+  if (operation.kind === "rename_layer" && operation.layer === layer)
+    return { ...selected, layer: operation.to };
+  if (operation.kind === "rename_event" && operation.event === event)
+    return { ...selected, event: operation.to };
+  if (operation.kind !== "rename_state" || (operation.layer ?? "base") !== layer) return selected;
+  const { state: old, to } = operation;
+  const whole = old.slice(0, old.lastIndexOf(".") + 1) + to;
+  // A composite state takes its inner states along.
+  const isIn = state === old || state.startsWith(`${old}.`);
+  return isIn ? { ...selected, state: whole + state.slice(old.length) } : selected;
 }

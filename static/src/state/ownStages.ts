@@ -53,6 +53,13 @@ export class OwnStages {
     else await this.remove(stage);
   }
 
+  /** Watches a stage that this page has made. */
+  show(stage: string, opening: Opening): void {
+    this.choices++;
+    this.made.set(stage, opening);
+    this.session.watch(stage);
+  }
+
   /** Returns what a stage of this page began with, or null. */
   openingOf(stage: string): Opening | null {
     return this.made.get(stage) ?? null;

@@ -50,6 +50,7 @@ export function makeState() {
   const parameters = new ParameterValues(line, stage, selection, machine);
   const keyChanges = new KeyChanges(parameters, () => selection.layerStates.value);
   const inspection = new Inspection();
+  editing.kept.on((operations) => inspection.follow(operations));
   const commands = new Commands();
   frame.on(({ dt }) => keyChanges.advance(Math.min(LONGEST_KEY_S, dt)));
   frame.on(({ dt }) => playback.advance(Math.min(LONGEST_STEP_S, dt)));

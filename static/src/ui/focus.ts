@@ -1,18 +1,18 @@
 /** Keeps the keyboard free for the character. */
 
-/** A dialog keeps its focus: behind it the character has no keys. */
-const isInDialog = (element: Element): boolean => element.closest("dialog") !== null;
+/** Dialogs and fields of forms keep their focus: their keys are not for the character. */
+const keepsFocus = (element: Element): boolean => element.closest("dialog, .field") !== null;
 
 /** Takes the focus off a clicked button or select, or a dragged slider: it would catch the character's keys. */
 export function freeFocus(): void {
   document.addEventListener("click", (click) => {
     const button = click.target instanceof HTMLElement ? click.target.closest("button") : null;
-    if (button && click.detail > 0 && !isInDialog(button)) button.blur();
+    if (button && click.detail > 0 && !keepsFocus(button)) button.blur();
   });
   document.addEventListener("change", ({ target }) => {
-    if (target instanceof HTMLSelectElement && !isInDialog(target)) target.blur();
+    if (target instanceof HTMLSelectElement && !keepsFocus(target)) target.blur();
   });
   document.addEventListener("pointerup", ({ target }) => {
-    if (target instanceof HTMLInputElement && target.type === "range" && !isInDialog(target)) target.blur();
+    if (target instanceof HTMLInputElement && target.type === "range" && !keepsFocus(target)) target.blur();
   });
 }

@@ -9,6 +9,8 @@ interface Typing {
   key: string;
   value: string;
   error: string;
+  /** Whether the value is typed and not kept. */
+  changed: boolean;
   typed: (text: string) => void;
   left: (text: string) => void;
   dropped: () => void;
@@ -64,12 +66,12 @@ function chooser(
 }
 
 function entry(id: string, typing: Typing, look: FieldLook): TemplateResult {
-  const { value, error, typed, left, dropped } = typing;
+  const { value, error, changed, typed, left, dropped } = typing;
   const pressed = (press: KeyboardEvent): void => {
     if (press.key === "Enter" && !(look.lines && press.shiftKey)) {
       press.preventDefault();
       left(textOf(press));
-    } else if (press.key === "Escape" && error + textOf(press) !== value) {
+    } else if (press.key === "Escape" && changed) {
       press.preventDefault();
       dropped();
     }

@@ -41,9 +41,18 @@ def test_a_condition_makes_an_alternative(own: Server, table: Page) -> None:
     assert ways[1]["to"] == "TLFT"
 
 
-def test_a_state_has_another_clip(own: Server, table: Page) -> None:
+def test_a_state_has_another_clip_and_name(own: Server, table: Page) -> None:
+    """The clip is chosen by its picture; the inspector follows the new name."""
     table.locator("th[data-state=FLY]").focus()
     table.keyboard.press("Alt+Enter")
-    table.locator("#cell").get_by_label("clip").select_option("land")
+    table.locator("#cell .clips summary").click()
+    land = table.locator("#cell .clips").get_by_role("button", name="land")
+    land.scroll_into_view_if_needed()
+    until(table, "document.querySelector('#cell .clips [alt^=land]').naturalWidth > 0")
+    land.click()
     edited(table)
-    assert {state["name"]: state["motion"] for state in machine(own)["states"]}["FLY"] == "land"
+    table.locator("#cell").get_by_label("name").fill("GLIDE")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    table.locator("#cell h2").filter(has_text="GLIDE").wait_for()
+    assert {state["name"]: state["motion"] for state in machine(own)["states"]}["GLIDE"] == "land"

@@ -58,3 +58,19 @@ def test_fix_the_printed_table(journey: Journey) -> None:
     journey.edit_cell("WALK", "JUMP", "JUMP")
     page.get_by_label("findings: nothing is wrong").wait_for()
     assert journey.steps == journey.promised("Fix the printed table")
+
+
+@needs_assets
+def test_a_walk_and_a_run_blend_on_a_pad(journey: Journey) -> None:
+    page = journey.page
+    journey.drop(GLTF / "RobotExpressive.glb")
+    make(journey, "STAT")
+    journey.click("th[data-state=WALK]")
+    journey.click(page.get_by_role("menuitem", name="clip, loop, markers"))
+    journey.steps += 2
+    page.get_by_label("blend with").select_option("Running")
+    journey.click(page.get_by_role("button", name="see it: go to WALK"))
+    journey.until("__viewer.state() === 'WALK'")
+    journey.click(page.locator(".blend-pad .ground"))
+    journey.until("document.querySelector('#parameters output').textContent === '0.5'")
+    assert journey.steps == journey.promised("Blend a walk and a run on a pad")

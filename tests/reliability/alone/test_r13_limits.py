@@ -15,6 +15,7 @@ from statwalk.services.limits import Limits
 from statwalk.services.publish import outbox
 from statwalk.web import server
 from statwalk.web.app import create_app
+from statwalk.web.rate_limits import Rate
 from statwalk.web.settings import Settings
 from statwalk.web.socket import protocol
 from watcher import Watcher
@@ -125,6 +126,21 @@ async def test_all_long_work_looks_at_its_deadline(
         monkeypatch.setattr(CancelToken, "expire_after", lambda token, _: setattr(token, "_deadline", 0.0))
         answer = await client.request(method, path.format(stage, stage.rpartition("/")[2]), json=body)
     assert (answer.status_code, "and was stopped" in answer.json()["detail"]) == (503, True)
+
+
+@pytest.mark.anyio
+async def test_a_server_that_does_not_look_at_its_limits_is_found_out(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The control: the limits are the same, and nothing counts or looks at the time."""
+    monkeypatch.setattr(Rate, "spend", lambda *_: None)
+    monkeypatch.setattr(CancelToken, "expire_after", lambda *_: None)
+    app = create_app(Settings(limits=Limits(requests=0.5, work_seconds=0.0)))
+    transport = httpx.ASGITransport(app, client=("192.0.2.1", 1))
+    async with httpx.AsyncClient(transport=transport, base_url="http://localhost", timeout=60) as client:
+        statuses = {(await client.get("/api/machines")).status_code for _ in range(20)}
+        verified = await client.get("/api/machines/faq-walker/verify")
+    assert statuses | {verified.status_code} == {200}
 
 
 def test_many_long_steps_at_once_leave_room_for_all_others(busy: str) -> None:

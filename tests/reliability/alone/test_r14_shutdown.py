@@ -24,13 +24,23 @@ UPLOAD = (
 )
 
 
+WAITS_FOR_CLIENTS = """
+import uvicorn
+from statwalk.web import server, shutdown
+server.GRACE_SECONDS, shutdown._end_process_after = None, lambda seconds: None
+shutdown.Server.shutdown = uvicorn.Server.shutdown
+shutdown.Server.handle_exit = uvicorn.Server.handle_exit
+"""
+"""a server that stops as uvicorn does by itself"""
+
+
 @contextmanager
-def in_use(folder: Path) -> Iterator[tuple[subprocess.Popen[str], str, list[Future[int]]]]:
+def in_use(folder: Path, change: str = "") -> Iterator[tuple[subprocess.Popen[str], str, list[Future[int]]]]:
     """A server with viewers that read, viewers that never read, and an upload that does not go on.
 
     Yields the codes with which the connections of the viewers that read will be closed.
     """
-    with served("--data", str(folder)) as (process, address), ExitStack() as opened:
+    with served("--data", str(folder), change=change) as (process, address), ExitStack() as opened:
         host, port = address.split(":")
         for _ in range(2):
             opened.enter_context(open_and_never_read(address, f"{MAIN}/stream?frames=glb"))
@@ -80,6 +90,15 @@ def test_it_says_that_it_is_not_ready_and_is_gone_within_five_seconds(tmp_path: 
         assert {code.result() for code in codes} == {1012}
         assert process.wait(PATIENCE) == 0
         assert time.monotonic() - asked < 10  # it ends the process after 4.5 s; a busy system takes its time
+
+
+def test_a_server_that_waits_for_its_clients_is_found_out(tmp_path: Path) -> None:
+    """The control."""
+    with in_use(tmp_path, WAITS_FOR_CLIENTS) as (process, address, _):
+        process.send_signal(signal.SIGTERM)
+        assert next_readiness(address) != 503
+        with pytest.raises(subprocess.TimeoutExpired):
+            process.wait(6)
 
 
 def test_a_second_signal_ends_it_within_a_second(tmp_path: Path) -> None:

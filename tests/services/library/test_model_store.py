@@ -1,11 +1,14 @@
 """The data folder: what is damaged, unfinished or unused does no harm and does not stay."""
 
+import errno
 import os
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 import tiny_model
+from refusing_files import RefusingFiles
 from statwalk.services.library.model_store import LEFTOVER_SECONDS, ModelStore, UploadedCharacter
 from statwalk.services.library.upload_sandbox import checked_beside
 
@@ -101,3 +104,24 @@ def test_the_archive_goes_with_its_model(store: ModelStore) -> None:
     store.character(kept.sha256)
     store.forget("a")
     assert list(store.models.iterdir()) == []
+
+
+@pytest.mark.parametrize("code", [errno.ENOSPC, errno.EIO], ids=errno.errorcode.__getitem__)
+def test_a_disk_that_refuses_leaves_the_old_character_or_the_new_one(
+    store: ModelStore, monkeypatch: pytest.MonkeyPatch, code: int
+) -> None:
+    old, files = keep(store, "a", b"one"), RefusingFiles(monkeypatch, store.folder)
+    for nth in range(100):
+        files.refuse(code, nth)
+        with suppress(OSError):
+            keep(store, "a", b"two")
+        files.work()
+        if not files.refused:
+            break
+        assert [store.model(found.sha256).read_bytes() for found in store.characters().values()] in (
+            [b"one"],
+            [b"two"],
+        )
+        assert list(store.unfinished.iterdir()) == []
+    assert nth > 3
+    assert not store.model(old.sha256).exists()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 import tiny_model
-from statwalk.errors import CancelledError, ContentError
+from statwalk.errors import CancelledError, ContentError, StorageError
 from statwalk.files.character_archive import read_character
 from statwalk.services.cancel import CancelToken
 from statwalk.services.library import upload_sandbox
@@ -36,6 +36,15 @@ def test_it_answers_with_facts(tmp_path: Path) -> None:
     assert (tmp_path / "out").read_bytes() == tiny_model.model()
     checked = read_character(upload_sandbox.checked_beside(tmp_path / "out"), tiny_model.model())
     assert checked.skeleton.names == ("hip", "knee", "skin")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+def test_a_full_disk_is_no_fault_of_the_file(tmp_path: Path) -> None:
+    (tmp_path / "upload").write_bytes(tiny_model.model())
+    upload_sandbox.checked_beside(tmp_path / "out").symlink_to("/dev/full")
+    with pytest.raises(StorageError) as refused:
+        upload_sandbox.read_in_child(tmp_path / "upload", tmp_path / "out", "tiny")
+    assert refused.value.is_full
 
 
 def test_arrays_that_would_fill_the_disk_are_refused(tmp_path: Path) -> None:

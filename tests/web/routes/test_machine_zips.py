@@ -8,9 +8,13 @@ from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Any
 
+import captures
 import httpx
+import numpy as np
 import pytest
+from statwalk.files.machine_yaml import capture_lines
 from statwalk.services.library.load import load
+from statwalk.stage.stage import Stage
 from uploads import make, names, opened, put
 
 pytestmark = pytest.mark.anyio
@@ -151,6 +155,44 @@ def zipped(**files: str | bytes) -> bytes:
         for name, data in files.items():
             archive.writestr(name.replace("__", "."), data)
     return packed.getvalue()
+
+
+CAPTURED = """character: faq-walker
+root: Root
+captures: {stroll: {file: walk.bvh}}
+initial: A
+states: {A: {motion: stroll, loop: true}}
+table: |
+  state | GO
+  A     | A
+"""
+
+
+async def test_captures_come_along_and_only_a_child_reads_them(
+    client: httpx.AsyncClient, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "captured"
+    folder.mkdir()
+    (folder / "machine.yaml").write_text(CAPTURED)
+    (folder / "walk.bvh").write_text(captures.walk())
+    stage = Stage()
+    actor = stage.add(load(folder))
+    stage.step(30)
+    monkeypatch.setattr(capture_lines, "load_capture", None)  # the child has its own
+    made = await unpacked(client, zipped(machine__yaml=CAPTURED, walk__bvh=captures.walk()))
+    assert made.status_code == 201, made.text
+    world = (await shown(client, "mine"))["world"]
+    np.testing.assert_allclose(world, actor.world, atol=1e-6)
+    packed = (await client.get("/api/machines/mine/export.zip")).content
+    assert (await unpacked(client, packed, "yours")).status_code == 201
+    assert (await shown(client, "yours"))["world"] == world
+    async with opened(tmp_path) as later:
+        assert (await shown(later, "yours"))["world"] == world
+
+
+async def test_a_capture_that_a_zip_does_not_hold_is_named(client: httpx.AsyncClient) -> None:
+    refused = await unpacked(client, zipped(machine__yaml=CAPTURED))
+    assert (refused.status_code, "line 3: capture stroll" in refused.text) == (422, True), refused.text
 
 
 TABLE = "|\n  state | GO\n  A | A"

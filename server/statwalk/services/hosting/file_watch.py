@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from statwalk.errors import StatwalkError
 from statwalk.files.machine_yaml.machine_file import FILE_NAME
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.services.hosting.machine_versions import MachineVersions, saved
+from statwalk.services.hosting.edited_file import saved
+from statwalk.services.hosting.machine_versions import MachineVersions
 
 log = logging.getLogger(__name__)
 Stamp = tuple[int, ...]

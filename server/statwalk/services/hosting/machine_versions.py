@@ -7,27 +7,25 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Iterable
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from statwalk.character.role import Role
 from statwalk.errors import RefusedEditError, VersionConflictError, existing
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, MachineFile, load_machine, machine_of
-from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.services.hosting.edit_keys import EditKey, EditKeys
+from statwalk.services.hosting.edited_file import written
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_messages import Edit
 from statwalk.services.hosting.store.records import MachineVersion
 from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.entry import Entry
-from statwalk.services.library.load import shipped_machines_folder
-from statwalk.services.library.put_in_place import put_machine_in_place
 
 MOST_VERSIONS = 200
-Saved = Literal["file", "memory"]
 
 
 @dataclass(frozen=True)
@@ -179,21 +177,24 @@ class MachineVersions:
         edited, name = self.checked(current, text, what, step, author, checkpoint), current.entry.name
         with self.storing:
             entry = self.based_on(name, current.version.number).entry
-            if self.store:
-                self.store.writer.check()
+            self.check_storage()
             self.keys.keep(name, key, edited.version)
             if edited.version is current.version:
                 return edited
-            if write and saved(entry) == "file":
-                put_machine_in_place(entry.folder, MachineText.of(edited.version.text))
             versions = [*self.of(name), edited.version]
-            self.keep(name, versions)
+            with written(entry, edited.version) if write else nullcontext():
+                self.keep(name, versions)
             with self.lock:
                 self.catalogue.renew(replace(entry, file=edited.file), edited.role)
                 self.versions_of[name] = versions[-MOST_VERSIONS:]
             for host in self.stages():
                 host.look(Edit(name, edited.version.text))
         return edited
+
+    def check_storage(self) -> None:
+        """:raises StorageError: when the disk refuses to keep what changes."""
+        if self.store:
+            self.store.check()
 
     def keep(self, name: str, versions: list[MachineVersion]) -> None:
         """Keeps the newest of the versions of a machine in the store, if there is one.
@@ -241,10 +242,3 @@ class MachineVersions:
 
 def _errors_in(findings: Iterable[Finding]) -> list[Finding]:
     return [finding for finding in findings if finding.severity == "error"]
-
-
-def saved(entry: Entry) -> Saved:
-    """Returns where edits of a machine are kept: in its `file`, or, for a shipped machine, in `memory`, and
-    in the store if there is one.
-    """
-    return "memory" if entry.folder.is_relative_to(shipped_machines_folder()) else "file"

@@ -61,6 +61,8 @@ class Registry:
         self.stages: dict[str, StageHost] = {}
         self.left: dict[str, str] = {}
         """why stages did not come back when the server started, by id; their records are kept"""
+        self.damage = ""
+        """what is damaged of the answers to requests, which are those of all stages"""
         self.versions = MachineVersions(catalogue, self.all, store)
 
     def all(self) -> list[StageHost]:

@@ -11,10 +11,12 @@ from functools import partial
 from statwalk.character.role import Role
 from statwalk.errors import StageError, StatwalkError
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, machine_of
-from statwalk.services.hosting.machine_versions import MachineVersions, saved
+from statwalk.services.hosting.edited_file import saved
+from statwalk.services.hosting.machine_versions import MachineVersions
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_messages import Edit
+from statwalk.services.hosting.store.database import KEYS
 from statwalk.services.hosting.store.kept_stage import model_digest
 from statwalk.services.hosting.store.records import MAIN, MachineVersion, StageRecord
 from statwalk.services.hosting.store.store import Store
@@ -39,6 +41,7 @@ def reopen(registry: Registry, main: str) -> None:
     store = registry.store
     if store is None:
         return
+    _check_answers(registry, store)
     _reopen_versions(registry.versions, store)
     names: dict[str, str] = {}  # new ids by the old ones; a fork comes after the stage that it left
     for stage_id in store.records.ids():
@@ -55,6 +58,16 @@ def reopen(registry: Registry, main: str) -> None:
                 )  # the server opens a new stage that is called main
             kept = names.get(stage_id, stage_id)
             registry.left[kept] = f"{kept} is kept, and did not come back: {error}"
+
+
+def _check_answers(registry: Registry, store: Store) -> None:
+    """A damaged page may hide answers, which have no end as logs have: the stages come back without them."""
+    registry.damage = "; ".join(store.records.damage(KEYS)[:3])
+    if registry.damage:
+        log.error(
+            "answers to requests are damaged, and a request that is sent again may count again: %s",
+            registry.damage,
+        )
 
 
 # --- stages

@@ -174,8 +174,8 @@ class Catalogue:
         entry = self.entry(machine)
         with self.lock:
             if machine not in self.roles:
-                text, character_at = entry.file.text, partial(self.checked.character_at, self.store)
-                role = load_role(entry.folder, entry.name, text, character_at)
+                text = entry.file.text
+                role = load_role(entry.folder, entry.name, text, partial(self.checked.of_machine, self.store))
                 self.roles[machine], self.texts[role] = role, text
             return self.roles[machine]
 
@@ -190,7 +190,7 @@ class Catalogue:
             return role
         file = machine_of(text, entry.folder, FILE_NAME)
         if file.captures != entry.file.captures:
-            role = load_role(entry.folder, machine, text, partial(self.checked.character_at, self.store))
+            role = load_role(entry.folder, machine, text, partial(self.checked.of_machine, self.store))
         else:
             file.check_root(role.character.skeleton.names)
             role = Role.build(role.name, role.character, file.definition, file.root_joint)

@@ -8,7 +8,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from statwalk.character.character import Character
-from statwalk.files.character_file import load_character_file
+from statwalk.files.machine_yaml.machine_file import MachineFile
+from statwalk.services.cancel import NEVER, CancelToken
+from statwalk.services.library.capture_sandbox import captured
+from statwalk.services.library.disk import room_on_disk
+from statwalk.services.library.load import character_of, character_path
 from statwalk.services.library.model_store import ModelStore
 
 MOST_LOADED = 8
@@ -35,12 +39,21 @@ class CheckedCharacters:
                 self.loaded.popitem(last=False)
             return self.loaded[sha256]
 
-    def character_at(self, store: ModelStore | None, path: Path) -> Character:
-        """Returns the character that a machine file names: from the store if `path` is in it,
-        else from `path`.
+    def of_machine(
+        self, store: ModelStore | None, file: MachineFile, folder: Path, token: CancelToken = NEVER
+    ) -> Character:
+        """Returns the character that a machine file in `folder` names, with its captured motions. A child
+        process has read what is in the store.
 
-        :raises ContentError: when the character is refused.
+        :raises ContentError: when a file is refused.
+        :raises StorageError: when the disk refuses what the child writes.
+        :raises CancelledError: when the token is cancelled.
         """
-        if store is not None and path.resolve().parent == store.models:
-            return self.character(store, path.stem)
-        return load_character_file(path)
+        path = character_path(file)
+        if store is None or path.resolve().parent != store.models:
+            return character_of(file, folder)
+        character = self.character(store, path.stem)
+        if not file.captures:
+            return character
+        with room_on_disk(), store.working() as working:
+            return captured(character, file, folder, working, token)

@@ -154,21 +154,29 @@ def _load_model_folder(folder: Path) -> Character:
     return load_character_file(models[0])
 
 
+def character_of(file: MachineFile, folder: Path) -> Character:
+    """Loads the character that a machine file in `folder` names, with its captured motions.
+
+    :raises ContentError: when a file is refused.
+    """
+    return with_captures(load_character_file(character_path(file)), file.captures, folder)
+
+
 def load_role(
     folder: Path,
     name: str = "",
     text: str = "",
-    character_at: Callable[[Path], Character] = load_character_file,
+    character_of: Callable[[MachineFile, Path], Character] = character_of,
 ) -> Role:
     """Loads the Role of a machine folder: its machine file, and the character that the file names.
 
-    `name`: the role's name, by default the folder's; `text` replaces the machine file; `character_at` loads
-    the character of a path.
+    `name`: the role's name, by default the folder's; `text` replaces the machine file; `character_of` loads
+    the character of a machine file in a folder.
 
     :raises ContentError: when a file is refused.
     """
     file = machine_of(text, folder) if text else load_machine(folder)
-    character = with_captures(character_at(character_path(file)), file.captures, folder)
+    character = character_of(file, folder)
     file.check_root(character.skeleton.names)
     return Role.build(name or folder.resolve().name, character, file.definition, file.root_joint)
 

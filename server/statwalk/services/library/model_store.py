@@ -22,7 +22,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,6 +30,7 @@ from statwalk.character.character import Character
 from statwalk.errors import ConflictError, ContentError, StorageError
 from statwalk.files.character_archive import read_character
 from statwalk.files.machine_yaml.machine_file import FILE_NAME
+from statwalk.services.library.disk import flush, flush_folder, move, room_on_disk
 from statwalk.services.library.upload_sandbox import checked_beside, read_in_child
 
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}")
@@ -111,13 +112,13 @@ class ModelStore:
         checks the model again.
 
         :raises ContentError: when the child refuses the model.
-        :raises StorageError: when the model is damaged.
+        :raises StorageError: when the model is damaged, or the disk refuses.
         """
         model, data = self.model(sha256), self.read_model(sha256)
         try:
             return read_character(checked_beside(model), data)
         except ContentError:
-            with self.working() as folder:
+            with room_on_disk(), self.working() as folder:
                 read_in_child(model, folder / "model.glb", sha256)
                 self.keep_checked(sha256, checked_beside(folder / "model.glb"))
             return read_character(checked_beside(model), data)
@@ -128,7 +129,7 @@ class ModelStore:
     def working(self) -> Iterator[Path]:
         """Yields a new folder in tmp/ for unfinished files, and removes it afterwards."""
         self.unfinished.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=self.unfinished) as folder:
+        with tempfile.TemporaryDirectory(dir=self.unfinished, ignore_cleanup_errors=True) as folder:
             yield Path(folder)
 
     def keep_model(self, file: Path) -> tuple[str, int]:
@@ -140,13 +141,13 @@ class ModelStore:
         self.models.mkdir(parents=True, exist_ok=True)
         self.keep_checked(sha256, checked_beside(file))
         file.replace(self.model(sha256))
-        _flush_folder(self.models)
+        flush_folder(self.models)
         return sha256, length
 
     def keep_checked(self, sha256: str, file: Path) -> None:
         """Moves the checked character of a model to its place, if the file exists."""
         if file.is_file():
-            _flush(file)
+            flush(file)
             file.replace(checked_beside(self.model(sha256)))
 
     def keep(self, name: str, file: Path) -> UploadedCharacter:
@@ -157,9 +158,9 @@ class ModelStore:
             with self.working() as folder:
                 record = folder / "record"
                 record.write_text(json.dumps({"sha256": upload.sha256, "bytes": upload.bytes}))
-                _flush(record)
+                flush(record)
                 record.replace(self.names / f"{name}.json")
-            _flush_folder(self.names)
+            flush_folder(self.names)
             self._drop_unused()
             return upload
 
@@ -173,40 +174,39 @@ class ModelStore:
                 raise ConflictError(f"a machine is called {name!r} already", field="name")
             self.machines.mkdir(parents=True, exist_ok=True)
             for path in written.iterdir():
-                _flush(path)
-            written.rename(self.machines / name)
-            _flush_folder(self.machines)
+                flush(path)
+            move(written, self.machines / name, self.machines)
             return self.machines / name
 
     def forget(self, name: str) -> None:
         """Deletes a character; deletes its model too if no other name means it and no machine uses it."""
         with self.lock:
-            (self.names / f"{name}.json").unlink(missing_ok=True)
-            _flush_folder(self.names)
+            record = self.names / f"{name}.json"
+            with self.working() as folder:
+                move(record, folder / record.name, self.names)
             self._drop_unused()
 
     def forget_machine(self, name: str) -> None:
         """Deletes a machine; deletes its model too if no name means it and no other machine uses it."""
         with self.lock:
             with self.working() as folder:
-                (self.machines / name).rename(folder / name)
-                _flush_folder(self.machines)
+                move(self.machines / name, folder / name, self.machines)
             self._drop_unused()
 
     def rename_machine(self, name: str, new: str) -> Path:
         """Gives a machine another name, which no machine may have; returns its folder."""
         with self.lock:
-            (self.machines / name).rename(self.machines / new)
-            _flush_folder(self.machines)
+            move(self.machines / name, self.machines / new, self.machines)
             return self.machines / new
 
     def _drop_unused(self) -> None:
-        """Deletes the models that no name means and no machine uses."""
+        """Deletes the models that no name means and no machine uses, as far as the disk lets it."""
         named = {upload.sha256 for upload in self.characters().values()}
         for path in self.models.glob("*.glb"):
             if path.stem not in named and not self.machines_of(path.stem):
-                path.unlink(missing_ok=True)
-                checked_beside(path).unlink(missing_ok=True)
+                with suppress(OSError):  # the next time, then
+                    path.unlink(missing_ok=True)
+                    checked_beside(path).unlink(missing_ok=True)
 
     def _sweep(self) -> None:
         """Deletes the unfinished files of a server that was killed."""
@@ -221,20 +221,3 @@ def _read_or_empty(path: Path) -> str:
         return path.read_text(encoding="utf-8", errors="replace")
     except OSError:
         return ""
-
-
-def _flush(path: Path) -> None:
-    """Waits until the file's bytes are on the disk."""
-    with path.open("rb") as file:
-        os.fsync(file.fileno())
-
-
-def _flush_folder(path: Path) -> None:
-    """Waits until the folder's names are on the disk; Windows cannot flush a folder."""
-    if not hasattr(os, "O_DIRECTORY"):
-        return
-    descriptor = os.open(path, os.O_RDONLY | os.O_DIRECTORY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)

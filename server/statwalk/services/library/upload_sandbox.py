@@ -24,7 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from statwalk.character.character import Character
-from statwalk.errors import ContentError, ModelError
+from statwalk.errors import ContentError, ModelError, StorageError
 from statwalk.files import archive, captures, model_formats
 from statwalk.files.character_archive import write_character
 from statwalk.files.character_file import load_zip
@@ -51,6 +51,8 @@ MOST_NOTES = 20
 OUT_OF_MEMORY = f"reading it takes more than {MEMORY_BYTES >> 20} MiB of memory"
 TOO_LARGE = f"its arrays take more than {archive.LARGEST_UNPACKED_BYTES >> 20} MiB"
 OUT_OF_TIME = f"reading it takes more than {PROCESSOR_SECONDS} s of computing"
+REFUSALS = errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO
+"""errors of a disk that does not take what the child writes"""
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 log = logging.getLogger(__name__)
 
@@ -64,6 +66,7 @@ def read_in_child(
     Blocks for at most 60 s.
 
     :raises ContentError: when the file is refused, or the child exceeds its memory or time.
+    :raises StorageError: when the disk refuses what the child writes.
     :raises CancelledError: when the token is cancelled; the child is killed.
     """
     arguments = [str(upload), str(out), name, json.dumps(asdict(how or captures.Reading()))]
@@ -77,6 +80,7 @@ def child_answer(
     """Runs a module of ours in a child process in `folder`; returns the line of JSON that it prints.
 
     :raises ContentError: when the child refuses the file, or exceeds its memory or `seconds`.
+    :raises StorageError: when the disk refuses what the child writes.
     :raises CancelledError: when the token is cancelled; the child is killed.
     """
     with subprocess.Popen(  # noqa: S603 - our own program, no shell
@@ -93,6 +97,8 @@ def child_answer(
     if child.returncode:
         raise refusal(child.returncode, error_output)
     answer: dict[str, Any] = json.loads(output)
+    if "errno" in answer:
+        raise StorageError.of(OSError(answer["errno"], os.strerror(answer["errno"])), "the data folder")
     if "message" in answer:
         raise ContentError(answer["message"], file=answer["file"], place=answer["place"])
     return answer
@@ -147,9 +153,10 @@ def answer_as_child(
     except ContentError as error:
         answer = {"message": error.message[:2_000], "file": error.file[:200], "place": error.place[:500]}
     except OSError as error:
-        if error.errno != errno.EFBIG:
+        if error.errno not in (errno.EFBIG, *REFUSALS):
             raise
-        answer = {"message": TOO_LARGE, "file": "", "place": ""}
+        too_large = {"message": TOO_LARGE, "file": "", "place": ""}
+        answer = too_large if error.errno == errno.EFBIG else {"errno": error.errno}
     except MemoryError:
         answer = {"message": OUT_OF_MEMORY, "file": "", "place": ""}
     sys.stdout.write(json.dumps(answer))

@@ -16,12 +16,13 @@ from statwalk.files.character_archive import write_character
 from statwalk.files.gltf.add_clip import model_with_clip
 from statwalk.motion.filter_clip import Filter
 from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.disk import room_on_disk
 from statwalk.services.library.model_store import ModelStore
 from statwalk.services.library.upload_sandbox import LARGEST_MODEL_BYTES, checked_beside
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import catalogue_of
 from statwalk.web.errors import Problem
-from statwalk.web.routes.uploads import check_free, check_result_name, model_store_of, room_on_disk
+from statwalk.web.routes.uploads import check_free, check_result_name, model_store_of
 from statwalk.web.schemas.capture import BonesView, JointPair, NewClip, NewClipView
 
 router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=BoundedRoute)

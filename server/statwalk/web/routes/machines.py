@@ -16,7 +16,7 @@ from statwalk.files.machine_yaml.expression_text import expression_text
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.machine.definition.cell_definition import Defaults
 from statwalk.machine.definition.sense_definition import SenseDefinition, TouchDefinition
-from statwalk.services.hosting.machine_versions import saved
+from statwalk.services.hosting.edited_file import saved
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.store.records import MachineVersion
 from statwalk.services.library.catalogue import Catalogue

@@ -18,13 +18,16 @@ from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_messages import Machines
 from statwalk.services.library import made_machines
 from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.disk import room_on_disk
+from statwalk.services.library.made_keys import MadeKey, NewPlace, made_by, sign
 from statwalk.services.library.model_store import ModelStore
 from statwalk.services.limits import MOST_UPLOADS
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, registry_of
 from statwalk.web.errors import Problem
+from statwalk.web.routes.edits import Key
 from statwalk.web.routes.machines import machine_members
-from statwalk.web.routes.uploads import check_name, model_store_of, room_on_disk
+from statwalk.web.routes.uploads import check_name, model_store_of
 from statwalk.web.schemas.machine import MachineView, NewMachine, NewName
 
 router = APIRouter(prefix="/api/machines", tags=["machines"], route_class=BoundedRoute)
@@ -75,19 +78,21 @@ def check_free_machine(name: str, catalogue: Catalogue, store: ModelStore) -> No
         raise Problem(409, f"the data folder holds {MOST_UPLOADS} machines, and no more; delete one first")
 
 
-def _make(new: NewMachine, catalogue: Catalogue, store: ModelStore) -> tuple[Path, Role]:
+def _make(new: NewMachine, catalogue: Catalogue, place: NewPlace) -> tuple[Path, Role]:
     """Writes the machine that a client asks for; returns its folder and its role."""
     if new.copy_of is not None:
         if new.character is not None or new.mapping is not None or new.empty:
             raise Problem(422, "a copy has the states and the character of its origin", field="copy_of")
-        return made_machines.copy(new.name, catalogue.entry(new.copy_of), catalogue, store)
+        return made_machines.copy(place, catalogue.entry(new.copy_of), catalogue)
     character = simple_character() if new.character is None else catalogue.character(new.character)
     states = {idle_clip(character): "STAND"} if new.empty and character.clips else _states_of(new, character)
-    return made_machines.write(new.name, states, character, store, new.root)
+    return made_machines.write(place, states, character, new.root)
 
 
 @router.post("", status_code=201)
-def make_machine(new: NewMachine, registry: RegistryDep, response: Response, _: LongWorkToken) -> MachineView:
+def make_machine(
+    new: NewMachine, registry: RegistryDep, response: Response, _: LongWorkToken, key: Key = ""
+) -> MachineView:
     """Makes a machine: a copy of another (`copy_of`); from a character, with a state for each clip, a
     complete table, an event on a key for each state, or (`empty`) with one state; or, with neither, from
     nothing: a simple skeleton at rest, in one state.
@@ -96,14 +101,18 @@ def make_machine(new: NewMachine, registry: RegistryDep, response: Response, _: 
     """
     catalogue = registry.catalogue
     store = model_store_of(catalogue)
+    place = NewPlace(new.name, store, MadeKey.of(key, "make", new.model_dump_json()))
     with store.lock, room_on_disk():
-        check_free_machine(check_name(new.name), catalogue, store)
-        try:
-            catalogue.adopt(*_make(new, catalogue, store))
-        except ContentError as error:
-            raise Problem(422, error.message, field=error.place) from None
-    response.headers["Location"] = f"/api/machines/{new.name}"
-    return MachineView(**machine_members(*registry.versions.current(new.name)))
+        name = made_by(place.key, store.machine_folders())
+        if name is None:
+            check_free_machine(check_name(new.name), catalogue, store)
+            name = new.name
+            try:
+                catalogue.adopt(*_make(new, catalogue, place))
+            except ContentError as error:
+                raise Problem(422, error.message, field=error.place) from None
+    response.headers["Location"] = f"/api/machines/{name}"
+    return MachineView(**machine_members(*registry.versions.current(name)))
 
 
 @router.delete("/{name}", status_code=204)
@@ -116,28 +125,40 @@ def delete_machine(name: str, registry: RegistryDep) -> None:
     check_unused(name, registry)
     store = model_store_of(catalogue)
     with store.lock, room_on_disk():
+        registry.versions.check_storage()
         store.forget_machine(name)
         catalogue.drop(name)
         registry.versions.forget(name)
 
 
 @router.post("/{name}/rename")
-def rename_machine(name: str, new: NewName, registry: RegistryDep) -> MachineView:
+def rename_machine(name: str, new: NewName, registry: RegistryDep, key: Key = "") -> MachineView:
     """Gives a machine that POST made another name; its versions come along.
 
     409 for other machines, and while a stage plays the machine or has it in its past.
     """
-    catalogue = registry.catalogue
-    check_unused(name, registry)
-    store = model_store_of(catalogue)
+    store = model_store_of(registry.catalogue)
+    made = MadeKey.of(key, "rename", name, new.to)
     with store.lock, room_on_disk():
-        if new.to != name:
-            check_free_machine(check_name(new.to), catalogue, store)
-            folder = store.rename_machine(name, new.to)
-            catalogue.drop(name)
-            catalogue.adopt(folder)
-            registry.versions.rename(name, new.to)
-    return MachineView(**machine_members(*registry.versions.current(new.to)))
+        present = made_by(made, store.machine_folders())
+        if present in (None, name):
+            check_unused(name, registry)
+            present = new.to
+            if new.to != name:
+                check_free_machine(check_name(new.to), registry.catalogue, store)
+                _rename(name, new.to, registry, made)
+    return MachineView(**machine_members(*registry.versions.current(present)))
+
+
+def _rename(name: str, new: str, registry: Registry, key: MadeKey | None) -> None:
+    catalogue = registry.catalogue
+    store = model_store_of(catalogue)
+    registry.versions.check_storage()
+    sign(catalogue.entry(name).folder, key)
+    folder = store.rename_machine(name, new)
+    catalogue.drop(name)
+    catalogue.adopt(folder)
+    registry.versions.rename(name, new)
 
 
 def check_unused(name: str, registry: Registry) -> None:

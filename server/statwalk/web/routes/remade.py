@@ -13,12 +13,12 @@ from fastapi import Request, Response
 
 from statwalk.services.cancel import CancelToken
 from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.disk import room_on_disk
 from statwalk.web.dependencies import token_of
 from statwalk.web.routes.uploads import (
     check_free,
     check_result_name,
     model_store_of,
-    room_on_disk,
     upload_view,
     working_folder,
 )

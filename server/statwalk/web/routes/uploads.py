@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Iterator
-from contextlib import asynccontextmanager, contextmanager
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -14,13 +14,13 @@ from fastapi import APIRouter, Depends, Query, Request, Response
 from fastapi import Path as PathParameter
 from starlette.requests import ClientDisconnect
 
-from statwalk.errors import StorageError
 from statwalk.files.bvh.bvh_file import Position
 from statwalk.files.captures import Reading
 from statwalk.files.md2.md2_file import Inbetween
 from statwalk.files.scale import LARGEST_SCALE, SMALLEST_SCALE
 from statwalk.motion.filter_clip import HIGHEST_CUTOFF, Filter
 from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.disk import room_on_disk
 from statwalk.services.library.model_store import NAME, ModelStore, UploadedCharacter
 from statwalk.services.library.upload_sandbox import read_in_child
 from statwalk.services.limits import MOST_UPLOADS
@@ -54,15 +54,6 @@ def model_store_of(catalogue: Catalogue) -> ModelStore:
     if catalogue.store is None:
         raise Problem(409, "this server refuses uploads: it has no data folder; start it with one")
     return catalogue.store
-
-
-@contextmanager
-def room_on_disk() -> Iterator[None]:
-    """:raises StorageError: when the disk of the data folder refuses."""
-    try:
-        yield
-    except OSError as error:
-        raise StorageError.of(error, "the data folder") from None
 
 
 def check_name(name: str) -> str:

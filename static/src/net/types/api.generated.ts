@@ -5327,7 +5327,9 @@ export interface operations {
     import_machine_api_machines__name__import_zip_put: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
             path: {
                 name: string;
             };
@@ -5391,7 +5393,9 @@ export interface operations {
     make_machine_api_machines_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -5665,7 +5669,9 @@ export interface operations {
     rename_machine_api_machines__name__rename_post: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
             path: {
                 name: string;
             };

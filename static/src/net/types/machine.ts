@@ -20,7 +20,10 @@ export type {
   VersionView as MachineVersion,
 } from "./api.generated";
 
-import type { NewOperations } from "./api.generated";
+import type { MachineView, NewOperations } from "./api.generated";
 
 /** One change of a machine; several together make one version. */
 export type Operation = NewOperations["operations"][number];
+
+/** What raises an event: a condition, or a touch of two colliders. */
+export type Sense = MachineView["senses"][string];

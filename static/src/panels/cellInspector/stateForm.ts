@@ -1,10 +1,15 @@
 /** The form of a state: its name, its motion, its markers. */
 
+import type { Signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
-import type { LayerInfo, StateInfo } from "../../net/protocol";
+import type { LayerInfo, MachineInfo, Operation, StateInfo } from "../../net/protocol";
 import type { EditingFields } from "../../state/editingFields";
+import { numberOrName, numberText } from "../../state/fieldTexts";
 import { formField } from "../../ui/formField";
 import type { App } from "../../view/app";
+import { blendForm, newBlend } from "./blendForm";
+import type { Drag } from "./blendPad";
+import { clipChoice } from "./clipChoice";
 
 const YES_NO = [
   ["no", "no"],
@@ -20,53 +25,88 @@ function phase(text: string): number | null {
   return value;
 }
 
-export function stateForm(app: App, fields: EditingFields, layer: LayerInfo, name: string): TemplateResult {
+type StateFields = Extract<Operation, { kind: "set_state" }>["fields"];
+
+export function stateForm(
+  app: App,
+  fields: EditingFields,
+  drag: Signal<Drag | null>,
+  layer: LayerInfo,
+  name: string,
+): TemplateResult {
   const info = layer.states.find((state) => state.name === name);
+  const composite = layer.composites.find((state) => state.name === name);
   const state = { state: name, layer: layer.name };
-  const short = info?.outer ? name.slice(info.outer.length + 1) : name;
-  const own = fields.bind("name", short, (to) => [{ kind: "rename_state", ...state, to }]);
-  if (!info)
-    return html`<h2 .textContent=${name}></h2>
-      ${formField(own, { label: "name" })}`;
-  const loop = fields.bind("loop", yes(info.loop), (text) => [
-    { kind: "set_state", ...state, fields: { loop: text === "yes" } },
-  ]);
-  const isInitial = layer.initial === name;
+  const outer = (info ?? composite)?.outer ?? "";
+  const short = outer ? name.slice(outer.length + 1) : name;
+  const own = fields.bind("name", short, (to) => [{ kind: "rename_state", ...state, to: to.trim() }]);
+  const flag = (member: "loop" | "final" | "resume", value: boolean, label: string): TemplateResult => {
+    const field = fields.bind(member, yes(value), (text) => set({ [member]: text === "yes" }));
+    return formField(field, { label, choices: YES_NO });
+  };
+  const set = (members: StateFields): Operation[] => [{ kind: "set_state", ...state, fields: members }];
+  const isFinal = (info ?? composite)?.final ?? false;
   return html`<h2 .textContent=${name}></h2>
-    ${formField(own, { label: "name" })} ${motionFields(app, fields, layer, info)}
-    ${info.motion === null ? nothing : formField(loop, { label: "loops", choices: YES_NO })}
-    <button
-      type="button"
-      class="wide"
-      ?disabled=${isInitial}
-      .textContent=${isInitial ? "it is the first state" : "make it the first state"}
-      @click=${() => void app.editing.operate([{ kind: "set_initial", ...state }])}
-    ></button>
-    ${markers(fields, state, info)}`;
+    ${formField(own, { label: "name" })} ${info ? motionFields(app, fields, drag, layer, info) : nothing}
+    ${info && info.motion !== null ? html`${flag("loop", info.loop, "loops")} ${speedField(app, fields, info, set)}` : nothing}
+    ${composite ? flag("resume", composite.resume, "resumes where it was left") : nothing}
+    ${outer ? flag("final", isFinal, `ends ${outer}`) : nothing}
+    ${info ? initialButton(app, layer, info) : nothing} ${info ? markers(fields, state, info) : nothing}`;
+}
+
+function speedField(
+  { machine }: App,
+  fields: EditingFields,
+  { speed }: StateInfo,
+  set: (members: StateFields) => Operation[],
+): TemplateResult {
+  const field = fields.bind("speed", typeof speed === "number" ? numberText(speed) : speed, (text) =>
+    set({ speed: numberOrName(text) }),
+  );
+  return formField(field, {
+    label: "speed",
+    hint: "1, or a parameter",
+    proposals: numbersOf(machine.info.value),
+  });
+}
+
+/** Returns the names of a machine's number parameters. */
+const numbersOf = (info: MachineInfo | null): string[] =>
+  (info?.parameters ?? []).filter(({ kind }) => kind === "number").map(({ name }) => name);
+
+function initialButton(
+  { editing }: App,
+  { name: layer, initial, composites }: LayerInfo,
+  { name, outer }: StateInfo,
+): TemplateResult {
+  const isInitial = (composites.find((state) => state.name === outer)?.initial ?? initial) === name;
+  return html`<button
+    type="button"
+    class="wide"
+    ?disabled=${isInitial}
+    .textContent=${isInitial ? "it is the first state" : "make it the first state"}
+    @click=${() => void editing.operate([{ kind: "set_initial", state: name, layer }])}
+  ></button>`;
 }
 
 function motionFields(
-  { library, machine }: App,
+  app: App,
   fields: EditingFields,
+  drag: Signal<Drag | null>,
   layer: LayerInfo,
-  { name, motion, over, clips }: StateInfo,
+  info: StateInfo,
 ): TemplateResult {
-  const state = { state: name, layer: layer.name };
-  const known = library.clipsOf(machine.info.value?.character ?? "");
-  const choices = [
-    ["", "the pose at rest"],
-    ...(layer.name === "base" ? [] : [["none", "none"] as const]),
-    ...known.map((clip) => [clip.name, `${clip.name}, ${clip.duration.toFixed(2)} s`] as const),
-  ] as const;
-  if (over.length)
-    return html`<p
-      class="hint"
-      .textContent=${`Blends ${clips.join(", ")} over ${over.join(" and ")}.`}
-    ></p>`;
-  const field = fields.bind("motion", motion ?? (layer.name === "base" ? "" : "none"), (text) => [
-    { kind: "set_state", ...state, fields: { motion: text } },
+  const { library, machine } = app;
+  const { name, motion } = info;
+  if (info.over.length) return blendForm(app, fields, drag, layer.name, info);
+  const isBase = layer.name === "base";
+  const field = fields.bind("motion", motion ?? (isBase ? "" : "none"), (text) => [
+    { kind: "set_state", state: name, layer: layer.name, fields: { motion: text } },
   ]);
-  return formField(field, { label: "clip", choices });
+  const character = machine.info.value?.character ?? "";
+  const others = [["", "the pose at rest"], ...(isBase ? [] : [["none", "none"]])] as [string, string][];
+  return html`${clipChoice(field, character, library.clipsOf(character), others)}
+  ${newBlend(app, fields, layer.name, info)}`;
 }
 
 function markers(

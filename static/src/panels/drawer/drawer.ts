@@ -10,6 +10,7 @@ import type { App } from "../../view/app";
 
 const TABS: readonly (readonly [NonNullable<Drawer>, string])[] = [
   ["cell", "cell"],
+  ["machine", "machine"],
   ["versions", "versions"],
   ["text", "YAML"],
 ];

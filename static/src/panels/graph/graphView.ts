@@ -7,8 +7,8 @@ import { Camera } from "./camera";
 import { keepPlace } from "./graphEdits";
 import { LayerPlaces } from "./layerPlaces";
 import type { Places } from "./layout";
-import { layOut } from "./layout";
 import { statesToDraw } from "./neighbours";
+import { placeStates } from "./places";
 import { type Content, Picture } from "./picture";
 import { type Point, rectOf } from "./shapes";
 
@@ -122,12 +122,14 @@ export class GraphView {
     this.drawn = { machine, layer, around };
     this.note(around ? `${names.length} of ${layer.states.length} states` : "");
     const content = part(layer, names);
+    const isHere = drawn?.layer.name === layer.name && drawn.machine.name === machine.name;
+    // An edit moves nothing, and a whole layout takes long.
+    const kept: Places = isHere && drawn.around === around ? this.places : new Map<string, Point>();
     this.places = around
-      ? layOut(names, content.edges, this.aspect)
+      ? placeStates(names, content.edges, kept, this.aspect)
       : this.layerPlaces.of(machine, layer, this.aspect);
     this.show(content);
-    const stays = drawn?.layer.name === layer.name && drawn.machine.name === machine.name && !around;
-    if (!stays || this.camera.fitted) this.fit();
+    if (!isHere || around || this.camera.fitted) this.fit();
   }
 
   private show(content: Content): void {

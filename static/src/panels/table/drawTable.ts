@@ -3,6 +3,7 @@
 import type { Cell, LayerInfo, StateInfo } from "../../net/protocol";
 import { el, svg } from "../../ui/dom";
 import { cellSentence, glance, isDefault } from "./cellText";
+import type { Line } from "./tableBody";
 
 function fork(count: number): HTMLElement {
   const drawing = svg(
@@ -105,15 +106,6 @@ export function drawState(
   return head;
 }
 
-export interface Drawn {
-  head: HTMLElement;
-  body: HTMLElement[];
-  rows: Map<string, HTMLTableRowElement>;
-  cells: Map<string, HTMLTableCellElement>;
-}
-
-export const cellKey = (state: string, event: string): string => JSON.stringify([state, event]);
-
 /** Returns the events that have a cell in this layer, in the order of the machine. */
 export function columns(layer: LayerInfo, events: readonly string[]): string[] {
   const written = new Set(layer.rows[0] ?? []);
@@ -124,41 +116,50 @@ export function columns(layer: LayerInfo, events: readonly string[]): string[] {
 
 const COLUMN = { scope: "col", role: "columnheader", tabindex: -1, "aria-haspopup": "menu" };
 
-/** Draws the table of a layer; states of a sub-machine come under its name. */
-export function drawTable(
-  layer: LayerInfo,
-  events: readonly string[],
+/** Draws the head of the columns. */
+export function drawHead(shown: readonly string[]): HTMLTableRowElement {
+  const corner = { ...COLUMN, class: "corner", title: "add a state or an event" };
+  return el(
+    "tr",
+    { "aria-rowindex": 1 },
+    el("th", corner, "state", el("b", {}, "+")),
+    ...shown.map((event) => el("th", { ...COLUMN, "data-column": event }, event)),
+  );
+}
+
+/** Returns the lines of a layer's states; states of a sub-machine come under its name. */
+export function linesOf(
+  { table, states: all }: LayerInfo,
+  states: readonly StateInfo[],
+  shown: readonly string[],
   goTo: ((state: string) => void) | null,
-): Drawn {
-  const shown = columns(layer, events);
-  const known = new Set(layer.states.map((state) => state.name));
-  const drawn: Drawn = {
-    head: el(
-      "tr",
-      {},
-      el("th", { ...COLUMN, class: "corner", title: "add a state or an event" }, "state", el("b", {}, "+")),
-      ...shown.map((event) => el("th", { ...COLUMN, "data-column": event }, event)),
-    ),
-    body: [],
-    rows: new Map(),
-    cells: new Map(),
+): Line[] {
+  const known = new Set(all.map((state) => state.name));
+  const row = (state: StateInfo): Line => ({
+    state: state.name,
+    draw: () =>
+      el(
+        "tr",
+        {},
+        drawState(state, goTo),
+        ...shown.map((event) => drawCell(state, event, table[state.name]?.[event], known)),
+      ),
+  });
+  const head = (outer: string): Line => ({
+    state: "",
+    draw: () => el("tr", { class: "outer" }, el("th", { colspan: shown.length + 1 }, el("span", {}, outer))),
+  });
+  return states.flatMap((state, i) =>
+    state.outer && state.outer !== states[i - 1]?.outer ? [head(state.outer), row(state)] : [row(state)],
+  );
+}
+
+/** Returns the number of letters of the longest text in each column: rows that come do not widen it. */
+export function columnLetters({ table }: LayerInfo, shown: readonly string[]): number[] {
+  const rows = Object.values(table);
+  const letters = (cell: Cell | undefined): number => {
+    const { to, signs } = glance(cell);
+    return to.length + 2 * signs.length;
   };
-  let outer = "";
-  for (const state of layer.states) {
-    const { name } = state;
-    if (state.outer && state.outer !== outer)
-      drawn.body.push(
-        el("tr", { class: "outer" }, el("th", { colspan: shown.length + 1 }, el("span", {}, state.outer))),
-      );
-    outer = state.outer;
-    const cells = shown.map((event) => {
-      const cell = drawCell(state, event, layer.table[name]?.[event], known);
-      drawn.cells.set(cellKey(name, event), cell);
-      return cell;
-    });
-    const row = el("tr", {}, drawState(state, goTo), ...cells);
-    drawn.rows.set(name, row);
-    drawn.body.push(row);
-  }
-  return drawn;
+  return shown.map((event) => Math.max(event.length, ...rows.map((row) => letters(row[event]))));
 }

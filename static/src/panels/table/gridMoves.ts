@@ -5,11 +5,15 @@ export interface Spot {
   column: number;
 }
 
+/** Rows. */
+const PAGE = 10;
 const STEPS: Record<string, [number, number]> = {
   ArrowUp: [-1, 0],
   ArrowDown: [1, 0],
   ArrowLeft: [0, -1],
   ArrowRight: [0, 1],
+  PageUp: [-PAGE, 0],
+  PageDown: [PAGE, 0],
 };
 
 /** Returns the cell that `key` leads to, or null if the key does not move. */

@@ -5,22 +5,28 @@
 
 import "./cells.css";
 import "./table.css";
-import type { Finding, Verdict } from "../../net/protocol";
+import type { Finding, LayerInfo, Verdict } from "../../net/protocol";
 import type { App } from "../../view/app";
 import { el, flash, say } from "../../ui/dom";
-import { type Drawn, cellKey, drawTable } from "./drawTable";
+import { columnLetters, columns, drawHead, linesOf } from "./drawTable";
 import { headMenu } from "./headMenu";
 import { firstFrom, moved } from "./gridMoves";
+import { TableBody } from "./tableBody";
+import { Filter } from "./filter";
 import { verdictLine } from "./verdictLine";
 
 /** Opens the editor of a cell, with its text or with a typed letter. */
 type Edit = (cell: HTMLTableCellElement, typed: string | null) => void;
 
-const EMPTY: Drawn = { head: el("tr"), body: [], rows: new Map(), cells: new Map() };
+/** A table with more rows keeps the widths of its columns. */
+const MANY_ROWS = 60;
 
 export class Table {
   private readonly table = el("table", { "aria-label": "state table", role: "grid" });
-  private drawn = EMPTY;
+  private readonly body: TableBody;
+  private readonly filter: Filter;
+  private head = el("tr");
+  private shown: string[] = [];
   private readonly menu: ReturnType<typeof headMenu>;
 
   constructor(
@@ -29,7 +35,11 @@ export class Table {
     private readonly app: App,
     private readonly edit: Edit,
   ) {
+    this.body = new TableBody(host);
+    this.filter = new Filter(host, app);
+    this.table.append(el("thead", {}, this.head), this.body.element);
     host.append(this.table);
+    this.filter.text.subscribe(() => this.draw());
     app.machine.info.subscribe(() => this.draw());
     app.selection.layer.subscribe(() => this.draw());
     app.selection.layerStates.subscribe(() => this.mark());
@@ -48,20 +58,42 @@ export class Table {
     const focused = this.table.contains(document.activeElement)
       ? (document.activeElement as HTMLElement).dataset
       : null;
-    this.drawn = drawTable(
-      layer,
-      machine.events,
-      layer === machine.layers[0] ? (state) => void this.app.travel.go(state) : null,
+    const goTo = layer === machine.layers[0] ? (state: string) => void this.app.travel.go(state) : null;
+    const { states, events } = this.filter.apply(layer, columns(layer, machine.events));
+    this.shown = events;
+    this.head = drawHead(events);
+    if (states.length > MANY_ROWS) this.keepWidths(layer);
+    this.table.setAttribute("aria-rowcount", String(states.length + 1));
+    this.table.tHead!.replaceChildren(this.head);
+    const isLive = (state: string): boolean => state !== "" && state === this.app.selection.shownState;
+    this.body.fill(
+      linesOf(layer, states, events, goTo).map(({ state, draw }) => ({
+        state,
+        draw: () => {
+          const row = draw();
+          row.toggleAttribute("aria-current", isLive(state));
+          return row;
+        },
+      })),
     );
-    this.table.replaceChildren(el("thead", {}, this.drawn.head), el("tbody", {}, ...this.drawn.body));
-    this.drawn.cells.values().next().value?.setAttribute("tabindex", "0");
+    const [first] = this.body.rows();
+    first?.[1].cells[1]?.setAttribute("tabindex", "0");
     this.line.textContent = "";
     if (focused?.["state"]) this.focus(this.cell(focused["state"], focused["column"] ?? ""));
     this.mark();
   }
 
   cell(state: string, event: string): HTMLTableCellElement | null {
-    return this.drawn.cells.get(cellKey(state, event)) ?? null;
+    const column = this.shown.indexOf(event);
+    return column < 0 ? null : (this.body.row(state)?.cells[column + 1] ?? null);
+  }
+
+  private keepWidths(layer: LayerInfo): void {
+    columnLetters(layer, this.shown).forEach((letters, i) => {
+      (this.head.cells[i + 1] as HTMLElement).style.minWidth = `${letters}ch`;
+    });
+    const longest = Math.max(...layer.states.map(({ name }) => name.length));
+    (this.head.cells[0] as HTMLElement).style.minWidth = `${longest}ch`;
   }
 
   /** Shows the cell of a finding, or its row. */
@@ -69,13 +101,20 @@ export class Table {
     const index =
       this.app.machine.info.value?.layers.findIndex(({ name }) => name === (layer || "base")) ?? -1;
     if (index >= 0) this.app.selection.layer.value = index;
-    const row = state ? this.drawn.rows.get(state) : undefined;
+    if (state) this.unfilter(state, event);
+    const row = state ? this.body.row(state) : null;
     if (!row || !state) return;
     this.reveal(row);
     const cell = event ? this.cell(state, event) : null;
     if (cell) this.revealSideways(cell);
     flash(cell ?? row, "shown");
     this.focus(cell);
+  }
+
+  /** Gives the filter up if it hides what shall be shown. */
+  private unfilter(state: string, event: string | null): void {
+    const isShown = this.body.states.includes(state) && (event === null || this.shown.includes(event));
+    if (!isShown) this.filter.clear();
   }
 
   private focus(cell: HTMLElement | null): void {
@@ -136,15 +175,12 @@ export class Table {
   }
 
   private move(cell: HTMLTableCellElement, key: string): boolean {
-    const rows = [this.drawn.head as HTMLTableRowElement, ...this.drawn.rows.values()];
+    const states = this.body.states;
     const row = cell.parentElement as HTMLTableRowElement;
-    const spot = moved(
-      { row: rows.indexOf(row), column: cell.cellIndex },
-      key,
-      rows.length,
-      row.cells.length,
-    );
-    const next = spot && rows[spot.row]?.cells[spot.column];
+    const at = { row: states.indexOf(cell.dataset["state"] ?? "") + 1, column: cell.cellIndex };
+    const spot = moved(at, key, states.length + 1, row.cells.length);
+    const to = spot && (spot.row ? this.body.row(states[spot.row - 1]!) : this.head);
+    const next = to?.cells[spot!.column];
     if (!next) return false;
     this.reveal(next.parentElement!);
     this.revealSideways(next);
@@ -167,10 +203,10 @@ export class Table {
 
   private mark(): void {
     const live = this.app.selection.shownState;
-    for (const [name, row] of this.drawn.rows) row.toggleAttribute("aria-current", name === live);
-    const row = this.drawn.rows.get(live);
     // While you work in the table it does not scroll by itself.
-    if (row && !this.host.contains(document.activeElement)) this.reveal(row);
+    const row = this.host.contains(document.activeElement) ? null : this.body.row(live);
+    for (const [name, drawn] of this.body.rows()) drawn.toggleAttribute("aria-current", name === live);
+    if (row) this.reveal(row);
   }
 
   /** Scrolls the table, not the page, as little as needed. */
@@ -183,7 +219,7 @@ export class Table {
 
   /** Scrolls sideways until the cell is visible, and no column is cut by the fixed first one. */
   private revealSideways(cell: HTMLElement): void {
-    const [fixed, ...heads] = [...this.drawn.head.children] as HTMLElement[];
+    const [fixed, ...heads] = [...this.head.cells];
     const stays = fixed?.offsetWidth ?? 0;
     const { scrollLeft, clientWidth } = this.host;
     const [left, right] = [cell.offsetLeft - stays, cell.offsetLeft + cell.offsetWidth];

@@ -21,7 +21,8 @@ APPLICATION = 0x5374576B
 """the number by which `file` and SQLite tell whose database it is: "StWk" """
 LARGEST_WAL_BYTES = 16 << 20
 STAGES = "stages"
-PARTS = ("beginnings", "roles", "commands", "ends", "snapshots", "keys")
+KEYS = "keys"
+PARTS = ("beginnings", "roles", "commands", "ends", "snapshots", KEYS)
 """the tables with rows of stages"""
 SEALED = {
     STAGES: (
@@ -84,7 +85,7 @@ INSERT INTO commits VALUES (1, 0);
 DAMAGED = "the database is damaged where it says which tables it has"
 _ORPHANS = "DELETE FROM {0} WHERE stage NOT IN (SELECT id FROM stages UNION SELECT stage FROM ends)"
 """a command may have followed the end of its stage; where a log has an end, the stage's row is missing"""
-WITH_ORPHANS = "keys"
+WITH_ORPHANS = KEYS
 """rows of no stage stay here: a flip may have given a row another stage, which reports it"""
 
 

@@ -172,12 +172,13 @@ class KeptRecords:
         """
         return int(next(self._rows("PRAGMA user_version"))[0])
 
-    def damage(self) -> list[str]:
-        """Returns what SQLite itself finds wrong with the file.
-
-        :raises StorageError: when the file is no database.
-        """
-        return [text for (text,) in self._rows("PRAGMA integrity_check") if text != "ok"]
+    def damage(self, table: str = "") -> list[str]:
+        """Returns what SQLite itself finds wrong with the file, or quickly with the pages of one table."""
+        check = f"quick_check({table})" if table else "integrity_check"
+        try:
+            return [text for (text,) in self._rows(f"PRAGMA {check}") if text != "ok"]
+        except StorageError as error:
+            return [str(error)]
 
     def copy(self, target: Path) -> None:
         """Writes a copy of the whole database as it is at one instant.

@@ -60,6 +60,15 @@ class Store:
         self.writer.close()
         self._lock.release()
 
+    def check(self) -> None:
+        """Waits until the disk has taken a write.
+
+        :raises StorageError: when the disk refuses.
+        """
+        self.writer.check()
+        self.writer.put(())
+        self.flush()
+
     def flush(self) -> None:
         """Waits until everything so far is durable.
 
@@ -89,7 +98,7 @@ class Store:
     def keep_versions(self, machine: str, versions: Iterable[MachineVersion], old: int) -> None:
         """Keeps versions of a machine, forgets those up to the number `old`, and waits until it is durable.
 
-        :raises StorageError: when the disk refuses; the versions are kept as soon as it does not.
+        :raises StorageError: when the disk refuses; then the versions are forgotten.
         """
         rows = [version_row(machine, version) for version in versions]
         self.writer.put(
@@ -98,7 +107,12 @@ class Store:
                 Statement("DELETE FROM versions WHERE machine = ? AND number <= ?", [(machine, old)]),
             ]
         )
-        self.flush()
+        try:
+            self.flush()
+        except StorageError:  # what was handed over is written when the disk takes writes again
+            forget = "DELETE FROM versions WHERE machine = ? AND number = ?"
+            self.writer.put([Statement(forget, [row[:2] for row in rows])])
+            raise
 
     def keep_edit_key(self, machine: str, key: str, answer: KeptKey) -> None:
         """Keeps the key of an edit, forgets the oldest ones, and waits until it is durable.

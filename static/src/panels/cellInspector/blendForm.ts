@@ -1,0 +1,107 @@
+/** The form of a blend: its pad, its clips in numbers, and how a state with one clip becomes a blend. */
+
+import type { Signal } from "@preact/signals-core";
+import { html, nothing, type TemplateResult } from "lit-html";
+import type { Parameter, StateInfo } from "../../net/protocol";
+import type { EditingFields } from "../../state/editingFields";
+import { formField } from "../../ui/formField";
+import type { App } from "../../view/app";
+import { BlendPad, type Drag } from "./blendPad";
+import { axesOf, blendOver, makeBlend, middle, placeOf, putClip } from "./blendSpace";
+
+/** The parameter of a new blend. */
+const PACE = "pace";
+
+export function blendForm(
+  app: App,
+  fields: EditingFields,
+  drag: Signal<Drag | null>,
+  layer: string,
+  info: StateInfo,
+): TemplateResult {
+  const { machine, library, selection, travel } = app;
+  const axes = axesOf(info, machine.info.value?.parameters ?? []);
+  const state = { state: info.name, layer };
+  const others = library
+    .clipsOf(machine.info.value?.character ?? "")
+    .filter(({ name }) => !info.clips.includes(name));
+  const added = fields.bind("blend new", "", (clip) => putClip(state, clip, middle(axes)));
+  const isThere = layer !== "base" || selection.shownState === info.name;
+  return html`${overField(fields, state, info, machine.info.value?.parameters ?? [])}
+    ${new BlendPad(app, drag, layer, info).template()}
+    ${
+      isThere
+        ? nothing
+        : html`<button type="button" class="wide" @click=${() => void travel.go(info.name)}>
+            see it: go to ${info.name}
+          </button>`
+    }
+    <fieldset>
+      <legend>clips</legend>
+      ${info.clips.map((clip) => clipRow(fields, state, info, clip, (text) => placeOf(text, axes)))}
+      ${formField(added, {
+        label: "one more",
+        choices: [["", "choose …"], ...others.map(({ name }) => [name, name] as const)],
+      })}
+    </fieldset>`;
+}
+
+/** Draws the field of what the clips are blended over. A blend with markers, which it would lose, keeps it. */
+function overField(
+  fields: EditingFields,
+  state: { state: string; layer: string },
+  info: StateInfo,
+  parameters: readonly Parameter[],
+): TemplateResult {
+  if (info.markers.length)
+    return html`<p class="hint" .textContent=${`Blends over ${info.over.join(" and ")}.`}></p>`;
+  const field = fields.bind("blend over", info.over.join(", "), (text) =>
+    blendOver(state, info, text, parameters),
+  );
+  return formField(field, { label: "over", hint: "pace; or two: pace, turn" });
+}
+
+function clipRow(
+  fields: EditingFields,
+  state: { state: string; layer: string },
+  { points, clips }: StateInfo,
+  clip: string,
+  read: (text: string) => number[],
+): TemplateResult {
+  const field = fields.bind(`blend ${clip}`, (points[clip] ?? []).join(", "), (text) =>
+    putClip(state, clip, read(text)),
+  );
+  const without = fields.bind(`blend without ${clip}`, "", () => [
+    { kind: "delete_blend_clip", ...state, clip },
+  ]);
+  return html`${formField(field, { label: clip, hint: "its place" })}
+  ${
+    clips.length > 2
+      ? html`<p class="buttons">
+          <button type="button" aria-label=${`take ${clip} out`} @click=${() => without.left("out")}>
+            take out
+          </button>
+        </p>`
+      : nothing
+  }`;
+}
+
+/** Draws the field that makes a blend of a state's clip and another. */
+export function newBlend(
+  { machine, library }: App,
+  fields: EditingFields,
+  layer: string,
+  { name, motion }: StateInfo,
+): TemplateResult {
+  const info = machine.info.value;
+  const clips = library.clipsOf(info?.character ?? "");
+  if (!info || !clips.some((clip) => clip.name === motion)) return html``;
+  const field = fields.bind("blend with", "", (clip) =>
+    makeBlend({ state: name, layer }, [motion!, clip], PACE, info.parameters),
+  );
+  const others = clips.filter((clip) => clip.name !== motion).map((clip) => [clip.name, clip.name] as const);
+  return formField(field, {
+    label: "blend with",
+    choices: [["", "another clip …"], ...others],
+  });
+}

@@ -1,0 +1,21 @@
+import { describe, expect, it } from "vitest";
+import { drawnLines, gaps } from "./rowWindow";
+import { filtered } from "./filter";
+
+describe("the lines that are drawn", () => {
+  const sight = { top: 2700, height: 270, line: 27 };
+  it("are those in sight and ten on each side", () => {
+    const lines = drawnLines(300, sight, []);
+    expect([lines[0], lines.at(-1)]).toEqual([90, 120]);
+  });
+  it("are also those that stay", () => expect(drawnLines(300, sight, [7, -1])[0]).toBe(7));
+  it("are all of a small table", () => expect(drawnLines(60, sight, [])).toHaveLength(60));
+});
+
+it("rooms are left for the others", () => expect(gaps(300, [7, 90, 91])).toEqual([7, 82, 0, 208]));
+
+describe("the filter", () => {
+  it("takes parts of names", () =>
+    expect(filtered(["RUN", "WALK", "STWK"], "wk al")).toEqual(["WALK", "STWK"]));
+  it("leaves all if none has one", () => expect(filtered(["RUN"], "jump")).toEqual(["RUN"]));
+});

@@ -1,0 +1,49 @@
+// @vitest-environment happy-dom
+import { beforeEach, expect, test } from "vitest";
+import { el } from "../../ui/dom";
+import { TableBody } from "./tableBody";
+
+const LINE = 27;
+let host: HTMLElement;
+let body: TableBody;
+
+function row(state: string): HTMLTableRowElement {
+  return el("tr", {}, el("td", { "data-state": state, tabindex: -1 }, state));
+}
+
+beforeEach(() => {
+  host = document.body.appendChild(el("div"));
+  body = new TableBody(host);
+  host.append(el("table", {}, body.element));
+  const states = Array.from({ length: 300 }, (_, i) => `S${i}`);
+  body.fill(states.map((state) => ({ state, draw: () => row(state) })));
+});
+
+function scroll(line: number): void {
+  host.scrollTop = line * LINE;
+  host.dispatchEvent(new Event("scroll"));
+}
+
+const drawn = (): string[] => [...body.rows()].map(([state]) => state);
+
+test("rows come into sight and go, and their room stays", () => {
+  scroll(100);
+  expect(drawn()).toContain("S100");
+  expect(drawn()).not.toContain("S0");
+  const rooms = [...body.element.querySelectorAll<HTMLElement>(".gap td")].map(({ style }) => style.height);
+  expect(rooms).toEqual([`${90 * LINE}px`, `${(300 - 111) * LINE}px`]);
+});
+
+test("the row with the focus stays when it is scrolled out of sight", () => {
+  const cell = body.row("S5")!.cells[0]!;
+  cell.tabIndex = 0;
+  cell.focus();
+  scroll(200);
+  expect(document.activeElement).toBe(cell);
+  expect(drawn().slice(0, 2)).toEqual(["S5", "S190"]);
+});
+
+test("a row out of sight is drawn when it is asked for", () => {
+  expect(body.row("S250")?.textContent).toBe("S250");
+  expect(body.row("NONE")).toBeNull();
+});

@@ -1,0 +1,112 @@
+/** Draws the lines of a table that are in sight: a browser lays a table of 12,000 cells out too slowly. */
+
+import { el } from "../../ui/dom";
+import { drawnLines, gaps } from "./rowWindow";
+
+/** A line of the table: the row of a state, or the head of a sub-machine. */
+export interface Line {
+  /** "": a head, which is no state. */
+  state: string;
+  draw: () => HTMLTableRowElement;
+}
+
+/** Pixels, until a row is measured. */
+const LINE_HEIGHT = 27;
+
+export class TableBody {
+  readonly element = el("tbody");
+  private lines: readonly Line[] = [];
+  private places = new Map<string, number>();
+  private drawn = new Map<number, HTMLTableRowElement>();
+  /** The line that was asked for last. */
+  private asked = -1;
+
+  /** `host`: what scrolls. */
+  constructor(private readonly host: HTMLElement) {
+    host.addEventListener("scroll", () => this.show(), { passive: true });
+    new ResizeObserver(() => this.show()).observe(host);
+  }
+
+  /** Takes other lines in place of all. */
+  fill(lines: readonly Line[]): void {
+    this.lines = lines;
+    this.places = new Map(lines.flatMap(({ state }, i) => (state ? [[state, i] as const] : [])));
+    this.drawn = new Map();
+    this.asked = -1;
+    this.element.replaceChildren();
+    this.show();
+  }
+
+  /** The states of the rows, from the top. */
+  get states(): string[] {
+    return [...this.places.keys()];
+  }
+
+  /** Returns the row of a state, and draws it if it is out of sight; null: the table does not have it. */
+  row(state: string): HTMLTableRowElement | null {
+    const line = this.places.get(state);
+    if (line === undefined) return null;
+    if (!this.drawn.has(line)) {
+      this.asked = line;
+      this.show();
+    }
+    return this.drawn.get(line) ?? null;
+  }
+
+  /** The rows of states that are drawn. */
+  *rows(): Iterable<[string, HTMLTableRowElement]> {
+    for (const [line, row] of this.drawn) if (this.lines[line]!.state) yield [this.lines[line]!.state, row];
+  }
+
+  /** Draws what is in sight now. A row that stays keeps its element, and with it the focus. */
+  private show(): void {
+    const height = this.measured;
+    const sight = { top: this.host.scrollTop, height: this.host.clientHeight, line: height };
+    const wanted = drawnLines(this.lines.length, sight, [this.asked, this.reachable()]);
+    if (wanted.length === this.drawn.size && wanted.every((line) => this.drawn.has(line))) return;
+    const before = this.drawn;
+    this.drawn = new Map(wanted.map((line) => [line, before.get(line) ?? this.draw(line)]));
+    for (const old of [...this.element.children]) if (!this.isDrawn(old as HTMLTableRowElement)) old.remove();
+    const left = gaps(this.lines.length, wanted);
+    const elements = wanted.flatMap((line, i) => [...gap(left[i]! * height), this.drawn.get(line)!]);
+    this.put([...elements, ...gap(left.at(-1)! * height)]);
+  }
+
+  private draw(line: number): HTMLTableRowElement {
+    const row = this.lines[line]!.draw();
+    row.dataset["line"] = String(line);
+    row.setAttribute("aria-rowindex", String(line + 2));
+    return row;
+  }
+
+  private isDrawn(row: HTMLTableRowElement): boolean {
+    return row.dataset["line"] !== undefined && this.drawn.get(Number(row.dataset["line"])) === row;
+  }
+
+  /** Puts the elements in their order, without moving one that is there: it would lose the focus. */
+  private put(elements: readonly HTMLElement[]): void {
+    let next = this.element.firstElementChild;
+    for (const element of elements)
+      if (element === next) next = next.nextElementSibling;
+      else this.element.insertBefore(element, next);
+  }
+
+  /** The line whose cell Tab reaches. */
+  private reachable(): number {
+    const cell = this.element.querySelector<HTMLElement>("[tabindex='0']");
+    return Number(cell?.closest("tr")?.dataset["line"] ?? -1);
+  }
+
+  private get measured(): number {
+    const [row] = this.drawn.values();
+    return row?.offsetHeight || LINE_HEIGHT;
+  }
+}
+
+/** Makes the room of lines that are not drawn. */
+function gap(height: number): HTMLElement[] {
+  if (!height) return [];
+  const room = el("td");
+  room.style.height = `${height}px`;
+  return [el("tr", { class: "gap", "aria-hidden": "true" }, room)];
+}

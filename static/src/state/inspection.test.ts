@@ -1,0 +1,25 @@
+import { expect, it } from "vitest";
+import type { Operation } from "../net/protocol";
+import { Inspection, type Selected } from "./inspection";
+
+const AT: Selected = { layer: "base", state: "FIGHT.GUARD", event: "JUMP" };
+const renames = (state: string, to: string, layer?: string): Operation => ({
+  kind: "rename_state",
+  state,
+  to,
+  ...(layer !== undefined && { layer }),
+});
+
+it.each<[string, Operation, Selected]>([
+  ["its state", renames("FIGHT.GUARD", "BLOCK"), { ...AT, state: "FIGHT.BLOCK" }],
+  ["the state around it", renames("FIGHT", "BRAWL"), { ...AT, state: "BRAWL.GUARD" }],
+  ["its event", { kind: "rename_event", event: "JUMP", to: "LEAP" }, { ...AT, event: "LEAP" }],
+  ["its layer", { kind: "rename_layer", layer: "base", to: "legs" }, { ...AT, layer: "legs" }],
+  ["another state", renames("FIGHT.GUARDS", "BLOCK"), AT],
+  ["a state of another layer", renames("FIGHT.GUARD", "BLOCK", "arms"), AT],
+])("what is selected follows the new name of %s", (_, operation, expected) => {
+  const inspection = new Inspection();
+  inspection.selected.value = AT;
+  inspection.follow([operation]);
+  expect(inspection.selected.value).toEqual(expected);
+});
