@@ -103,6 +103,8 @@ def _routes(settings: Settings) -> FastAPI:
     """Returns the application inside the guard."""
     catalogue = Catalogue(settings.folders, ModelStore(settings.data) if settings.data else None)
     store = Store(settings.kept, catalogue.texts.__getitem__) if settings.kept else None
+    if catalogue.store and settings.kept == settings.data:  # which no other server uses
+        catalogue.store.sweep(0)
     registry = Registry(catalogue, messages.fact, settings.limits, store=store)
     app = FastAPI(
         title="statwalk",

@@ -55,7 +55,7 @@ class ModelStore:
         self.models, self.names = self.folder / "characters", self.folder / "names"
         self.machines, self.unfinished = self.folder / "machines", self.folder / "tmp"
         self.lock = threading.RLock()
-        self._sweep()
+        self.sweep()
 
     # --- reading
 
@@ -208,10 +208,10 @@ class ModelStore:
                     path.unlink(missing_ok=True)
                     checked_beside(path).unlink(missing_ok=True)
 
-    def _sweep(self) -> None:
-        """Deletes the unfinished files of a server that was killed."""
+    def sweep(self, seconds: float = LEFTOVER_SECONDS) -> None:
+        """Deletes the unfinished files of a server that was killed, if they are so old."""
         for path in self.unfinished.glob("*"):
-            if time.time() - path.stat().st_mtime > LEFTOVER_SECONDS:
+            if time.time() - path.stat().st_mtime >= seconds:
                 shutil.rmtree(path, ignore_errors=True)
 
 

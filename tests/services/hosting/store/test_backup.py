@@ -36,6 +36,7 @@ def test_the_files_of_a_data_folder_are_in_it_and_no_others(tmp_path: Path) -> N
         f"characters/{'a' * 64}.glb": b"model",
         "names/robot.json": b"{}",
         "machines/robot/machine.yaml": b"x",
+        "machines/robot/my walk (1).bvh": b"y",
     }
     for name, data in (kept | {"lock": b"1", "tmp/half": b"", "notes.txt": b"mine"}).items():
         (tmp_path / "data" / name).parent.mkdir(parents=True, exist_ok=True)
