@@ -152,14 +152,15 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
 }
 
 /** Watches the main stage, and waits until it is there: a machine on a stage can't be renamed or deleted. */
-function leave({ session, stage }: App): Promise<void> {
-  if (stage.id === "main") return Promise.resolve();
+async function leave({ session, stage, stages }: App): Promise<void> {
+  if (stage.id === "main") return;
   session.watch("main");
-  return new Promise((done) => {
+  await new Promise<void>((done) => {
     const end = stage.hello.subscribe((hello) => {
       if (hello?.stage !== "main") return;
       queueMicrotask(() => end());
       done();
     });
   });
+  await stages.closed;
 }
