@@ -7,6 +7,7 @@ import "./style/layout.css";
 import { accessPanel } from "./panels/access/access";
 import { actionCounterPanel } from "./panels/actionCounter/actionCounter";
 import { badgePanel } from "./panels/badge/badge";
+import { barMenuPanel } from "./panels/barMenu/barMenu";
 import { cellInspectorPanel } from "./panels/cellInspector/cellInspector";
 import { clampedPanel } from "./panels/clamped/clamped";
 import { deducePanel } from "./panels/deduce/deduceDialog";
@@ -86,6 +87,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["drawer", drawerPanel],
   ["palette", palettePanel],
   ["help", helpPanel],
+  ["bar-menu", barMenuPanel],
 ];
 
 /** The panels of a page in a hall: the character alone, and nothing that changes it. */

@@ -34,3 +34,13 @@ def test_a_phone_scrolls_no_page_sideways(viewer: Page, width: int, height: int)
     viewer.set_viewport_size({"width": width, "height": height})
     until(viewer, "innerWidth === arg", width)
     assert viewer.evaluate("document.documentElement.scrollWidth") == width
+
+
+def test_nothing_of_the_header_is_cut(viewer: Page) -> None:
+    """What has no room is in a menu at its end, which the keyboard opens: there is the palette, too."""
+    for width in (1440, 1100, 1024, 960, 390, 320):
+        viewer.set_viewport_size({"width": width, "height": 640})
+        until(viewer, "innerWidth === arg && document.querySelector('.bar').scrollWidth <= arg", width)
+    viewer.get_by_role("button", name="more").press("Enter")
+    viewer.get_by_role("menuitem", name="find anything").press("Enter")
+    viewer.get_by_role("combobox", name="find a command").wait_for()

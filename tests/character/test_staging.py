@@ -8,7 +8,7 @@ from paths import MACHINES
 from scipy.signal import lfilter
 from scipy.spatial.transform import Rotation
 from statwalk.character.staging import FRAMINGS, framed
-from statwalk.errors import UnknownNameError
+from statwalk.errors import ContentError, UnknownNameError
 
 WALKER = statwalk.load(MACHINES / "faq-walker" / "walker.glb")
 STANDING = WALKER.clip("stand").sample(0.0)
@@ -88,3 +88,11 @@ def test_a_character_without_skin_is_framed_by_its_joints():
 def test_an_unknown_framing_is_refused():
     with pytest.raises(UnknownNameError, match=f"There are: {', '.join(FRAMINGS)}"):
         statwalk.staging(WALKER, STANDING, framing="feet")
+
+
+@pytest.mark.parametrize(
+    "wish", [{"path": []}, {"path": [1, 2, 3]}, {"path": [[np.nan, 0, 0]]}, {"rate": 0}, {"aspect": 0}]
+)
+def test_a_camera_that_cannot_be_is_refused(wish):
+    with pytest.raises(ContentError):
+        statwalk.staging(WALKER, STANDING, **wish)

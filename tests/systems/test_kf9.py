@@ -257,3 +257,24 @@ def test_a_wrong_clip_of_a_character_file_names_its_line(tmp_path):
         from_text(
             tmp_path, "Root --- - - - -\nArm Root 2 1 0 0\n", move=(text, "loop: false}\n  b: {of: mov")
         )
+
+
+@pytest.mark.parametrize(
+    ("joint", "stretch", "words"),
+    [(2, {0: 1}, "has 2 joints"), (-1, {0: 1}, "has 2 joints"), (0, {np.nan: 1.0}, "times from 0")],
+)
+def test_an_impossible_squash_is_refused(joint, stretch, words):
+    with pytest.raises(ContentError, match=words):
+        squash(clip_of(), joint, stretch)
+
+
+@pytest.mark.parametrize("rate", [0, -1, np.nan])
+def test_a_rate_of_frames_is_above_0(rate):
+    with pytest.raises(ContentError, match="frames a second"):
+        to_frames(MOVE, 12, rate)
+
+
+def test_sides_mirror_clips_of_their_own_character():
+    _, sides = figure()
+    with pytest.raises(ContentError, match="moves 2 joints, these sides have 4"):
+        sides.clip(MOVE)

@@ -63,7 +63,9 @@ class SkinPoints:
         rows = world[..., axis, :]
         values: Floats = np.zeros((*rows.shape[:-2], self.count), rows.dtype)
         for joint, column in zip(*np.nonzero(self.shares.any(-1)), strict=True):
-            values += rows[..., joint, column, None] * self.shares[joint, column].astype(rows.dtype)
+            carried = np.flatnonzero(self.shares[joint, column])
+            share = self.shares[joint, column, carried].astype(rows.dtype)
+            values[..., carried] += rows[..., joint, column, None] * share
         return values
 
 

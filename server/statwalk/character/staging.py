@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from statwalk.character.character import Character
-from statwalk.errors import UnknownNameError
+from statwalk.errors import ContentError, UnknownNameError
 from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
@@ -55,7 +55,13 @@ def staging(
     width of the picture by height.
 
     :raises UnknownNameError: when there is no framing of this name.
+    :raises ContentError: when the path is not T finite places, or rate or aspect are not positive.
     """
+    places = np.asarray(path, np.float64)
+    if places.ndim != 2 or places.shape[1] != 3 or not len(places) or not np.isfinite(places).all():
+        raise ContentError(f"path: places (T, 3) of finite numbers are needed, not {places.shape}")
+    if not (0 < rate < np.inf and 0 < aspect < np.inf):
+        raise ContentError(f"rate and aspect are above 0, not {rate:g} and {aspect:g}")
     whole = _box(character, pose, heading)
     low, high = framed(*whole, framing)
     radius = max(float(np.linalg.norm(high - low)) / 2, 1e-3)
@@ -63,7 +69,7 @@ def staging(
     side, up = np.array([0.0, 1.0, 0.0]), np.array([1.0, 0.0, 0.0])
     rotation = quat.mul(quat.from_axis_angle(side, AROUND), quat.from_axis_angle(up, -ABOVE))
     away = quat.rotate(rotation, np.array([0.0, 0.0, radius / np.sin(narrow) * ROOM]))
-    roots = followed(np.asarray(path, np.float64), max(float((high - low)[1]), 1e-3), rate)
+    roots = followed(places, max(float((high - low)[1]), 1e-3), rate)
     return Shot(roots + (low + high) / 2 + away, rotation, float(FIELD), radius / 60, radius * 80)
 
 

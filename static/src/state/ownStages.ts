@@ -14,6 +14,8 @@ export class OwnStages {
   /** Stages to close as soon as the page has another one. */
   private left: string[] = [];
   private choices = 0;
+  /** Settles when the stages that the page left last are closed: their machines are free then. */
+  closed: Promise<unknown> = Promise.resolve();
 
   constructor(
     private readonly session: Session,
@@ -97,7 +99,7 @@ export class OwnStages {
   private close(): void {
     const left = this.left.filter((stage) => stage !== this.stage.id);
     this.left = [];
-    for (const stage of left) void this.remove(stage);
+    this.closed = Promise.all(left.map((stage) => this.remove(stage)));
   }
 
   private async remove(stage: string): Promise<void> {

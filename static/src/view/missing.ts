@@ -44,6 +44,6 @@ export function missingModel(url: string, wrong: string): Model {
   sign.scale.set(METRES, (METRES * HEIGHT) / WIDTH, 1);
   sign.position.y = EYES;
   const scene = new THREE.Group().add(sign);
-  const none = { nodes: [], targets: [], levels: [], materials: new Map(), materialCount: 0 };
+  const none = { nodes: [], animations: [], targets: [], levels: [], materials: new Map(), materialCount: 0 };
   return { url, scene, wrong, ...none, skinJoints: new Set(), skinEnds: new Map() };
 }

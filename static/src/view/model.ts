@@ -9,6 +9,8 @@ import { type DetailLevel, readDetail } from "./collapses";
 export interface Model {
   url: string;
   scene: THREE.Group;
+  /** The clips, as the file has them. */
+  animations: readonly THREE.AnimationClip[];
   /** The object of every node of the file, by index. */
   nodes: THREE.Object3D[];
   /** Morph targets of every node, by index (0 for most). */
@@ -60,9 +62,9 @@ function dressStrokes(scene: THREE.Object3D, parser: GLTFParser, json: GltfJson)
 // The page normalises weights itself, over all sets of influences (`influences.ts`).
 THREE.SkinnedMesh.prototype.normalizeSkinWeights = () => undefined;
 
-/** Loads and parses the model at `url`; rejects with the loader's reason. */
-export async function loadModel(url: string): Promise<Model> {
-  const gltf = await new GLTFLoader().loadAsync(url);
+/** Loads and parses the model at `url`; rejects with the loader's reason, also if `manager` is told to abort. */
+export async function loadModel(url: string, manager = THREE.DefaultLoadingManager): Promise<Model> {
+  const gltf = await new GLTFLoader(manager).loadAsync(url);
   const json = gltf.parser.json as GltfJson;
   const count = json.nodes?.length ?? 0;
   const nodes = (await Promise.all(
@@ -74,6 +76,7 @@ export async function loadModel(url: string): Promise<Model> {
   return {
     url,
     scene: gltf.scene,
+    animations: gltf.animations,
     nodes,
     targets: targetCounts(json),
     skinJoints,

@@ -19,6 +19,7 @@ function model(): Model {
   return {
     url: "",
     scene,
+    animations: [],
     nodes: [face, tail, body],
     targets: [0, 0, 0],
     levels: [],

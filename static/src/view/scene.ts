@@ -4,10 +4,9 @@ import * as THREE from "three";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import { FollowCamera } from "./camera";
 import { Ground } from "./ground";
+import { Lights } from "./lights";
 import type { Quality } from "./quality";
 import { Event } from "../state/event";
-
-const SHADOW_PIXELS = 2048;
 
 /** Handles in the picture, by name: where each is drawn, in pixels of the page. */
 export interface Handles {
@@ -19,9 +18,7 @@ export class Scene {
   readonly world = new THREE.Scene();
   readonly view: FollowCamera;
   readonly ground: Ground;
-  private readonly key = new THREE.DirectionalLight(0xfff3e6, 2.8);
-  private readonly rim = new THREE.DirectionalLight(0xbcd2ff, 0.9);
-  private readonly sky = new THREE.HemisphereLight(0xe8f0ff, 0x6b6157, 2.1);
+  private readonly lights = new Lights(this.world);
   private readonly floor = new THREE.Mesh(
     new THREE.PlaneGeometry(60, 60).rotateX(-Math.PI / 2),
     new THREE.ShadowMaterial({ opacity: 0.34 }),
@@ -34,7 +31,6 @@ export class Scene {
   calls = 0;
   /** Controls over the lower end of the picture. */
   private controls: HTMLElement | null = null;
-  private height = 1.8;
   private dirty = true;
 
   constructor(
@@ -56,7 +52,7 @@ export class Scene {
     this.ground = new Ground(quality);
     this.view = new FollowCamera(canvas, still);
     this.view.controls.addEventListener("change", () => this.invalidate());
-    this.world.add(this.ground.mesh, this.sky, this.key, this.key.target, this.rim, this.rim.target);
+    this.world.add(this.ground.mesh);
     if (high) this.addShadow();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement ?? canvas);
     this.resize();
@@ -66,12 +62,8 @@ export class Scene {
     const makeEnvironment = new THREE.PMREMGenerator(this.renderer);
     this.world.environment = makeEnvironment.fromScene(new RoomEnvironment(), 0.04).texture;
     this.world.environmentIntensity = 0.35;
-    this.sky.intensity = 0.9;
-    this.key.castShadow = true;
-    this.key.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
-    this.key.shadow.radius = 5;
-    this.key.shadow.bias = -0.0004;
-    this.key.shadow.normalBias = 0.02;
+    this.lights.sky.intensity = 0.9;
+    this.lights.castShadows(true);
     this.floor.receiveShadow = true;
     this.floor.renderOrder = -1;
     this.world.add(this.floor);
@@ -79,18 +71,8 @@ export class Scene {
 
   /** Fits light, shadow and grid to a character `height_m` tall. */
   fit(height_m: number): void {
-    this.height = height_m;
+    this.lights.fit(height_m);
     this.ground.fit(height_m);
-    const camera = this.key.shadow.camera;
-    Object.assign(camera, {
-      left: -2 * height_m,
-      right: 2 * height_m,
-      top: 2 * height_m,
-      bottom: -2 * height_m,
-      near: 0.1 * height_m,
-      far: 9 * height_m,
-    });
-    camera.updateProjectionMatrix();
     this.invalidate();
   }
 
@@ -99,17 +81,7 @@ export class Scene {
     this.view.aim(position, heading);
     this.ground.follow(position.x, position.z);
     this.floor.position.set(position.x, 0, position.z);
-    this.placeLight(this.key, position, [1.6, 3.2, 2.0]);
-    this.placeLight(this.rim, position, [-1.8, 2.2, -2.4]);
-  }
-
-  private placeLight(
-    light: THREE.DirectionalLight,
-    position: THREE.Vector3,
-    [x, y, z]: [number, number, number],
-  ): void {
-    light.target.position.set(position.x, position.y + 0.5 * this.height, position.z);
-    light.position.copy(position).add(new THREE.Vector3(x, y, z).multiplyScalar(this.height));
+    this.lights.follow(position);
   }
 
   /** Makes the next `draw` draw. */

@@ -18,11 +18,11 @@ def test_what_is_refused_stays_in_the_cell(own: Server, table: Page, allowed: li
     assert machine(own)["version"] == table.evaluate("window.start")
 
 
-@pytest.mark.parametrize("away", ["Tab", "a click on the picture"])
+@pytest.mark.parametrize("away", ["Shift+Tab", "a click on the picture"])
 def test_a_refused_cell_closes_when_it_is_left(table: Page, away: str) -> None:
     type_in_cell(table, "TLXT")
-    if away == "Tab":
-        table.keyboard.press("Tab")
+    if away == "Shift+Tab":
+        table.keyboard.press(away)
     else:
         table.locator("canvas").first.click()
     until(table, "document.querySelector('.cell-field').hidden")
@@ -42,3 +42,13 @@ def test_a_refused_cell_can_be_left(own: Server, table: Page, allowed: list[str]
     assert notice.inner_text().startswith("WALK, LEFT: “TLXT” is not kept.")
     assert table.locator(".cell-field").input_value() == "TRGT"
     assert machine(own)["version"] == table.evaluate("window.start")
+
+
+def test_tab_leads_to_the_report(table: Page) -> None:
+    """The text stays in its cell while you read on; Escape gives it up."""
+    type_in_cell(table, "TLXT")
+    table.keyboard.press("Tab")
+    until(table, "document.activeElement.id === 'cell-inspector'")
+    assert table.locator(".cell-field").input_value() == "TLXT"
+    table.keyboard.press("Escape")
+    until(table, "document.querySelector('.cell-field').hidden")

@@ -4,9 +4,11 @@ import numpy as np
 import pytest
 from recordings_by_hand import ANKLE, foot, recording, standing
 from statwalk.character.skin_points import SkinPoints
+from statwalk.machine.definition.ground_definition import GroundDefinition
 from statwalk.stage.measure.slide import NEAR, sinks, slides
 
 EVERY = np.ones((10, 1), bool)
+STEP = (GroundDefinition((-1, -1), (1, 1), 0.2, 0),)
 
 
 def test_a_foot_that_stands_does_not_slide():
@@ -52,3 +54,21 @@ def test_skin_sinks_as_far_as_its_lowest_point():
     skin = SkinPoints.of_joints_themselves(range(3), 3)
     assert sinks(recording(joints), skin, EVERY)[0] == pytest.approx(0.012)
     assert sinks(recording(standing(10)), skin, EVERY)[0] == 0
+
+
+def test_on_a_step_a_foot_slides_and_sinks_as_on_the_floor():
+    joints = standing(10) + np.array([0, 0.2, 0])
+    joints[:, ANKLE, 2] = 0.01 * np.arange(10)
+    joints[3, ANKLE, 1] = 0.196
+    skin = SkinPoints.of_joints_themselves(range(3), 3)
+    assert slides(recording(joints), (foot(),), EVERY, STEP)[0] == pytest.approx(0.09)
+    assert sinks(recording(joints), skin, EVERY, STEP)[0] == pytest.approx(0.004)
+    assert slides(recording(joints), (foot(),), EVERY)[0] == 0
+
+
+def test_a_foot_that_pokes_into_the_side_of_a_step_sinks_and_does_not_slide():
+    joints = standing(10) + np.array([0, 0.1, -0.992])
+    joints[:, ANKLE, 0] = 0.01 * np.arange(10)
+    skin = SkinPoints.of_joints_themselves([ANKLE], 3)
+    assert slides(recording(joints), (foot(),), EVERY, STEP)[0] == 0
+    assert sinks(recording(joints), skin, EVERY, STEP)[0] == pytest.approx(0.01, abs=0.0021)

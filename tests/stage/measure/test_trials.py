@@ -6,6 +6,7 @@ from paths import MACHINES
 from statwalk.errors import CancelledError
 from statwalk.services.library.load import load_role
 from statwalk.stage.measure.alone import motion_alone
+from statwalk.stage.measure.measured_ground import Spot
 from statwalk.stage.measure.trials import NEVER, WARM_UP, CellTrial, placed, record
 from statwalk.stage.stage import Stage
 
@@ -62,6 +63,13 @@ def test_a_trial_is_the_same_in_a_crowd():
     alone = record(WALKER, [CellTrial(WALK, 0.3, STOP)], 40)
     crowd = record(WALKER, [CellTrial(WALK, phase, STOP) for phase in (0, 0.1, 0.2, 0.3)], 40)
     assert np.array_equal(alone.joints[:, 0], crowd.joints[:, 3])
+
+
+def test_a_trial_begins_at_its_place_and_is_the_same_there():
+    here, there = CellTrial(WALK, 0.3), CellTrial(WALK, 0.3, place=Spot(2, 3, np.pi))
+    recording = record(WALKER, [here, there], 40)
+    turned = recording.joints[:, 0] * [-1, 1, -1] + [2, 0, 3]
+    assert np.abs(recording.joints[:, 1] - turned).max() < 1e-4
 
 
 def test_recording_can_be_cancelled():

@@ -38,8 +38,10 @@ def to_seconds(clip: Clip, seconds: float) -> Clip:
 def to_frames(clip: Clip, frames: float, rate: float = 24.0) -> Clip:
     """Returns the clip with a length of `frames` at `rate` frames per second, as animators count.
 
-    :raises ContentError: as `to_seconds`.
+    :raises ContentError: as `to_seconds`, and when the rate is not above 0.
     """
+    if not rate > 0:
+        raise ContentError(f"a rate should be above 0 frames a second, it is {rate:g}")
     return to_seconds(clip, frames / rate)
 
 

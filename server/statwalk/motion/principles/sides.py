@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from statwalk.errors import ContentError
 from statwalk.maths import quat
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.pose import Pose
@@ -105,7 +106,13 @@ class Sides:
         return Pose(*(array.astype(np.float32) for array in out))
 
     def clip(self, clip: Clip) -> Clip:
-        """Returns the clip mirrored: each key goes to the partner of its joint, with the same curve."""
+        """Returns the clip mirrored: each key goes to the partner of its joint, with the same curve.
+
+        :raises ContentError: when the clip is one of a character with other joints.
+        """
+        joints = clip.rest.rotation.shape[-2]
+        if joints != len(self.partner):
+            raise ContentError(f"the clip moves {joints} joints, these sides have {len(self.partner)}")
         receiver = {int(other): joint for joint, other in enumerate(self.partner) if other >= 0}
         channels = tuple(
             self._channel(channel, receiver[channel.joint])

@@ -25,8 +25,8 @@ def squash(clip: Clip, joint: int, stretch: Mapping[float, float], axis: str = "
 
     stretch: s by time (seconds); in between s is linear, the ends hold. A factor below 1 squashes.
 
-    :raises ContentError: when the axis is not x, y or z, a factor is not 0.1 to 10, a time is negative, or
-        the clip keys the joint's scale already.
+    :raises ContentError: when the axis is not x, y or z, there is no such joint, a factor is not 0.1 to 10, a
+        time is negative or endless, or the clip keys the joint's scale already.
     """
     _check(clip, joint, stretch, axis)
     times, factors = _fine(stretch)
@@ -48,7 +48,13 @@ def squash(clip: Clip, joint: int, stretch: Mapping[float, float], axis: str = "
 def _check(clip: Clip, joint: int, stretch: Mapping[float, float], axis: str) -> None:
     if axis not in AXES:
         raise ContentError(f"an axis is x, y or z, not {axis!r}")
-    if not stretch or min(stretch) < 0 or not all(SMALLEST <= s <= LARGEST for s in stretch.values()):
+    if not 0 <= joint < len(clip.rest.scale):
+        raise ContentError(f"the clip {clip.name} has {len(clip.rest.scale)} joints, from 0; none is {joint}")
+    if (
+        not stretch
+        or not all(0 <= time < np.inf for time in stretch)
+        or not all(SMALLEST <= s <= LARGEST for s in stretch.values())
+    ):
         raise ContentError(f"a stretch needs times from 0 and factors of {SMALLEST:g} to {LARGEST:g}")
     if any(channel.joint == joint and channel.path == "scale" for channel in clip.channels):
         raise ContentError(f"the clip {clip.name} keys the scale of this joint already")

@@ -11,7 +11,7 @@ from itertools import product
 import numpy as np
 
 from statwalk.machine.compile.alternatives import NOW
-from statwalk.maths.arrays import Ints
+from statwalk.maths.arrays import Bools, Floats, Ints
 from statwalk.stage.measure.figures import Figure, Played
 from statwalk.stage.measure.jump import Jump, jump_of
 from statwalk.stage.measure.limbs import hand_accelerations, knees
@@ -79,30 +79,36 @@ def _play_motion(subject: Subject, row: int) -> Played:
     machine = subject.role.machine
     duration = min(_seconds(subject, row), LONGEST_WAIT)
     ticks = round(duration * RATE) * (1 + bool(machine.loop[row]))
-    recording = record(subject.role, [CellTrial(row, 0.0)], max(ticks, 3), subject.checkpoint)
-    watched = np.ones((len(recording.left), 1), bool)
-    values = {
-        "slide": slides(recording, subject.feet, watched),
-        "sink": sinks(recording, subject.skin, watched),
+    trials = [CellTrial(row, 0.0, place=place) for place in subject.places]
+    recording = record(subject.role, trials, max(ticks, 3), subject.checkpoint)
+    values, count = _held(subject, recording, np.ones(recording.left.shape, bool)), len(trials)
+    return Played(values, [""] * count, [0.0] * count, [""] * count, [0] * count)
+
+
+def _held(subject: Subject, recording: Recording, watched: Bools) -> dict[str, Floats]:
+    """The figures of feet, knees and hands in the ticks that are watched (T, N)."""
+    return {
+        "slide": slides(recording, subject.feet, watched, subject.ground),
+        "sink": sinks(recording, subject.skin, watched, subject.ground),
         "knee": knees(recording, subject.feet, watched),
         "hand": hand_accelerations(recording, subject.hands, watched),
     }
-    return Played(values, [""], [0.0], [""], [0])
 
 
 def _play_cell(subject: Subject, row: int, column: int) -> Played:
     """The figures of all trials of a cell that were taken."""
     layer = int(subject.role.machine.layer_of[row])
-    phases = _phases(subject, row, column)
-    plain = [CellTrial(row, phase, column) for phase in phases]
-    twins = [CellTrial(row, phase) for phase in phases]
+    begins = list(product(subject.places, _phases(subject, row, column)))
+    plain = [CellTrial(row, phase, column, place=place) for place, phase in begins]
+    twins = [CellTrial(row, phase, place=place) for place, phase in begins]
     every = record(subject.role, [*plain, *twins], _ticks(subject, row, column), subject.checkpoint)
     changed = change_ticks(every, layer, column)[: len(plain)]
     taken = np.flatnonzero(changed >= 0)
     recording, changed = every.take(taken), changed[taken]
     if column == subject.role.machine.end:  # comes by itself
         recording = replace(recording, sent=changed - 1)
-    played = _played(subject, recording, [plain[k] for k in taken.tolist()], (changed, changed))
+    began = [plain[k] for k in taken.tolist()]
+    played = _played(subject, recording, began, (changed, changed))
     shown = visible(every, np.tile(np.arange(len(plain), 2 * len(plain)), 2))[taken]
     free = record(subject.unlocked, plain, len(every.left), subject.checkpoint).take(taken)
     half, arrived = arrivals(replace(free, sent=recording.sent), changed)
@@ -110,16 +116,22 @@ def _play_cell(subject: Subject, row: int, column: int) -> Played:
     if column != subject.role.machine.end:
         response["visible"] = shown
     played = replace(played, values={**played.values, **response})
-    return _play_interruptions(subject, (row, column), played, changed - recording.sent)
+    waits = (changed - recording.sent).tolist()
+    return _play_interruptions(subject, (row, column), played, list(zip(began, waits, strict=True)))
 
 
-def _play_interruptions(subject: Subject, cell: Cell, plain: Played, waits: Ints) -> Played:
-    """The trials of a cell, followed by those that another event interrupts."""
+def _play_interruptions(
+    subject: Subject, cell: Cell, plain: Played, began: Sequence[tuple[CellTrial, int]]
+) -> Played:
+    """The trials of a cell, followed by those that another event interrupts, each from one of the places in
+    turn; `began`: the trials and the ticks in which they waited for their event.
+    """
     row, column = cell
-    starts = list(zip(plain.phase, waits.tolist(), strict=True))
+    turns = len(subject.places)
     trials = [
-        CellTrial(row, phase, column, wait + later - 1, second)
-        for second, later, (phase, wait) in product(subject.interruptions(row, column), LATER, starts)
+        trial._replace(second=second, second_tick=wait + later - 1)
+        for number, (second, later) in enumerate(product(subject.interruptions(row, column), LATER))
+        for trial, wait in began[number % turns :: turns]
     ]
     ticks = _ticks(subject, row, column) + max(LATER)
     at_once = max(MOST_JOINTS // (ticks * len(subject.role.character.skeleton)), 1)
@@ -152,10 +164,7 @@ def _played(
     values = {
         "jump": np.array([jump.body for jump in jumps]),
         "joint": np.array([jump.joint for jump in jumps]),
-        "slide": slides(recording, subject.feet, watched),
-        "sink": sinks(recording, subject.skin, watched),
-        "knee": knees(recording, subject.feet, watched),
-        "hand": hand_accelerations(recording, subject.hands, watched),
+        **_held(subject, recording, watched),
     }
     events = subject.role.machine.events
     return Played(

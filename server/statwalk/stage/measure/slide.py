@@ -1,19 +1,28 @@
-"""How feet hold the ground: how far soles slide over it, and how far the skin sinks into it."""
+"""How feet hold the ground: how far soles slide over it, and how far the skin sinks into it.
+
+`ground`: the pieces of uneven ground; without any, the floor is at 0.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
 from statwalk.character.feet import Foot
 from statwalk.character.skin_points import SkinPoints
+from statwalk.machine.definition.ground_definition import GroundDefinition
 from statwalk.maths.arrays import Bools, Floats
+from statwalk.stage.measure.measured_ground import depths, heights_at
 from statwalk.stage.measure.trials import Recording, placed
 
 NEAR = 0.006
 """metres: a sole point that is lower stands on the floor"""
 
 
-def slides(recording: Recording, feet: tuple[Foot, ...], watched: Bools) -> Floats:
+def slides(
+    recording: Recording, feet: tuple[Foot, ...], watched: Bools, ground: Sequence[GroundDefinition] = ()
+) -> Floats:
     """Returns (N,) metres: the farthest that a sole point moves over the floor in one contact of a foot.
 
     A contact lasts while any point of the sole is near the floor; a point counts from tick to tick while it
@@ -25,8 +34,11 @@ def slides(recording: Recording, feet: tuple[Foot, ...], watched: Bools) -> Floa
         points = placed(
             foot.skin.at(recording.world).astype(np.float64), recording.position, recording.heading
         )
-        is_near = (points[..., 1] < NEAR) & watched[..., None]
-        higher = np.maximum(points[1:, ..., 1], points[:-1, ..., 1]).clip(0, NEAR)
+        below = heights_at(ground, points[..., 0], points[..., 2])
+        above = points[..., 1] - below
+        is_inside = (above < -NEAR) & (below > 0)  # of a step: it came in from the side, and sinks
+        is_near = (above < NEAR) & ~is_inside & watched[..., None]
+        higher = np.maximum(above[1:], above[:-1]).clip(0, NEAR)
         counts = (is_near[1:] & is_near[:-1]) * (2 - 2 ** (higher / NEAR))
         steps = np.linalg.norm(np.diff(points[..., ::2], axis=0), axis=-1) * counts
         way = np.zeros(points.shape[1:3])
@@ -36,10 +48,18 @@ def slides(recording: Recording, feet: tuple[Foot, ...], watched: Bools) -> Floa
     return farthest
 
 
-def sinks(recording: Recording, skin: SkinPoints, watched: Bools) -> Floats:
-    """Returns (N,) metres: how far the lowest point of the skin is below the floor."""
+def sinks(
+    recording: Recording, skin: SkinPoints, watched: Bools, ground: Sequence[GroundDefinition] = ()
+) -> Floats:
+    """Returns (N,) metres: how far the deepest point of the skin is below the ground; in a step, from its
+    side if that is nearer.
+    """
     if not skin.count:
         return np.zeros(recording.heading.shape[1])
-    lowest = np.stack([skin.heights(world).min(-1) for world in recording.world]) + recording.position[..., 1]
-    sunk: Floats = -np.where(watched, lowest, 0).min(0)
+    ticks = zip(recording.world, recording.position, recording.heading, strict=True)
+    if ground:
+        deepest = [depths(ground, placed(skin.at(world), *root)).max(-1) for world, *root in ticks]
+    else:
+        deepest = [-(skin.heights(world).min(-1) + position[:, 1]) for world, position, _ in ticks]
+    sunk: Floats = np.where(watched, deepest, 0).max(0)
     return sunk.clip(0)

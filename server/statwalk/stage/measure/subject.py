@@ -12,11 +12,14 @@ from statwalk.character.role import Role
 from statwalk.character.skin_points import SkinPoints, outermost_points
 from statwalk.errors import UnknownNameError
 from statwalk.machine.compile.alternatives import NOW
+from statwalk.machine.definition.ground_definition import GroundDefinition
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 from statwalk.machine.travel import reachable
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.stage.measure.jump import joints_shown, most_of
 from statwalk.stage.measure.limbs import hands_of
+from statwalk.stage.measure.measured_ground import Spot, places_on
+from statwalk.stage.measure.over_ground import most_over
 
 Cell = tuple[int, int]
 """row and column of the table"""
@@ -64,10 +67,26 @@ class Subject:
         """Returns the names of `joints`."""
         return [self.role.character.skeleton.names[joint] for joint in self.joints]
 
+    @cached_property
+    def ground(self) -> tuple[GroundDefinition, ...]:
+        """Returns the pieces of uneven ground."""
+        return self.role.definition.ground
+
+    @cached_property
+    def places(self) -> list[Spot]:
+        """Returns where trials begin."""
+        return places_on(self.ground)
+
     def most(self, state: int) -> Floats:
-        """Returns (2, J) the largest changes of position and velocity within a state's motion."""
+        """Returns (2, J) the largest changes of position and velocity within a state's motion by itself; on
+        uneven ground, within the same motion over it.
+        """
         if state not in self._most:
-            self._most[state] = most_of(self.role, state, self.joints)
+            most = most_of(self.role, state, self.joints)
+            if self.ground:
+                over = most_over(self.role, state, self.joints, self.places, self.checkpoint)
+                most = np.maximum(most, over)
+            self._most[state] = most
         return self._most[state]
 
     @cached_property

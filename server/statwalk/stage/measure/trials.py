@@ -21,6 +21,7 @@ from statwalk.maths.simd.pose_layout import JOINT_CHANNELS, ROTATION_CHANNEL, SC
 from statwalk.rig.evaluate import world_from_local
 from statwalk.stage.advance import advance
 from statwalk.stage.effects.effects import Effects
+from statwalk.stage.measure.measured_ground import Spot, mean_heights
 from statwalk.stage.state.cast import CastState
 from statwalk.stage.state.commands import Press
 from statwalk.stage.state.stage_state import StageState
@@ -46,6 +47,8 @@ class CellTrial(NamedTuple):
     second_tick: int = NEVER
     """ticks after the first event"""
     second: int = NEVER
+    place: Spot = Spot()
+    """where it begins"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,8 +155,10 @@ def machines_at(role: Role, states: Ints, times: Floats) -> MachineState:
 
 def _cast(role: Role, trials: Sequence[CellTrial], start: Floats) -> CastState:
     """The actors where they begin: in the pose of their motion, which moves as the motion moves."""
-    nowhere = np.zeros((len(trials), 3))
-    cast = enter(role, range(1, len(trials) + 1), nowhere, nowhere[:, 0])
+    places = [trial.place for trial in trials]
+    height = mean_heights(role.definition.ground, places, float(role.solvers.legs.unit[0]))
+    x, z, heading = np.array(places).T
+    cast = enter(role, range(1, len(trials) + 1), np.stack([x, height, z], -1), heading)
     states = np.array([trial.state for trial in trials])
     before = np.maximum(start - 1 / RATE, 0)
     shown, previous = (poses_ahead(role, machines_at(role, states, times)) for times in (start, before))

@@ -5,24 +5,22 @@ import * as api from "../../net/api";
 import { nameFor, putCharacter, takenNames } from "../../net/upload";
 import type { Mapping, UploadedCharacter } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
+import { size } from "../../ui/amounts";
 import { el, say } from "../../ui/dom";
+import type { Quality } from "../../view/quality";
 import { importCapture, isCapture } from "./captureImport";
 import type { BoneForm } from "./boneForm";
 import { FrameSwitch } from "./frameSwitch";
 import { MODELS, oneFile, PARTS } from "./modelFiles";
 import { chosenFiles, type LocalFile } from "./localFiles";
-import { MappingForm } from "./mappingForm";
+import { Look } from "./look";
+import { MappingStep } from "./mappingStep";
 import { offerRig } from "./rigStep";
 
 const ACCEPT = [...MODELS, ...PARTS, "model/gltf-binary", "application/zip"].join();
 
 /** The server closes the connection on a larger file, which a page cannot tell from a lost connection. */
 const MOST_BYTES = 64 * 2 ** 20;
-
-const plural = (count: number, word: string): string =>
-  `${count.toLocaleString("en")} ${word}${count === 1 ? "" : "s"}`;
-const size = (bytes: number): string =>
-  bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
 
 export class ImportDialog {
   private readonly dialog = el("dialog", { class: "import", "aria-labelledby": "import-title" });
@@ -37,6 +35,7 @@ export class ImportDialog {
   private cancel = new AbortController();
   /** The uploaded character that has no machine yet. */
   private pending: string | null = null;
+  private look: Look | null = null;
 
   /**
    * `made` gets the name of the new machine, and the state that it shall play; `watched` returns the watched
@@ -45,6 +44,7 @@ export class ImportDialog {
   constructor(
     private readonly made: (machine: string, state?: string) => Promise<void>,
     private readonly watched: () => string | null,
+    private readonly quality: Quality,
   ) {
     document.body.append(this.dialog, this.fileInput);
     this.dialog.addEventListener("close", () => this.forget());
@@ -126,13 +126,16 @@ export class ImportDialog {
         (title, ...parts) => this.show(title, ...parts),
         cancel.signal,
       );
-      this.showMapping(character, await api.mapping(name), FrameSwitch.of(file));
+      const [mapping, facts] = await Promise.all([api.mapping(name), api.character(name)]);
+      if (cancel.signal.aborted) return;
+      this.showMapping(character, mapping, new Look(facts, this.quality), FrameSwitch.of(file));
     } catch (error) {
       if (!cancel.signal.aborted) this.refuse(error);
     }
   }
 
   private show(title: string, ...parts: (Node | null)[]): void {
+    this.leaveLook();
     const close = el("button", { type: "button", class: "plain close", "aria-label": "esc: close" }, "esc");
     close.addEventListener("click", () => this.dialog.close());
     this.dialog.replaceChildren(
@@ -175,89 +178,33 @@ export class ImportDialog {
     again.focus();
   }
 
-  private showMapping(character: UploadedCharacter, mapping: Mapping, frames: FrameSwitch | null): void {
-    const { joints, clips, vertices, notes } = character;
-    const form = new MappingForm(mapping);
-    const name = el("input", {
-      type: "text",
-      id: "import-name",
-      maxlength: 64,
-      spellcheck: "false",
-      autocomplete: "off",
-    });
-    name.value = character.name;
-    const wrong = el("p", { class: "import-wrong", role: "alert" });
-    const make = el("button", { type: "submit", class: "primary" }, "Make a machine");
-    const facts = [
-      plural(clips, "clip"),
-      plural(joints, "joint"),
-      plural(vertices, "vertex").replace("vertexs", "vertices"),
-    ].join(" · ");
-    const remarks = notes.length
-      ? el(
-          "details",
-          { class: "import-notes" },
-          el("summary", {}, plural(notes.length, "note")),
-          el("ul", {}, ...notes.map((note) => el("li", {}, note))),
-        )
-      : null;
-    const foot = el(
-      "div",
-      { class: "import-foot" },
-      el("label", { for: name.id }, "name"),
-      name,
-      el("span", { class: "space" }),
-      make,
-    );
-    const states = clips
-      ? form.element
-      : el("p", {}, "Its machine gets one state, STAT: the pose at rest, which expressions can move.");
-    const choice = frames ? [frames.element] : [];
-    const all = el("form", { class: "import-form", novalidate: true }, states, ...choice, wrong, foot);
-    all.addEventListener("submit", (submit) => {
-      submit.preventDefault();
-      void this.make(name, make, wrong, form, character.name, frames);
-    });
-    const title = clips ? "Which clip is which state?" : "A model without animations";
-    this.show(title, el("p", { class: "import-about" }, facts), remarks, all);
-    make.focus();
-  }
-
-  private async make(
-    name: HTMLInputElement,
-    button: HTMLButtonElement,
-    wrong: HTMLElement,
-    form: MappingForm,
-    character: string,
+  /** Shows the character beside the form that makes its machine. */
+  private showMapping(
+    character: UploadedCharacter,
+    mapping: Mapping,
+    look: Look,
     frames: FrameSwitch | null,
-  ): Promise<void> {
-    button.disabled = true;
-    say(wrong, "");
-    try {
-      await frames?.apply(character, this.cancel.signal);
-      await api.makeMachine(name.value.trim(), character, form.states());
+  ): void {
+    const step = new MappingStep(character, mapping, look, frames, this.cancel.signal, async (machine) => {
       this.pending = null;
       this.dialog.close();
-      await this.made(name.value.trim());
-    } catch (error) {
-      this.blame(error, name, wrong, form);
-    } finally {
-      button.disabled = false;
-    }
-  }
-
-  /** Shows each error beside its input, other errors below the form. */
-  private blame(error: unknown, name: HTMLInputElement, wrong: HTMLElement, form: MappingForm): void {
-    const places = error instanceof api.ApiError ? error.places : [];
-    const placed = places.map(({ field, message }) => form.refuse(field, message)).some(Boolean);
-    if (!placed) say(wrong, reasonOf(error));
-    if (places.some(({ field }) => field === "name")) name.focus();
+      await this.made(machine);
+    });
+    this.show(step.title, ...step.parts);
+    this.look = look;
+    step.focus();
   }
 
   /** Aborts the upload and removes a character without a machine from the server. */
   private forget(): void {
     this.cancel.abort();
+    this.leaveLook();
     if (this.pending !== null) api.removeCharacter(this.pending).catch(() => undefined);
     this.pending = null;
+  }
+
+  private leaveLook(): void {
+    this.look?.end();
+    this.look = null;
   }
 }

@@ -21,7 +21,11 @@ export function importPanel(host: HTMLElement, app: App): void {
     await app.library.openMachine(machine);
     if (state) whenWatched(app, machine, () => void app.travel.go(state));
   };
-  const dialog = new ImportDialog(made, () => app.machine.info.value?.character ?? null);
+  const dialog = new ImportDialog(
+    made,
+    () => app.machine.info.value?.character ?? null,
+    app.view.scene.quality,
+  );
   dropZone((files) => void dialog.take(files));
   host.addEventListener("click", () => dialog.choose());
 }

@@ -24,7 +24,8 @@ export class MappingForm {
   private readonly rows: Row[];
   private readonly meanings: Record<string, string>;
 
-  constructor({ mapping, meanings }: Mapping) {
+  /** `before` returns what stands before a clip's name. */
+  constructor({ mapping, meanings }: Mapping, before: (clip: string) => HTMLElement) {
     this.meanings = meanings;
     this.rows = Object.entries(mapping).map(([clip, state], i) => this.row(clip, state, i));
     const known = el(
@@ -35,6 +36,7 @@ export class MappingForm {
     const head = el(
       "div",
       { class: "map-row map-head", "aria-hidden": "true" },
+      el("span"),
       el("span", {}, "clip"),
       el("span"),
       el("span", {}, "state"),
@@ -45,6 +47,7 @@ export class MappingForm {
       return el(
         "div",
         { class: "map-row" },
+        before(clip),
         name,
         el("span", { class: "map-arrow", "aria-hidden": "true" }, "→"),
         input,

@@ -7,6 +7,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import * as machines from "../../net/machines";
 import { reasonOf } from "../../net/reason";
 import { draw } from "../../ui/draw";
+import { stepThrough } from "../../ui/menuKeys";
 import type { App } from "../../view/app";
 
 /** A question: its words, the name that is proposed, if it asks for one, and what a yes does. */
@@ -142,7 +143,7 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
     if (!isOpen.value) return;
     press.stopPropagation();
     if (press.key === "Escape") close();
-    else moveFocus(host, press);
+    else if (stepThrough(host, press)) press.preventDefault();
   });
   document.addEventListener("pointerdown", ({ target }) => {
     if (target instanceof Node && !host.contains(target)) isOpen.value = false;
@@ -150,24 +151,16 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
   });
 }
 
-function moveFocus(host: HTMLElement, press: KeyboardEvent): void {
-  const items = [...host.querySelectorAll<HTMLElement>("[role=menuitem]")];
-  const step = { ArrowDown: 1, ArrowUp: -1 }[press.key];
-  if (step === undefined || !items.length) return;
-  const at = items.indexOf(document.activeElement as HTMLElement);
-  items[(at + step + items.length) % items.length]!.focus();
-  press.preventDefault();
-}
-
 /** Watches the main stage, and waits until it is there: a machine on a stage can't be renamed or deleted. */
-function leave({ session, stage }: App): Promise<void> {
-  if (stage.id === "main") return Promise.resolve();
+async function leave({ session, stage, stages }: App): Promise<void> {
+  if (stage.id === "main") return;
   session.watch("main");
-  return new Promise((done) => {
+  await new Promise<void>((done) => {
     const end = stage.hello.subscribe((hello) => {
       if (hello?.stage !== "main") return;
       queueMicrotask(() => end());
       done();
     });
   });
+  await stages.closed;
 }

@@ -9,11 +9,10 @@ import { el, flash } from "../../ui/dom";
 import { writtenText } from "./cellText";
 import { completions, markersOf, targets } from "./completion";
 import type { TrialReport } from "./trialReport";
+import { coverCell } from "./fieldPlace";
 import { Suggestions } from "./suggestions";
 
 const TRIAL_PAUSE_MS = 180;
-/** Pixels. */
-const [MOST_WIDTH, LETTER_WIDTH, PADDING] = [170, 9, 20];
 
 const cellOf = ({ layer, state, event }: CellPlace): string => JSON.stringify([layer, state, event]);
 const setting = (place: CellPlace, text: string): Operation[] => [{ kind: "set_cell", ...place, text }];
@@ -27,7 +26,6 @@ export class CellEditor {
     autocomplete: "off",
     maxlength: 200,
     role: "combobox",
-    "aria-controls": "suggestions",
     hidden: true,
   });
   private readonly suggestions: Suggestions;
@@ -45,11 +43,15 @@ export class CellEditor {
     private readonly cellAt: (state: string, event: string) => HTMLTableCellElement | null,
   ) {
     host.append(this.field);
-    this.suggestions = new Suggestions(inspector.suggestions, (text) => this.complete(text));
+    this.suggestions = new Suggestions(inspector.suggestions, this.field, (text) => this.complete(text));
     this.field.addEventListener("input", () => this.typed());
     this.field.addEventListener("keydown", (press) => this.pressed(press));
     this.field.addEventListener("keyup", (press) => press.stopPropagation());
-    this.field.addEventListener("blur", () => this.left());
+    this.field.addEventListener("blur", ({ relatedTarget }) => this.left(relatedTarget));
+    inspector.whenLeft(
+      (to) => this.left(to),
+      () => this.close(true),
+    );
     // The inspector takes height from the table: the cell must stay visible.
     new ResizeObserver(
       () => this.place && this.field.scrollIntoView({ block: "nearest", inline: "nearest" }),
@@ -91,20 +93,7 @@ export class CellEditor {
     const { layer, state, event } = this.place;
     const cell = this.app.machine.layerInfo?.name === layer ? this.cellAt(state, event) : null;
     if (!cell) return this.close(false);
-    // No wider than its text needs, so that you can click the cells beside it.
-    const wanted = Math.min(
-      MOST_WIDTH,
-      this.host.clientWidth,
-      this.field.value.length * LETTER_WIDTH + PADDING,
-    );
-    const width = Math.max(cell.offsetWidth, wanted);
-    const left = Math.min(cell.offsetLeft, Math.max(0, this.host.scrollWidth - width));
-    Object.assign(this.field.style, {
-      left: `${left}px`,
-      top: `${cell.offsetTop}px`,
-      width: `${width}px`,
-      height: `${cell.offsetHeight}px`,
-    });
+    coverCell(this.field, cell, this.host);
   }
 
   private typed(): void {
@@ -151,11 +140,13 @@ export class CellEditor {
     this.tryLater();
   }
 
-  private left(): void {
+  /** Closes an unchanged or refused text when the focus goes elsewhere than to the report. */
+  private left(to: EventTarget | null): void {
+    if (!this.place || to === this.field || this.inspector.holds(to)) return;
     const [place, text, refusal] = [this.place, this.field.value, this.refusal];
     if (!this.changed) this.close(false);
     // Another window that comes to the front does not leave the cell.
-    else if (place && refusal && document.hasFocus()) {
+    else if (refusal && document.hasFocus()) {
       this.close(false);
       this.tell(place, text, refusal);
     }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { moved } from "./gridMoves";
+import { firstFrom, moved } from "./gridMoves";
 
 describe("moved", () => {
   it.each([
@@ -12,3 +12,6 @@ describe("moved", () => {
   it("stays within", () =>
     expect(moved({ row: 2, column: 4 }, "ArrowDown", 3, 5)).toEqual({ row: 2, column: 4 }));
 });
+
+it("scrolls to the start of a column, never into one", () =>
+  expect([40, 50, 51].map((least) => firstFrom([0, 50], least))).toEqual([50, 50, 51]));

@@ -26,3 +26,8 @@ export function moved(from: Spot, key: string, rows: number, columns: number): S
     ? { row: within(from.row + step[0], rows), column: within(from.column + step[1], columns) }
     : null;
 }
+
+/** Returns the first start from `least` on, or `least`. */
+export function firstFrom(starts: readonly number[], least: number): number {
+  return starts.find((start) => start >= least) ?? least;
+}

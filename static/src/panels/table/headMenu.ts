@@ -9,6 +9,7 @@ import { EditingFields } from "../../state/editingFields";
 import { el } from "../../ui/dom";
 import { draw } from "../../ui/draw";
 import { formField } from "../../ui/formField";
+import { stepThrough } from "../../ui/menuKeys";
 import type { App } from "../../view/app";
 import { type Ask, type Choice, choicesOf, type Head } from "./headChoices";
 
@@ -96,23 +97,13 @@ export function headMenu(host: HTMLElement, app: App): (head: Head, anchor: HTML
   box.addEventListener("keydown", (press) => {
     press.stopPropagation();
     if (press.key === "Escape" || press.key === "Tab") close(true);
-    else if (!stepped(box, press)) return;
+    else if (!stepThrough(box, press)) return;
     press.preventDefault();
   });
   document.addEventListener("pointerdown", ({ target }) => {
     if (opened.peek() && target instanceof Node && !box.contains(target)) close(false);
   });
   return (head, anchor) => (opened.value = { head, anchor, ask: null, refused: null });
-}
-
-/** Moves the focus through the menu by the arrow keys. */
-function stepped(box: HTMLElement, { key }: KeyboardEvent): boolean {
-  const items = [...box.querySelectorAll<HTMLElement>("[role=menuitem]:not([disabled])")];
-  const step = { ArrowDown: 1, ArrowUp: -1 }[key];
-  if (step === undefined || !items.length) return false;
-  const at = items.indexOf(document.activeElement as HTMLElement);
-  items[(at + step + items.length) % items.length]!.focus();
-  return true;
 }
 
 /** Puts the menu below its head, inside the window. */

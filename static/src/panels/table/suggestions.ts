@@ -8,9 +8,12 @@ export class Suggestions {
 
   constructor(
     private readonly list: HTMLElement,
+    private readonly field: HTMLElement,
     private readonly take: (text: string) => void,
   ) {
     list.hidden = true;
+    field.setAttribute("aria-controls", list.id);
+    field.setAttribute("aria-expanded", "false");
     // The field keeps the focus.
     list.addEventListener("pointerdown", (press) => {
       press.preventDefault();
@@ -22,7 +25,8 @@ export class Suggestions {
   show(texts: readonly string[]): void {
     this.texts = texts;
     this.chosen = -1;
-    this.list.hidden = texts.length === 0;
+    this.list.hidden = !this.open;
+    this.field.setAttribute("aria-expanded", String(this.open));
     this.list.replaceChildren(
       ...texts.map((text, i) => el("li", { role: "option" }, text, i ? null : el("kbd", {}, "⇥"))),
     );

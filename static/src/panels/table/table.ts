@@ -10,7 +10,7 @@ import type { App } from "../../view/app";
 import { el, flash, say } from "../../ui/dom";
 import { columnLetters, columns, drawHead, linesOf } from "./drawTable";
 import { headMenu } from "./headMenu";
-import { moved } from "./gridMoves";
+import { firstFrom, moved } from "./gridMoves";
 import { TableBody } from "./tableBody";
 import { Filter } from "./filter";
 import { verdictLine } from "./verdictLine";
@@ -217,13 +217,18 @@ export class Table {
       this.host.scrollTop = bottom - this.host.clientHeight;
   }
 
-  /** Scrolls sideways until the cell is visible beside the fixed first column. */
+  /** Scrolls sideways until the cell is visible, and no column is cut by the fixed first one. */
   private revealSideways(cell: HTMLElement): void {
-    const stays = this.table.querySelector<HTMLElement>("th")?.offsetWidth ?? 0;
+    const [fixed, ...heads] = [...this.head.cells];
+    const stays = fixed?.offsetWidth ?? 0;
+    const { scrollLeft, clientWidth } = this.host;
     const [left, right] = [cell.offsetLeft - stays, cell.offsetLeft + cell.offsetWidth];
-    if (cell.tagName === "TH" || left < this.host.scrollLeft) this.host.scrollLeft = Math.max(0, left);
-    else if (right > this.host.scrollLeft + this.host.clientWidth)
-      this.host.scrollLeft = right - this.host.clientWidth;
+    if (cell.tagName === "TH" || left < scrollLeft) this.host.scrollLeft = Math.max(0, left);
+    else if (right > scrollLeft + clientWidth)
+      this.host.scrollLeft = firstFrom(
+        heads.map((head) => head.offsetLeft - stays),
+        Math.min(left, right - clientWidth),
+      );
   }
 
   private judge(verdict: Verdict): void {

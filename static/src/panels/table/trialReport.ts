@@ -57,7 +57,7 @@ export class TrialReport {
   private stays = "";
 
   constructor(
-    host: HTMLElement,
+    private readonly host: HTMLElement,
     private readonly editing: Editing,
     private readonly go: (finding: Finding) => void,
   ) {
@@ -65,7 +65,22 @@ export class TrialReport {
       host.hidden = !this.trial.value && !this.isOpen.value;
       host.dataset["trial"] = this.trial.value?.kind ?? "";
     });
+    host.tabIndex = 0; // it scrolls
     draw(host, () => this.template());
+  }
+
+  holds(target: EventTarget | null): boolean {
+    return target instanceof Node && this.host.contains(target);
+  }
+
+  /** Tells when the focus leaves the report, and when Escape is pressed in it. */
+  whenLeft(left: (to: EventTarget | null) => void, dropped: () => void): void {
+    this.host.addEventListener("focusout", ({ relatedTarget }) => left(relatedTarget));
+    this.host.addEventListener("keydown", (press) => {
+      if (press.key !== "Escape") return;
+      press.stopPropagation();
+      dropped();
+    });
   }
 
   begin(state: string, event: string, cell: Cell | undefined): void {

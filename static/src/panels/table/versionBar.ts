@@ -8,6 +8,8 @@ import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
 import { countWords } from "./findings";
 
+const KEPT = "edits are kept";
+
 /** Says how the newest version came about, or which edits the server has not answered. */
 function editWords({ machine, editing }: App): string {
   const info = machine.info.value;
@@ -17,7 +19,7 @@ function editWords({ machine, editing }: App): string {
   if (!info) return "";
   const kept = info.saved === "file" ? "in machine.yaml" : "by the server, not in its file";
   const edited = info.version > 1 && newest?.version === info.version;
-  return edited ? `${newest.what}, kept ${kept}` : `edits are kept ${kept}`;
+  return edited ? `${newest.what}, kept ${kept}` : `${KEPT} ${kept}`;
 }
 
 export function versionBar(host: HTMLElement, app: App, showFindings: () => void): void {
@@ -38,8 +40,9 @@ export function versionBar(host: HTMLElement, app: App, showFindings: () => void
     const info = machine.info.value;
     const findings = countWords(editing.findings.value);
     const words = editWords(app);
+    const isNews = words !== "" && !words.startsWith(KEPT);
     return html`<b class="version" .textContent=${info ? `v${info.version}` : ""}></b>
-      <span class="what" role="status" title=${words} .textContent=${words}></span>
+      <span class="what" role="status" data-news=${isNews} title=${words} .textContent=${words}></span>
       <button
         type="button"
         class="plain count"

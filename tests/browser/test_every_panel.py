@@ -1,0 +1,120 @@
+"""Every panel and dialog in turn: axe finds nothing wrong, in both themes, and every control can be hit.
+
+A new panel is a line of `PANELS`.
+"""
+
+import base64
+from collections.abc import Callable, Iterator
+from typing import Literal
+
+import httpx
+import pytest
+from browser.conftest import Server, leave
+from browser.test_import import DROP
+from paths import ROOT
+from playwright.sync_api import Page
+
+AXE = ROOT / "static" / "node_modules" / "axe-core" / "axe.min.js"
+NAME = "every-panel"
+CELL = "td[data-state=WALK][data-column=RIGHT]"
+VIOLATIONS = """async rules => {
+  const { violations } = await axe.run(document, { resultTypes: ['violations'], ...rules });
+  return violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')}: ${failureSummary}`));
+}"""
+CONTROLS = "button, a[href], input, select, textarea, summary, [role=option], [role=menuitem], #table td"
+SMALL = """([controls, least]) => [...document.querySelectorAll(controls)]
+  .filter(shown => shown.checkVisibility({ visibilityProperty: true }))
+  .map(shown => [shown, shown.getBoundingClientRect()])
+  .filter(([, { width, height }]) => Math.min(width, height) < least - 0.5)
+  .map(([{ outerHTML }, { width, height }]) => `${width} x ${height}: ${outerHTML.slice(0, 99)}`)"""
+POINT_WITH = """([from, to]) => [...document.styleSheets]
+  .flatMap(sheet => [...sheet.cssRules])
+  .filter(rule => rule.media?.mediaText.includes(from))
+  .forEach(rule => (rule.media.mediaText = rule.media.mediaText.replace(from, to)))"""
+STILL = """() => {
+  const still = new CSSStyleSheet();
+  still.replaceSync('* { transition: none !important; animation: none !important }');
+  document.adoptedStyleSheets = [still];
+}"""
+TWO_FRAMES = "async () => { for (const _ of 'ab') await new Promise(requestAnimationFrame); }"
+FINGER, ALWAYS = "(pointer: coarse)", "(min-width: 1px)"
+
+
+def drop_a_model(page: Page) -> None:
+    model = (ROOT / "machines" / "principles" / "principles.glb").read_bytes()
+    page.evaluate(DROP, ["mine.glb", base64.b64encode(model).decode()])
+
+
+def open_yaml(page: Page) -> None:
+    page.get_by_role("button", name="versions").click()
+    page.get_by_role("tab", name="YAML").click()
+
+
+def ask_why(page: Page) -> None:
+    page.click("[data-event=JUMP]")
+    page.click("#verdict[data-tick]")
+
+
+PANELS: dict[str, tuple[Callable[[Page], object], str]] = {
+    "the page alone": (Page.bring_to_front, "#table td"),
+    "help": (lambda page: page.keyboard.press("?"), "dialog.help"),
+    "palette": (lambda page: page.keyboard.press("Control+k"), "#choices li"),
+    "download": (lambda page: page.click("#download"), "dialog.download a"),
+    "IK rules": (lambda page: page.click("#deduce"), "dialog.deduce"),
+    "machine menu": (lambda page: page.click("#machine-menu button"), "[role=menuitem]"),
+    "import": (drop_a_model, "dialog.import input"),
+    "cell editor": (lambda page: page.click(CELL), "#cell-inspector .findings li"),
+    "menu of a column": (lambda page: page.click("#table th[data-column=RIGHT]"), ".head-menu"),
+    "inspector": (lambda page: page.press(CELL, "Alt+Enter"), "#cell h2"),
+    "versions": (lambda page: page.get_by_role("button", name="versions").click(), "#versions li"),
+    "YAML": (open_yaml, ".yaml-editor .cm-line"),
+    "why": (ask_why, "#why .event-why"),
+}
+"""how a panel is opened, in this order, and what is seen then; Escape closes it"""
+
+
+@pytest.fixture
+def wide(server: Server, page: Page, opened: Callable[[str], Page]) -> Iterator[Page]:
+    """The page with a machine that may be edited, in a window where all panels are seen."""
+    httpx.post(f"{server.url}/api/machines", json={"name": NAME, "copy_of": "faq-walker"}).raise_for_status()
+    made = httpx.post(f"{server.url}/api/stages", json={"actors": [{"machine": NAME}]}, timeout=60)
+    stage = made.raise_for_status().headers["Location"].rsplit("/", 1)[1]
+    page.set_viewport_size({"width": 1440, "height": 900})
+    opened(f"{server.url}/?stage={stage}")
+    page.evaluate(AXE.read_text())
+    page.evaluate(STILL)
+    yield page
+    leave(page, f"{server.url}/api/stages/{stage}", f"{server.url}/api/machines/{NAME}")
+
+
+def looked_at(page: Page, theme: Literal["light", "dark"], look: str, arg: object) -> list[str]:
+    """Returns what `look` finds once the page shows this theme."""
+    page.emulate_media(color_scheme=theme)
+    page.evaluate(TWO_FRAMES)
+    found: list[str] = page.evaluate(look, arg)
+    return found
+
+
+def faults(page: Page) -> list[str]:
+    """Returns what axe finds, of the light theme only its colours, and what is hard to hit with a mouse or a
+    finger.
+    """
+    found = looked_at(page, "light", VIOLATIONS, {"runOnly": ["color-contrast"]})
+    found += looked_at(page, "dark", VIOLATIONS, {})
+    found += page.evaluate(SMALL, [CONTROLS, 24])
+    page.evaluate(POINT_WITH, [FINGER, ALWAYS])
+    found += looked_at(page, "dark", SMALL, [CONTROLS, 44])
+    page.evaluate(POINT_WITH, [ALWAYS, FINGER])
+    return found
+
+
+def test_every_panel_can_be_read_and_hit(wide: Page) -> None:
+    wrong = {}
+    for name, (open_panel, seen) in PANELS.items():
+        open_panel(wide)
+        wide.locator(seen).first.wait_for()
+        wrong[name] = faults(wide)
+        wide.keyboard.press("Escape")
+        wide.evaluate("document.activeElement.blur()")
+    assert {name: found for name, found in wrong.items() if found} == {}
