@@ -62,7 +62,13 @@ async function send(
   const headers: Record<string, string> = version === undefined ? {} : { "if-match": `"${version}"` };
   if (key !== undefined) headers["idempotency-key"] = key;
   if (viewer !== undefined) headers["statwalk-viewer"] = String(viewer);
-  const options: RequestInit = { method: method.toUpperCase(), headers, ...(signal && { signal }) };
+  // After Back a browser answers from its cache without asking, unless it is told to ask.
+  const options: RequestInit = {
+    method: method.toUpperCase(),
+    headers,
+    cache: "no-cache",
+    ...(signal && { signal }),
+  };
   if (body)
     Object.assign(options, {
       headers: { ...headers, "content-type": "application/json" },

@@ -2,6 +2,7 @@
 
 import { type State, makeState } from "../state/state";
 import { onTheme, reducedMotion } from "../ui/dom";
+import type { FollowCamera } from "./camera";
 import { chooseQuality } from "./quality";
 import { Scene } from "./scene";
 import { teachSkinning } from "./skinShader";
@@ -14,7 +15,8 @@ export interface App extends State {
 /** Fills its element of the page, and keeps it up to date with the state. */
 export type Panel = (host: HTMLElement, app: App) => void;
 
-const SWING_MS = 600;
+/** Metres between two frames: a camera that moves less rests. */
+const REST_M = 1e-4;
 
 /** Makes the state and the stage view; `renderer`: the name of the browser's renderer. */
 export function makeApp(canvas: HTMLCanvasElement, renderer: string): App {
@@ -28,10 +30,21 @@ export function makeApp(canvas: HTMLCanvasElement, renderer: string): App {
   frame.on(({ now }) => people.look(camera.place, now));
   people.cameras.on((place) => camera.stand(place));
   camera.controls.addEventListener("start", () => people.follow(null));
-  camera.controls.addEventListener("end", () => {
-    // The camera swings on for a moment.
-    setTimeout(() => (state.viewpoint.chosen.value = camera.around), SWING_MS);
-  });
+  noteViewpoints(state, camera);
   onTheme(() => view.recolour());
   return { ...state, view };
+}
+
+/** Notes from where the user looks when the camera rests after a drag: it swings on for a moment. */
+function noteViewpoints({ frame, viewpoint }: State, camera: FollowCamera): void {
+  let before: number[] | null = null;
+  camera.controls.addEventListener("end", () => (before = []));
+  frame.on(() => {
+    if (!before) return;
+    const [earlier, around] = [before, camera.around];
+    before = around;
+    if (!around.every((metres, axis) => Math.abs(metres - (earlier[axis] ?? NaN)) < REST_M)) return;
+    viewpoint.chosen.value = around;
+    before = null;
+  });
 }
