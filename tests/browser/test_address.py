@@ -10,15 +10,16 @@ MOMENT = "['tick=', 'camera='].every(part => location.search.includes(part))"
 
 def test_a_link_shows_the_same_moment_from_the_same_place(viewer: Page) -> None:
     until(viewer, "__viewer.tick() > 60")
+    tick = viewer.evaluate("__viewer.tick()") - 30
     viewer.mouse.move(200, 300)
     viewer.mouse.down()
     viewer.mouse.move(300, 310)
     viewer.mouse.up()
-    viewer.evaluate(SCRUB, 50)
-    until(viewer, f"__viewer.posed() === 50 && {MOMENT}")
+    viewer.evaluate(SCRUB, tick)
+    until(viewer, f"__viewer.posed() === {tick} && {MOMENT}")
     other = viewer.context.new_page()
     other.goto(viewer.url)
-    until(other, "window.__viewer?.ready && __viewer.posed() === 50")
+    until(other, f"window.__viewer?.ready && __viewer.posed() === {tick}")
     assert other.evaluate("__viewer.joints()") == viewer.evaluate("__viewer.joints()")
     there, here = (page.evaluate("__viewer.camera()") for page in (other, viewer))
     assert there["position"] == pytest.approx(here["position"], abs=0.02)
