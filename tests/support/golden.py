@@ -16,11 +16,13 @@ from functools import cache, cached_property
 from pathlib import Path
 
 from paths import ROOT
-from random_sessions import MACHINE_FILE, character_of, folder_of
+from random_sessions import MACHINE_FILE, character_at, folder_of
 from statwalk.character.character import Character
 from statwalk.character.role import Role
+from statwalk.files.machine_yaml.capture_lines import with_captures
+from statwalk.files.machine_yaml.machine_file import MachineFile
 from statwalk.services.hosting.store.kept_stage import model_digest
-from statwalk.services.library.load import load_role, machine_folders, shipped_machines_folder
+from statwalk.services.library.load import character_path, load_role, machine_folders, shipped_machines_folder
 from statwalk.stage.history.engine import ENGINE
 from statwalk.stage.history.log_codec import load
 from statwalk.stage.replay import Roles, replay
@@ -104,13 +106,14 @@ def _role(golden: Golden, name: str, text: str) -> Role:
 
 @cache
 def golden_character(golden: Golden):
-    """Loads the character of a path: the one that the version keeps, or the shipped one."""
+    """Loads the character of a machine file: of the model that the version keeps, or of the shipped one."""
 
-    def character_at(path: Path) -> Character:
+    def character_of(file: MachineFile, folder: Path) -> Character:
+        path = character_path(file)
         kept = golden.folder / "machines" / path.relative_to(shipped_machines_folder())
-        return character_of(kept if kept.is_file() else path)
+        return with_captures(character_at(kept if kept.is_file() else path), file.captures, folder)
 
-    return character_at
+    return character_of
 
 
 def _machines_of(lines: list[str]) -> list[str]:

@@ -10,8 +10,11 @@ from random import Random
 from statwalk.character.character import Character
 from statwalk.character.role import Role
 from statwalk.errors import StageError
+from statwalk.files.machine_yaml.capture_lines import with_captures
+from statwalk.files.machine_yaml.machine_file import MachineFile
 from statwalk.machine.compile.machine import Machine
 from statwalk.services.library.load import (
+    character_path,
     load_character_file,
     load_role,
     machine_folders,
@@ -29,7 +32,12 @@ MOST_MORE = 4
 REACH = 2.0
 """how far from its default a parameter without near bounds is set"""
 BLEND = re.compile(r"(?<=blend: )[\d.]+")
-character_of: Callable[[Path], Character] = cache(load_character_file)
+character_at: Callable[[Path], Character] = cache(load_character_file)
+
+
+def character_of(file: MachineFile, folder: Path) -> Character:
+    """Loads the character of a machine file in a folder; each model once."""
+    return with_captures(character_at(character_path(file)), file.captures, folder)
 
 
 @cache
