@@ -51,6 +51,16 @@ def open_yaml(page: Page) -> None:
     page.get_by_role("tab", name="YAML").click()
 
 
+def open_machine_form(page: Page) -> None:
+    page.get_by_role("button", name="inspect").click()
+    page.get_by_role("tab", name="machine").click()
+
+
+def open_people(page: Page) -> None:
+    page.keyboard.press("o")
+    page.get_by_role("tab", name="people").click()
+
+
 def ask_why(page: Page) -> None:
     page.click("[data-event=JUMP]")
     page.click("#verdict[data-tick]")
@@ -69,6 +79,9 @@ PANELS: dict[str, tuple[Callable[[Page], object], str]] = {
     "inspector": (lambda page: page.press(CELL, "Alt+Enter"), "#cell h2"),
     "versions": (lambda page: page.get_by_role("button", name="versions").click(), "#versions li"),
     "YAML": (open_yaml, ".yaml-editor .cm-line"),
+    "machine": (open_machine_form, "#machine-form h2"),
+    "stages": (lambda page: page.keyboard.press("o"), "#stages li"),
+    "people": (open_people, "#people li"),
     "why": (ask_why, "#why .event-why"),
 }
 """how a panel is opened, in this order, and what is seen then; Escape closes it"""
