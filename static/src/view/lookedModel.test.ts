@@ -77,3 +77,14 @@ it("keeps a weight that was set while a clip plays", () => {
   model.advance(0.1);
   expect(hand.morphTargetInfluences).toEqual([0.5]);
 });
+
+it("draws a skin where its bones are, whatever the transform of its node", () => {
+  const [skin, scene] = [new THREE.SkinnedMesh(new THREE.BoxGeometry()), new THREE.Group()];
+  scene.scale.setScalar(100);
+  scene.add(skin);
+  new LookedModel({ scene, animations: [], nodes: [skin] } as unknown as Model);
+  new THREE.Scene().add(scene).updateMatrixWorld();
+  const beforeDrawing = skin.onBeforeRender.bind(skin) as unknown as () => void;
+  beforeDrawing();
+  expect(skin.matrixWorld).toEqual(new THREE.Matrix4());
+});

@@ -37,10 +37,15 @@ function drawnIn(scene: THREE.Object3D): LookedMesh[] {
   return meshes;
 }
 
-/** The page has taken three's normalising away, and three blends fewer influences than the page. */
-function normaliseWeights({ object }: LookedMesh): void {
+/**
+ * Prepares a mesh for the page's own skinning (`skinShader.ts`): the page has taken three's normalising away, and
+ * bones carry vertices to the world, whatever the transform of the mesh's node; morph weights are the mesh's.
+ */
+function prepareSkin({ object }: LookedMesh): void {
   if (!(object instanceof THREE.SkinnedMesh)) return;
-  const { geometry } = object as THREE.SkinnedMesh;
+  object.onBeforeRender = () => void object.matrixWorld.identity();
+  const { geometry, material } = object as THREE.SkinnedMesh;
+  for (const each of [material].flat()) each.defines = { ...each.defines, OWN_WEIGHTS: "" };
   for (const [name, values] of Object.entries(influences(geometry, 0, MOST_BLENDED).attributes))
     geometry.setAttribute(name, values);
 }
@@ -67,7 +72,7 @@ export class LookedModel {
 
   constructor(private readonly model: Model) {
     this.meshes = drawnIn(model.scene);
-    this.meshes.forEach(normaliseWeights);
+    this.meshes.forEach(prepareSkin);
     const targets = this.meshes.flatMap(({ object }) => Object.keys(object.morphTargetDictionary ?? {}));
     this.targets = [...new Set(targets)];
     this.mixer = new THREE.AnimationMixer(model.scene);

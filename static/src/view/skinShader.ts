@@ -9,6 +9,8 @@
  * A matrix ends with the row 0 0 0 1, which is not needed. For dual quaternions its rotation stands there. Each bone carries a vertex to y and turns it by q; the dual quaternions q + ε·½·y·q
  * are blended, as `skin/dual_palette.py` explains. With 0 0 0 1, which is no rotation, this is the blend of
  * the matrices.
+ *
+ * With the define `OWN_WEIGHTS` a skinned mesh has its morph weights itself, as three's own meshes do.
  */
 
 import * as THREE from "three";
@@ -44,7 +46,7 @@ const FUNCTIONS = /* glsl */ `
       texelFetch( boneTexture, place + ivec2( 3, 0 ), 0 )
     );
   }
-  #ifdef USE_MORPHTARGETS
+  #if defined( USE_MORPHTARGETS ) && ! defined( OWN_WEIGHTS )
     float morphWeight( const in int target ) {
       int at = int( morphTargetInfluences[ target ] );
       return poseTexel( at / 4 )[ at % 4 ];
@@ -129,7 +131,7 @@ const POINTS = /* glsl */ `
 `;
 
 const PLAIN_MORPH = /* glsl */ `
-#if defined( USE_MORPHTARGETS ) && ! defined( USE_SKINNING )
+#if defined( USE_MORPHTARGETS ) && ( ! defined( USE_SKINNING ) || defined( OWN_WEIGHTS ) )
   float morphWeight( const in int target ) {
     return morphTargetInfluences[ target ];
   }
