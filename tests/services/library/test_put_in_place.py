@@ -52,3 +52,11 @@ def test_all_are_as_they_were_whatever_the_disk_refuses(
         else:
             break
     assert nth > 3
+
+
+def test_all_are_as_they_were_after_any_error_in_the_context(tmp_path: Path) -> None:
+    put(tmp_path, OLD)
+    before = files(tmp_path)
+    with pytest.raises(KeyError), put_machine_in_place(tmp_path, NEW):
+        raise KeyError
+    assert files(tmp_path) == before

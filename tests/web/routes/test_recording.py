@@ -67,6 +67,12 @@ async def test_a_camera_that_cannot_be_is_refused(client, walked, params, status
     assert (answer.status_code, answer.headers["content-type"]) == (status, "application/problem+json")
 
 
+async def test_a_camera_without_an_actor_is_refused(client):
+    empty = (await client.post("/api/stages", json={"clock": "manual"})).headers["location"]
+    answer = await client.get(f"{empty}/recording.glb", params={"framing": "face"})
+    assert (answer.status_code, "there is none" in answer.json()["detail"]) == (409, True)
+
+
 async def test_an_actor_that_came_later_is_in_it(client, walked):
     await client.post(
         f"{walked}/actors", json={"machine": "faq-walker", "position": [2, 0, 0], "name": "late"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from statwalk.character.staging import Framing
-from statwalk.errors import UnknownNameError
+from statwalk.errors import StageError, UnknownNameError
 from statwalk.files.gltf.recording import recording_glb
 from statwalk.files.gltf.recording_draft import Recorded
 from statwalk.services.hosting.actor_tracks import ActorTrack, tracks_of
@@ -17,7 +17,8 @@ def recorded(stage: Stage, first: int, last: int, camera: tuple[Framing, int | N
 
     camera: a framing, and the actor that a camera follows (None: the first). Moves the stage to `last`.
 
-    :raises StageError: when the stage does not have the ticks, or when they are too many for one file.
+    :raises StageError: when the stage does not have the ticks, when they are too many for one file, or when a
+        camera finds no actor in them.
     :raises UnknownNameError: when the actor to be watched is not in these ticks.
     """
     tracks = tracks_of(stage, first, last)
@@ -30,9 +31,12 @@ def recorded(stage: Stage, first: int, last: int, camera: tuple[Framing, int | N
 
 
 def _watched(actors: Mapping[int, Recorded], watched: int | None) -> Recorded:
-    wanted = next(iter(actors)) if watched is None and actors else watched
-    if wanted is None or wanted not in actors:
-        raise UnknownNameError("actor", "" if wanted is None else str(wanted), map(str, actors))
+    """The actor with a number; None: the first."""
+    if not actors:
+        raise StageError("a camera needs an actor to follow, and there is none in these ticks")
+    wanted = next(iter(actors)) if watched is None else watched
+    if wanted not in actors:
+        raise UnknownNameError("actor", str(wanted), map(str, actors))
     return actors[wanted]
 
 

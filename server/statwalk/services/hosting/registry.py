@@ -62,7 +62,7 @@ class Registry:
         self.left: dict[str, str] = {}
         """why stages did not come back when the server started, by id; their records are kept"""
         self.damage = ""
-        """what is damaged of the answers to requests, which are those of all stages"""
+        """what is damaged among the kept answers to requests; empty: nothing"""
         self.versions = MachineVersions(catalogue, self.all, store)
 
     def all(self) -> list[StageHost]:

@@ -21,7 +21,9 @@ def put_machine_in_place(folder: Path, text: MachineText) -> Iterator[None]:
     """Replaces a machine file and the tables that have changed, with their permissions; the texts are on the
     disk when the context begins. One thread at a time may do it in a folder.
 
-    :raises StorageError: when a file cannot be written, or the context raises it; all are as they were then.
+    An error in the context puts all files back as they were.
+
+    :raises StorageError: when a file cannot be written.
     """
     texts = {folder / name: table for name, table in text.tables.items()} | {folder / FILE_NAME: text.yaml}
     _remove_unfinished(folder)  # of a server that was killed
@@ -35,10 +37,12 @@ def put_machine_in_place(folder: Path, text: MachineText) -> Iterator[None]:
             replaced.append(path)
         flush_folder(folder)
         yield
-    except (OSError, StorageError) as error:
+    except Exception as error:
         for path in replaced:
             _put_back(path)
-        raise StorageError.of(error, FILE_NAME) if isinstance(error, OSError) else error from None
+        if isinstance(error, OSError):
+            raise StorageError.of(error, FILE_NAME) from None
+        raise
     finally:
         _remove_unfinished(folder)
 

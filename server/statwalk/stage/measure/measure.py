@@ -123,8 +123,10 @@ def _play_cell(subject: Subject, row: int, column: int) -> Played:
 def _play_interruptions(
     subject: Subject, cell: Cell, plain: Played, began: Sequence[tuple[CellTrial, int]]
 ) -> Played:
-    """The trials of a cell, followed by those that another event interrupts, each from one of the places in
-    turn; `began`: the trials and the ticks in which they waited for their event.
+    """The figures of a cell's trials, and after them the figures of trials that another event interrupts.
+
+    The interrupted trials begin at the places in turn. `began`: the trials, each with the ticks for which it
+    waited for its event.
     """
     row, column = cell
     turns = len(subject.places)

@@ -24,7 +24,7 @@ from statwalk.services.hosting.store.writer import Statement, Writer
 PATIENCE_SECONDS = 20.0
 """how long a request waits for a disk that is only slow"""
 MOST_EDIT_KEYS = 1_000
-"""of one machine; those of the oldest versions are forgotten first"""
+"""keys that are kept for one machine; the keys of the oldest versions are forgotten first"""
 FORGET_KEYS = "DELETE FROM keys WHERE stage = ?"
 
 
