@@ -2,10 +2,6 @@
 stage.
 """
 
-import os
-import subprocess
-import sys
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from time import perf_counter
 from typing import NamedTuple
@@ -15,6 +11,7 @@ import numpy as np
 import pytest
 from hostile_captures import HOSTILE_CAPTURES
 from paths import ASSETS
+from processes import served
 from torture.gltf_files import GLTF_MODEL
 from torture.outcomes import memory
 from watcher import Watcher
@@ -74,25 +71,9 @@ def witness(address: str, process: int) -> Witnessed:
 
 
 @pytest.fixture(scope="module")
-def witnessed(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Witnessed]:
-    command = [
-        sys.executable,
-        "-m",
-        "statwalk.cli",
-        "serve",
-        "--port",
-        "0",
-        "--data",
-        str(tmp_path_factory.mktemp("data")),
-    ]
-    environment = os.environ | {"COLUMNS": "200", "PYTHONUNBUFFERED": "1"}
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as server:
-        try:
-            assert server.stdout is not None
-            line = server.stdout.readline()
-            yield witness(line.split("http://")[1].split("/")[0], server.pid)
-        finally:
-            server.kill()
+def witnessed(tmp_path_factory: pytest.TempPathFactory) -> Witnessed:
+    with served("--data", str(tmp_path_factory.mktemp("data"))) as (process, address):
+        return witness(address, process.pid)
 
 
 def test_each_is_taken_or_refused(witnessed: Witnessed) -> None:
