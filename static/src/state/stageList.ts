@@ -19,6 +19,6 @@ export class StageList {
 }
 
 /** Returns what people call a stage. */
-export function nameOf({ id, name, scene, machines }: StageInfo): string {
+export function nameOfStage({ id, name, scene, machines }: StageInfo): string {
   return name || (id === "main" ? id : scene || machines.join(", ") || id);
 }

@@ -1,8 +1,8 @@
 /** Says amounts in words. */
 
-/** `1 clip`, `1,200 clips`. */
-export const plural = (count: number, word: string): string =>
-  `${count.toLocaleString("en")} ${word}${count === 1 ? "" : "s"}`;
+/** `1 clip`, `1,200 clips`; `many`: the plural that takes no -s. */
+export const plural = (count: number, one: string, many = `${one}s`): string =>
+  `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
 
 /** `12 kB`, `3.4 MB`. */
 export const size = (bytes: number): string =>

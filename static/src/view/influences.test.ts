@@ -73,14 +73,3 @@ it("a vertex without weights follows its first joint, and without a skin the pla
   ).toBe(7);
   expect(rows(influences(skin(), 5))).toEqual({ skinIndex: [5, 5, 5, 5], skinWeight: [1, 0, 0, 0] });
 });
-
-it("a limit keeps the largest, and their weights sum to 1", () => {
-  const geometry = skin([
-    [0, 1, 2, 3],
-    [0.1, 0.2, 0.3, 0.4],
-  ]);
-  expect(rows(influences(geometry, 0, 2))).toEqual({
-    skinIndex: [3, 2, 3, 3],
-    skinWeight: [0.571, 0.429, 0, 0],
-  });
-});

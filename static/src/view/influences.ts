@@ -38,14 +38,6 @@ function influencesOf(
   return found.sort((a, b) => b[1] - a[1]);
 }
 
-/** Returns the largest influences of a vertex, with weights that sum to 1. */
-function largest(row: [number, number][], count: number): [number, number][] {
-  if (row.length <= count) return row;
-  const kept = row.slice(0, count);
-  const sum = kept.reduce((all, [, weight]) => all + weight, 0);
-  return kept.map(([joint, weight]) => [joint, weight / sum]);
-}
-
 /** The attributes of a vertex: its first four influences, and four more if any vertex has them. */
 export interface Influences {
   attributes: Record<string, THREE.BufferAttribute>;
@@ -68,16 +60,13 @@ function attributesOf(
   return [new THREE.BufferAttribute(joints, 4), new THREE.BufferAttribute(weights, 4)];
 }
 
-/**
- * Makes the attributes; `offset` is added to the index of each joint. With `limit` only the largest influences
- * are kept.
- */
-export function influences(geometry: THREE.BufferGeometry, offset: number, limit = Infinity): Influences {
+/** Makes the attributes; `offset` is added to the index of each joint. */
+export function influences(geometry: THREE.BufferGeometry, offset: number): Influences {
   const sets = setsOf(geometry);
   const { count } = geometry.getAttribute("position");
   const rows = Array.from({ length: count }, (_, vertex): [number, number][] =>
     sets.length
-      ? largest(influencesOf(sets, vertex), limit).map(([joint, weight]) => [offset + joint, weight])
+      ? influencesOf(sets, vertex).map(([joint, weight]) => [offset + joint, weight])
       : [[offset, 1]],
   );
   const most = rows.reduce((longest, row) => Math.max(longest, row.length), 0);

@@ -6,9 +6,6 @@ import { type Body, isBody } from "./bodies";
 import { influences } from "./influences";
 import type { Model } from "./model";
 
-/** What three's own material blends. */
-const MOST_BLENDED = 4;
-
 /** A mesh that can be hidden. */
 export interface LookedMesh {
   name: string;
@@ -46,7 +43,7 @@ function prepareSkin({ object }: LookedMesh): void {
   object.onBeforeRender = () => void object.matrixWorld.identity();
   const { geometry, material } = object as THREE.SkinnedMesh;
   for (const each of [material].flat()) each.defines = { ...each.defines, OWN_WEIGHTS: "" };
-  for (const [name, values] of Object.entries(influences(geometry, 0, MOST_BLENDED).attributes))
+  for (const [name, values] of Object.entries(influences(geometry, 0).attributes))
     geometry.setAttribute(name, values);
 }
 

@@ -112,7 +112,8 @@ export class LookedPicture {
     requestAnimationFrame((next) => this.draw(next));
     const dt = Math.min(LONGEST_STEP_S, (now - this.last) / 1000);
     this.last = now;
-    if (this.looked.advance(dt) || this.camera.update(dt)) this.dirty = true;
+    const [played, turned] = [this.looked.advance(dt), this.camera.update(dt)];
+    if (played || turned) this.dirty = true;
     if (!this.dirty) return;
     this.dirty = false;
     this.joints.follow();

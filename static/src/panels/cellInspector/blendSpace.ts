@@ -8,7 +8,7 @@ export interface Axis {
   name: string;
   least: number;
   most: number;
-  /** Null: it is no parameter, and the page cannot set it. */
+  /** The parameter; null: the value is no parameter, so the page cannot set it. */
   parameter: Parameter | null;
 }
 

@@ -71,7 +71,7 @@ function materialFacts({ alpha, double_sided, textures }: Facts["materials"][num
 const textureFacts = ({ type, width, height, bytes }: Facts["textures"][number]): string =>
   [type, width && height ? `${width} × ${height}` : "", size(bytes)].filter(Boolean).join(" · ");
 
-/** Draws the lists; those of meshes and morph targets as soon as the model is loaded. */
+/** Draws the lists. The list of meshes and the list of morph targets are empty until the model is loaded. */
 export function contents(facts: Facts, model: LookedModel | null): TemplateResult {
   const { notes, joints, materials, textures, triangles } = facts;
   const [meshes, targets] = [model?.meshes ?? [], model?.targets ?? []];
@@ -80,7 +80,7 @@ export function contents(facts: Facts, model: LookedModel | null): TemplateResul
     notes.map((note) => html`<span .textContent=${note}></span>`),
   )}
   ${folded(
-    `${plural(meshes.length, "mesh").replace("meshs", "meshes")}, ${plural(triangles, "triangle")}`,
+    `${plural(meshes.length, "mesh", "meshes")}, ${plural(triangles, "triangle")}`,
     meshes.map((mesh) => meshRow(mesh, model!)),
   )}
   ${folded(

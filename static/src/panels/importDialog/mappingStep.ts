@@ -45,8 +45,9 @@ export class MappingStep {
 
   private summary(): string {
     const { clips, joints, vertices } = this.character;
-    const words = plural(vertices, "vertex").replace("vertexs", "vertices");
-    return [plural(clips, "clip"), plural(joints, "joint"), words].join(" · ");
+    return [plural(clips, "clip"), plural(joints, "joint"), plural(vertices, "vertex", "vertices")].join(
+      " · ",
+    );
   }
 
   private formOf(look: Look): HTMLFormElement {

@@ -1,11 +1,12 @@
 /** Lists who watches the stage: names, rights, what they look at; follow another's camera, say your own name. */
 
+import "../../ui/formField.css";
 import "./people.css";
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Viewer } from "../../net/protocol";
 import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
-import { nameOf, placeWords, RIGHTS } from "./viewerWords";
+import { nameOfViewer, placeWords, RIGHTS } from "./viewerWords";
 
 /** The longest name that the server takes. */
 const LONGEST_NAME = 40;
@@ -25,7 +26,7 @@ export function peoplePanel(host: HTMLElement, app: App): void {
     return html`<button
       type="button"
       aria-pressed=${isFollowed}
-      aria-label=${`follow the camera of ${nameOf(viewer)}`}
+      aria-label=${`follow the camera of ${nameOfViewer(viewer)}`}
       title="see from where this viewer looks"
       @click=${() => people.follow(isFollowed ? null : viewer.id)}
     >
@@ -37,7 +38,7 @@ export function peoplePanel(host: HTMLElement, app: App): void {
     const isSelf = viewer.id === people.self;
     const actors = (stage.hello.value?.casts ?? []).flatMap((cast) => cast.actors);
     return html`<li>
-      <b .textContent=${nameOf(viewer)}></b>
+      <b .textContent=${nameOfViewer(viewer)}></b>
       <span .textContent=${isSelf ? `you · ${RIGHTS[viewer.role]}` : RIGHTS[viewer.role]}></span>
       <small .textContent=${placeWords(viewer, actors, people.all.value)}></small>
       ${isSelf ? nothing : followButton(viewer)}
@@ -51,6 +52,7 @@ export function peoplePanel(host: HTMLElement, app: App): void {
           <label for="own-name">your name</label>
           <input
             id="own-name"
+            class="text-input"
             autocomplete="nickname"
             maxlength=${LONGEST_NAME}
             .defaultValue=${people.name.value}

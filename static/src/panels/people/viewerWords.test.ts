@@ -1,15 +1,15 @@
 import { expect, it } from "vitest";
 import type { Viewer } from "../../net/protocol";
-import { nameOf, placeWords } from "./viewerWords";
+import { nameOfViewer, placeWords } from "./viewerWords";
 
 const viewer: Viewer = {
   ...{ id: 3, name: "", person: "", role: "view", actor: null, tick: null, follows: null },
 };
 
 it("calls a viewer by its own name, its token's person, or its number", () => {
-  expect(nameOf(viewer)).toBe("viewer 3");
-  expect(nameOf({ ...viewer, person: "ada" })).toBe("ada");
-  expect(nameOf({ ...viewer, name: "Countess", person: "ada" })).toBe("Countess (ada)");
+  expect(nameOfViewer(viewer)).toBe("viewer 3");
+  expect(nameOfViewer({ ...viewer, person: "ada" })).toBe("ada");
+  expect(nameOfViewer({ ...viewer, name: "Countess", person: "ada" })).toBe("Countess (ada)");
 });
 
 it("says what a viewer looks at", () => {

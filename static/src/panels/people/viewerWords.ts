@@ -9,7 +9,7 @@ export const RIGHTS = {
 } satisfies Record<Viewer["role"], string>;
 
 /** Returns what a viewer says it is called, with the person whose token it has. */
-export function nameOf({ id, name, person }: Viewer): string {
+export function nameOfViewer({ id, name, person }: Viewer): string {
   const own = name || person || `viewer ${id}`;
   return person && person !== own ? `${own} (${person})` : own;
 }
@@ -25,7 +25,7 @@ export function placeWords(
   return [
     looked && `looks at ${looked.name}`,
     tick === null ? "live" : `at tick ${tick}`,
-    followed && `follows ${nameOf(followed)}`,
+    followed && `follows ${nameOfViewer(followed)}`,
   ]
     .filter(Boolean)
     .join(" · ");

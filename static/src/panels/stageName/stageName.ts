@@ -4,7 +4,7 @@ import "./stageName.css";
 import { html, nothing, svg, type TemplateResult } from "lit-html";
 import { addressWith } from "../../state/address";
 import { shownAddress } from "../../state/keepAddress";
-import { nameOf } from "../../state/stageList";
+import { nameOfStage } from "../../state/stageList";
 import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
 
@@ -53,7 +53,7 @@ export function stageNamePanel(host: HTMLElement, app: App): void {
   draw(host, () => {
     const id = stage.hello.value?.stage ?? "";
     const known = stageList.all.value.find((listed) => listed.id === id);
-    const name = known ? nameOf(known) : id;
+    const name = known ? nameOfStage(known) : id;
     return html`<button
         type="button"
         class="plain"

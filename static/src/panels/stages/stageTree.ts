@@ -1,7 +1,8 @@
 /** Orders stages as a tree over time, and says in words what each is. */
 
 import type { StageInfo } from "../../net/protocol";
-import { nameOf } from "../../state/stageList";
+import { nameOfStage } from "../../state/stageList";
+import { plural } from "../../ui/amounts";
 
 export interface Row {
   stage: StageInfo;
@@ -32,14 +33,12 @@ export function spanOf({ origin, head }: StageInfo, all: readonly StageInfo[]): 
   return { from: (origin?.tick ?? 0) / longest, to: head / longest };
 }
 
-const counted = (count: number, noun: string): string => `${count} ${noun}${count === 1 ? "" : "s"}`;
-
 /** Says where a fork left its origin, and what came since. */
 export function originWords({ origin, inputs, newest_input }: StageInfo, all: readonly StageInfo[]): string {
-  const since = newest_input ? `${counted(inputs, "input")}, the newest: ${newest_input.text}` : "no input";
+  const since = newest_input ? `${plural(inputs, "input")}, the newest: ${newest_input.text}` : "no input";
   if (!origin) return since;
   const parent = all.find(({ id }) => id === origin.stage);
-  const from = parent ? nameOf(parent) : origin.is_there ? origin.stage : "a deleted stage";
+  const from = parent ? nameOfStage(parent) : origin.is_there ? origin.stage : "a deleted stage";
   return `left ${from} at tick ${origin.tick} · ${since}`;
 }
 
@@ -47,5 +46,5 @@ export function originWords({ origin, inputs, newest_input }: StageInfo, all: re
 export function nowWords({ asleep, paused, changed, viewers, head }: StageInfo): string {
   const by = changed?.what === "paused" ? ` by ${changed.by}` : "";
   const clock = asleep ? "asleep" : paused ? `paused${by}` : "runs";
-  return `tick ${head} · ${clock} · ${viewers ? counted(viewers, "viewer") : "no viewer"}`;
+  return `tick ${head} · ${clock} · ${viewers ? plural(viewers, "viewer") : "no viewer"}`;
 }

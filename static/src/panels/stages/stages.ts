@@ -1,12 +1,13 @@
 /** Lists stages and forks as a tree: go to one, fork the watched one, name and delete them. */
 
+import "../../ui/formField.css";
 import "./stages.css";
 import { effect, signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { StageInfo } from "../../net/protocol";
 import * as api from "../../net/stages";
 import { reasonOf } from "../../net/reason";
-import { nameOf } from "../../state/stageList";
+import { nameOfStage } from "../../state/stageList";
 import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
 import { ghostDifference } from "./ghostDifference";
@@ -92,7 +93,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
         remove(doomed);
       }}
     >
-      <p .textContent=${`Delete ${nameOf(doomed)} for good? Its forks stay.`}></p>
+      <p .textContent=${`Delete ${nameOfStage(doomed)} for good? Its forks stay.`}></p>
       <button type="button" class="keep" @click=${settle}>keep it</button>
       <button type="submit">delete it</button>
     </form>`;
@@ -101,6 +102,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
     html`<form @submit=${(submit: Event) => void act(api.rename(id, named(submit)))}>
       <input
         name="name"
+        class="text-input"
         aria-label="name of the stage"
         autocomplete="off"
         maxlength=${LONGEST_NAME}
@@ -129,7 +131,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
     </div>`;
 
   function row({ stage: listed, depth }: Row): TemplateResult {
-    const name = nameOf(listed);
+    const name = nameOfStage(listed);
     const about = asked.value?.stage === listed.id ? asked.value.about : null;
     const { from, to } = spanOf(listed, stageList.all.value);
     return html`<li
@@ -156,6 +158,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
     return html`<form class="new-fork" @submit=${fork}>
         <input
           name="name"
+          class="text-input"
           aria-label="name of the fork"
           placeholder="name of the fork"
           autocomplete="off"
