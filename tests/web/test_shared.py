@@ -70,7 +70,7 @@ def test_the_printed_link_opens_the_page(running: Running) -> None:
 
 def socket_to(running: Running, path: str, headers: dict[str, str]) -> connect:
     """A viewer's connection in one thread: websockets' client of two threads now and then loses its request
-    over TLS (3 of 4,000 on a busy computer, this one none of 12,000), since Python before 3.13 lets two
+    over TLS (3 of 4,000 on a busy computer, this one none of 12,000), probably since Python 3.11 lets two
     threads into one TLS connection at once.
     """
     options = {
