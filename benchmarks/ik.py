@@ -15,6 +15,7 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
+from peers.fabrik import places_of_fabrik, places_within_cones
 from rounds import Job, Node, least, show
 from statwalk.maths.clamp_kinds import CONE, EULER
 from statwalk.maths.clamp_table import CLAMP_TABLE, JointLimit, clamp_table
@@ -26,6 +27,7 @@ from statwalk.solve import _kernels
 from statwalk.solve.chain_lanes import scratch_floats
 from statwalk.solve.chains import (
     CHAINS,
+    DEFAULT_ITERATIONS,
     POLE,
     POLE_DIRECTION,
     TARGET,
@@ -38,6 +40,8 @@ from statwalk.solve.chains import (
 CHAINS_SOLVED, JOINTS, ITERATIONS, ROUNDS, BEND = 1000, 10, 10, 25, 0.9
 PROCESSES = 9
 """processes of the peer for two bones: V8 compiles its loop well in some and badly in most"""
+CCD_ITERATIONS = DEFAULT_ITERATIONS["two-bone"]
+"""with limits, two-bone goes on with so many iterations of CCD at most, and the peer makes as many"""
 ANGLES = JointLimit(EULER, angles=((-BEND, BEND),) * 3)
 CONES = JointLimit(CONE, twist=(-BEND, BEND), swing=((-BEND, BEND), (-BEND, BEND)))
 
@@ -86,28 +90,17 @@ class Crowd:
 
         return run
 
-    def numpy_fabrik(self) -> Job:
-        """Returns a job of FABRIK over all chains: the joints' places after ten iterations."""
-        start, lengths = self.offsets.cumsum(1).astype(np.float32), np.linalg.norm(self.offsets, axis=-1)
-        targets, lengths = self.targets.astype(np.float32), lengths.astype(np.float32)[..., None]
+    def numpy_fabrik(self, bend: float = 0.0) -> Job:
+        """Returns a job of FABRIK over all chains; within cones of `bend` radians, unless that is 0."""
+        offsets, targets = self.offsets.astype(np.float32), self.targets.astype(np.float32)
 
         def run() -> None:
-            places = start.copy()
-            for _ in range(ITERATIONS):
-                places[:, -1] = targets
-                for joint in range(self.joints - 2, -1, -1):
-                    pull(places, joint + 1, joint, lengths[:, joint + 1])
-                places[:, 0] = start[:, 0]
-                for joint in range(1, self.joints):
-                    pull(places, joint - 1, joint, lengths[:, joint])
+            if bend:
+                places_within_cones(offsets, targets, ITERATIONS, bend)
+            else:
+                places_of_fabrik(offsets, targets, ITERATIONS)
 
         return run
-
-
-def pull(places: np.ndarray, origin: int, joint: int, length: np.ndarray) -> None:
-    """Puts a joint at its bone's length from another."""
-    way = places[:, joint] - places[:, origin]
-    places[:, joint] = places[:, origin] + way * (length / np.sqrt(np.einsum("ni,ni->n", way, way))[:, None])
 
 
 def three_job(node: CcdOfThree, crowd: Crowd, iteration: int, limit: float) -> Job:
@@ -143,8 +136,9 @@ def main() -> None:
     two_bone_table(limb)
     with CcdOfThree() as node:
         limited = {"statwalk": limb.job("two-bone", CONES, pole_kind=POLE_DIRECTION)}
-        limited["CCDIKSolver, 2 links, 1 iteration, limits"] = three_job(node, limb, 1, BEND)
-        table("two-bone, pole, cones", limited, {})
+        limited[f"CCDIKSolver, {CCD_ITERATIONS} iterations"] = three_job(node, limb, CCD_ITERATIONS, BEND)
+        limited["CCDIKSolver, 1 iteration"] = three_job(node, limb, 1, BEND)
+        table("two-bone, pole, cones", limited, {f"CCDIKSolver, {CCD_ITERATIONS} iterations": 150})
         peer = f"CCDIKSolver, {ITERATIONS} iterations"
         free_ccd = {"statwalk": free("ccd", **ccd), peer: three_job(node, chain, ITERATIONS, 0)}
         table(f"CCD of {JOINTS} joints", free_ccd, {peer: 80})
@@ -153,8 +147,9 @@ def main() -> None:
         table(f"CCD of {JOINTS} joints, limits of three angles", bound, {peer: 80})
         fabrik = {"statwalk": free("fabrik", **ccd), "NumPy, places": chain.numpy_fabrik()}
         table(f"FABRIK of {JOINTS} joints, {ITERATIONS} iterations", fabrik, {"NumPy, places": 50})
-        cones = {"statwalk": free("fabrik", CONES, **ccd), "NumPy, places, no limits": chain.numpy_fabrik()}
-        table(f"FABRIK of {JOINTS} joints, {ITERATIONS} iterations, cones", cones, {})
+        cones = {"statwalk": free("fabrik", CONES, **ccd), "NumPy, cones": chain.numpy_fabrik(BEND)}
+        cones["NumPy, places, no limits"] = chain.numpy_fabrik()
+        table(f"FABRIK of {JOINTS} joints, {ITERATIONS} iterations, cones", cones, {"NumPy, cones": 50})
 
 
 if __name__ == "__main__":

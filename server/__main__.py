@@ -21,7 +21,7 @@ LOCKS = ROOT / "server" / "locks"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
 ALONE = ("tests/reliability/alone", "tests/browser")
-"""tests beside which no other test runs"""
+"""tests beside which no other test runs: they count seconds, or a browser draws on all processors"""
 VIEWER_SOURCES = (
     "index.html",
     "package.json",
@@ -130,8 +130,8 @@ def find_assimp() -> None:
 
 
 def run_tests(arguments: list[str]) -> None:
-    """Runs the tests that are asked for; without arguments all tests, those last that count seconds or draw
-    on all processors: nothing else runs beside these.
+    """Runs the tests that are asked for; without arguments all tests, those last that count seconds or look
+    at the page.
     """
     pytest = PYTHON, "-m", "pytest"
     # the tests start Python hundreds of times: without bytecode each start compiles every module

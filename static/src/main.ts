@@ -30,6 +30,7 @@ import { parametersPanel } from "./panels/parameters/parameters";
 import { peoplePanel } from "./panels/people/people";
 import { pickerPanel } from "./panels/picker/picker";
 import { routeBarPanel } from "./panels/routeBar/routeBar";
+import { scenePanel } from "./panels/scene/scene";
 import { stageNamePanel } from "./panels/stageName/stageName";
 import { stagesPanel } from "./panels/stages/stages";
 import { statusPanel } from "./panels/status/status";
@@ -78,6 +79,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
   ["events", eventsPanel],
   ["timeline", timelinePanel],
   ["modes", viewControlsPanel],
+  ["scene", scenePanel],
   ["cell", cellInspectorPanel],
   ["machine-form", machineFormPanel],
   ["versions", versionsPanel],

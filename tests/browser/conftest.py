@@ -16,7 +16,7 @@ from typing import Self
 import httpx
 import pytest
 from paths import GLTF, ROOT
-from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
+from playwright.sync_api import Browser, ConsoleMessage, Locator, Page, sync_playwright
 
 CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
 REPORT_VIOLATIONS = (
@@ -49,6 +49,14 @@ def until(page: Page, condition: str, arg: object = None) -> None:
     page.evaluate(UNTIL.replace("CONDITION", condition), arg)
 
 
+def controls(page: Page, name: str = "look") -> Locator:
+    """The controls over the picture that the button of this name opens, open."""
+    box = page.locator(f"#{name}-popover")
+    if not box.is_visible():
+        page.locator("#modes").get_by_role("button", name=name, exact=True).click()
+    return box
+
+
 def expression_value(name: str) -> str:
     """JavaScript for the value that the page shows beside the expression of a channel or a variable."""
     row = (
@@ -56,6 +64,22 @@ def expression_value(name: str) -> str:
         f".find(row => row.querySelector('b span').textContent === '{name}')"
     )
     return f"Number({row}?.querySelector('output').textContent)"
+
+
+MEAN_COLOUR = """async bytes => {
+  const image = await createImageBitmap(new Blob([new Uint8Array(bytes)], { type: 'image/png' }));
+  const pen = new OffscreenCanvas(image.width, image.height).getContext('2d');
+  pen.drawImage(image, 0, 0);
+  const { data } = pen.getImageData(0, 0, image.width, image.height);
+  return [0, 1, 2, 3].map(channel => data.filter((_, k) => k % 4 === channel).reduce((a, b) => a + b, 0)
+    / (image.width * image.height));
+}"""
+
+
+def mean_colour(page: Page, png: bytes) -> list[float]:
+    """The mean red, green, blue and opacity of a picture, 0…255; the page reads it."""
+    found: list[float] = page.evaluate(MEAN_COLOUR, list(png))
+    return found
 
 
 def leave(page: Page, *made: str) -> None:
@@ -126,11 +150,15 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 @pytest.fixture(autouse=True)
 def tidy(server: Server) -> Iterator[None]:
-    """Closes the stages that a test leaves behind, after its page: they would step beside all others."""
+    """Closes the stages that a test leaves behind, after its page: they would step beside all others; `main`
+    goes on if a test that failed left it paused.
+    """
     yield
     if server.process is not None:
         for stage in httpx.get(f"{server.url}/api/stages").json():
-            if stage["id"] != "main":
+            if stage["id"] == "main":
+                httpx.post(f"{server.url}/api/stages/main/pause", json={"paused": False})
+            else:
                 httpx.delete(f"{server.url}/api/stages/{stage['id']}")
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import httpx
 import pytest
-from browser.conftest import Server, leave, until
+from browser.conftest import Server, controls, leave, until
 from many_bones import many_bones
 from playwright.sync_api import Page
 from statwalk.files.gltf import read_model
@@ -75,7 +75,7 @@ def test_both_streams_show_the_same_geese(at_stage: Opened) -> None:
 
 def test_each_instance_is_its_actor(at_stage: Opened) -> None:
     page = at_stage(60, scene="street")
-    page.get_by_role("button", name="prove").click()
+    controls(page).get_by_role("button", name="prove").click()
     for actor in (2, 6, 11):
         choose_actor(page, actor)
         assert proved(page, actor=actor) < MOST_M
@@ -94,9 +94,9 @@ POSED = {
 def test_gpu_and_server_agree_in_all_ways(at_stage: Opened, machine: str) -> None:
     event, ticks = POSED[machine]
     page = at_stage(ticks, event, actors=[{"machine": machine}])
-    page.get_by_role("button", name="prove").click()
+    controls(page).get_by_role("button", name="prove").click()
     for way in WAYS:
-        page.get_by_label("way of skinning").select_option(way)
+        controls(page).get_by_label("way of skinning").select_option(way)
         assert proved(page, way=way) < MOST_M, way
     page.get_by_text("GPU and server differ by at most 0.00").wait_for()
 
@@ -109,7 +109,7 @@ def test_gpu_and_server_agree_while_weights_move(
     server: Server, at_stage: Opened, machine: str, event: str
 ) -> None:
     page = at_stage(1, event, actors=[{"machine": machine}])
-    page.get_by_role("button", name="prove").click()
+    controls(page).get_by_role("button", name="prove").click()
     stage = f"{server.url}/api/stages/{page.evaluate('__viewer.stage()')}"
     weights = set()
     for tick in range(4, 20, 3):
@@ -173,9 +173,9 @@ def many_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 def test_eight_bones_for_a_vertex_are_blended(many_server: Server, opened: Callable[[str], Page]) -> None:
     page = opened(many_server.url)
-    page.get_by_role("button", name="prove").click()
+    controls(page).get_by_role("button", name="prove").click()
     for way in WAYS:
-        page.get_by_label("way of skinning").select_option(way)
+        controls(page).get_by_label("way of skinning").select_option(way)
         assert proved(page, way=way) < MOST_M, way
 
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import httpx
 import pytest
-from browser.conftest import Server, leave, until
+from browser.conftest import Server, controls, leave, until
 from playwright.sync_api import Page
 
 
@@ -32,7 +32,7 @@ def triangles(page: Page) -> int:
 
 def test_the_slider_chooses_a_level(walker: Page, server: Server) -> None:
     levels = httpx.get(f"{server.url}/api/characters/walker/levels", timeout=60).json()
-    slider = walker.get_by_label("detail", exact=True)
+    slider = controls(walker).get_by_label("detail", exact=True)
     slider.fill(str(len(levels) - 1))
     until(walker, "__viewer.detail().level === 0")
     full, covered = triangles(walker), walker.evaluate("__viewer.pixels()")["covered"]
@@ -62,7 +62,7 @@ def test_a_crowd_draws_levels(server: Server, opened: Callable[[str], Page]) -> 
     stage = stage_of(server, {"scene": "street"})
     page = opened(f"{server.url}/?stage={stage.rsplit('/', 1)[1]}")
     until(page, "__viewer.posed() === 30")
-    slider = page.get_by_label("detail", exact=True)
+    slider = controls(page).get_by_label("detail", exact=True)
     slider.fill(slider.get_attribute("max"))
     until(page, "__viewer.detail().level === 0")
     full, calls = triangles(page), page.evaluate("__viewer.calls()")

@@ -9,7 +9,7 @@ from typing import Literal
 
 import httpx
 import pytest
-from browser.conftest import Server, leave
+from browser.conftest import Server, controls, leave
 from browser.test_import import DROP
 from paths import ROOT
 from playwright.sync_api import Page
@@ -46,6 +46,23 @@ def drop_a_model(page: Page) -> None:
     page.evaluate(DROP, ["mine.glb", base64.b64encode(model).decode()])
 
 
+def look_at_a_model(page: Page) -> None:
+    drop_a_model(page)
+    page.locator(".look-controls").wait_for()
+    page.evaluate("document.querySelectorAll('.look-contents details').forEach(one => (one.open = true))")
+
+
+def change_a_key(page: Page) -> None:
+    page.keyboard.press("?")
+    page.get_by_label("key of “frame the character”").click()
+    page.keyboard.press("F8")
+
+
+def open_pad(page: Page) -> None:
+    page.click("#table th[data-state=TLFT]")
+    page.get_by_role("menuitem", name="clip, loop, markers").click()
+
+
 def open_yaml(page: Page) -> None:
     page.get_by_role("button", name="versions").click()
     page.get_by_role("tab", name="YAML").click()
@@ -61,6 +78,12 @@ def open_people(page: Page) -> None:
     page.get_by_role("tab", name="people").click()
 
 
+def plot_a_joint(page: Page) -> None:
+    page.keyboard.press("3")
+    page.mouse.click(*page.evaluate("__viewer.circle('Head')"))
+    page.locator("#joint").get_by_role("button", name="plot").click()
+
+
 def ask_why(page: Page) -> None:
     page.click("[data-event=JUMP]")
     page.click("#verdict[data-tick]")
@@ -69,19 +92,25 @@ def ask_why(page: Page) -> None:
 PANELS: dict[str, tuple[Callable[[Page], object], str]] = {
     "the page alone": (Page.bring_to_front, "#table td"),
     "help": (lambda page: page.keyboard.press("?"), "dialog.help"),
+    "key settings": (change_a_key, "dialog.help .reset:not([hidden])"),
     "palette": (lambda page: page.keyboard.press("Control+k"), "#choices li"),
     "download": (lambda page: page.click("#download"), "dialog.download a"),
     "IK rules": (lambda page: page.click("#deduce"), "dialog.deduce"),
     "machine menu": (lambda page: page.click("#machine-menu button"), "[role=menuitem]"),
-    "import": (drop_a_model, "dialog.import input"),
+    "import, with the look": (look_at_a_model, ".look-contents details[open] li"),
     "cell editor": (lambda page: page.click(CELL), "#cell-inspector .findings li"),
     "menu of a column": (lambda page: page.click("#table th[data-column=RIGHT]"), ".head-menu"),
     "inspector": (lambda page: page.press(CELL, "Alt+Enter"), "#cell h2"),
+    "pad": (open_pad, ".blend-pad"),
     "versions": (lambda page: page.get_by_role("button", name="versions").click(), "#versions li"),
     "YAML": (open_yaml, ".yaml-editor .cm-line"),
     "machine": (open_machine_form, "#machine-form h2"),
     "stages": (lambda page: page.keyboard.press("o"), "#stages li"),
     "people": (open_people, "#people li"),
+    "look": (lambda page: controls(page, "look"), "#look-popover select"),
+    "camera": (lambda page: controls(page, "camera"), "#camera-popover select"),
+    "picture": (lambda page: page.keyboard.press("v"), "#scene h2"),
+    "joint": (plot_a_joint, ".joint-plot .uplot"),
     "why": (ask_why, "#why .event-why"),
 }
 """how a panel is opened, in this order, and what is seen then; Escape closes it"""
@@ -90,7 +119,8 @@ PANELS: dict[str, tuple[Callable[[Page], object], str]] = {
 @pytest.fixture
 def wide(server: Server, page: Page, opened: Callable[[str], Page]) -> Iterator[Page]:
     """The page with a machine that may be edited, in a window where all panels are seen."""
-    httpx.post(f"{server.url}/api/machines", json={"name": NAME, "copy_of": "faq-walker"}).raise_for_status()
+    copy = {"name": NAME, "copy_of": "faq-walker"}
+    httpx.post(f"{server.url}/api/machines", json=copy, timeout=60).raise_for_status()
     made = httpx.post(f"{server.url}/api/stages", json={"actors": [{"machine": NAME}]}, timeout=60)
     stage = made.raise_for_status().headers["Location"].rsplit("/", 1)[1]
     page.set_viewport_size({"width": 1440, "height": 900})

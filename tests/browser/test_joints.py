@@ -5,7 +5,7 @@ from typing import Any
 
 import httpx
 import pytest
-from browser.conftest import Server, until
+from browser.conftest import Server, controls, until
 from playwright.sync_api import Page
 from serving import wait_for
 
@@ -71,7 +71,9 @@ def test_moored_the_ship_is_dragged_and_the_anchor_stays(server: Server, ship: P
 
 def test_a_handle_turns_its_joint_up_to_its_limit(server: Server, opened: Open) -> None:
     page = opening(server, opened, "joints.hinge")
+    slowed(server, page, 0.02)  # the handle moves on while the pointer comes
     dragged(page, "B angle", 60, 10)
+    slowed(server, page, 1)
     until(page, "__viewer.state() === 'TRY'")
     page.mouse.move(*dragged_far(page))
     label = page.locator(".joint-value")
@@ -89,6 +91,12 @@ def test_a_handle_turns_its_joint_up_to_its_limit(server: Server, opened: Open) 
         return float(abs(pose["rotation"][pose["names"].index("B")][2]))
 
     wait_for(lambda: abs(turn() - 0.6428) < 2e-3)  # the sine of half of 80 degrees
+
+
+def slowed(server: Server, page: Page, speed: float) -> None:
+    """Returns when the page's stage has this speed."""
+    stage = page.evaluate("__viewer.stage()")
+    httpx.post(f"{server.url}/api/stages/{stage}/speed", json={"speed": speed}).raise_for_status()
 
 
 def dragged_far(page: Page) -> tuple[float, float]:
@@ -129,6 +137,14 @@ def test_a_click_chooses_a_joint_and_another_beside_all_chooses_none(server: Ser
     page.mouse.click(*page.evaluate("__viewer.circle('B')"))  # its handles, which may lie on it, are hidden
     until(page, "__viewer.joint() === 'B'")
     until(page, "'B swing' in __viewer.handles()")
+    x, y, z = page.evaluate("__viewer.joints().B")
+    panel = page.locator("#joint")
+    panel.get_by_text(f"at {x:.3f} {y:.3f} {z:.3f} m").wait_for()
+    panel.get_by_role("button", name="plot").click()
+    until(page, "document.querySelector('.joint-plot .uplot canvas')?.width > 150")
+    panel.get_by_role("button", name="path").click()
+    assert controls(page).get_by_label("path of a joint").input_value() == "B"
+    page.keyboard.press("Escape")
     page.mouse.click(box["x"] + 5, box["y"] + 0.5 * box["height"])
     until(page, "__viewer.joint() === ''")
     until(page, "'B swing' in __viewer.handles()")

@@ -44,3 +44,19 @@ def test_nothing_of_the_header_is_cut(viewer: Page) -> None:
     viewer.get_by_role("button", name="more").press("Enter")
     viewer.get_by_role("menuitem", name="find anything").press("Enter")
     viewer.get_by_role("combobox", name="find a command").wait_for()
+
+
+def test_a_phone_has_the_look_below_the_picture(viewer: Page) -> None:
+    """Its row has no room for what is drawn; the keyboard opens, and Escape gives the focus back."""
+    viewer.set_viewport_size({"width": 390, "height": 844})
+    bones = viewer.locator("#look-popover").get_by_role("button", name="bones")
+    button = viewer.get_by_role("button", name="look", exact=True)
+    button.press("Enter")
+    bones.wait_for()
+    box, row = viewer.locator("#look-popover").bounding_box(), viewer.locator("#modes").bounding_box()
+    assert box is not None
+    assert row is not None
+    assert box["y"] >= row["y"] + row["height"]
+    bones.press("Escape")
+    bones.wait_for(state="hidden")
+    assert button.evaluate("button => button === document.activeElement")

@@ -5,7 +5,7 @@ streams.
 from collections.abc import Iterator
 
 import pytest
-from browser.conftest import until
+from browser.conftest import controls, until
 from playwright.sync_api import Page
 
 
@@ -24,7 +24,7 @@ def still(viewer: Page, request: pytest.FixtureRequest) -> Iterator[Page]:
 
 
 def shown(page: Page, what: str) -> dict:
-    page.get_by_label("what the skin shows").select_option(what)
+    controls(page).get_by_label("what the skin shows").select_option(what)
     return page.evaluate("__viewer.pixels()")
 
 
@@ -57,13 +57,13 @@ def test_tetrahedra_are_shaded_wire_or_textured(still: Page) -> None:
     pictures = set()
     for solid in ("shaded", "wireframe", "textured"):
         before = still.evaluate("__viewer.stats().drawn")
-        still.get_by_label("tetrahedra", exact=True).select_option(solid)
+        controls(still).get_by_label("tetrahedra", exact=True).select_option(solid)
         if solid != "shaded":
             until(still, "__viewer.stats().drawn > arg", before)
         pictures.add(still.locator("#stage-view").screenshot())
     assert len(pictures) == 3
     still.get_by_role("button", name="tetra").click()
-    still.get_by_label("tetrahedra", exact=True).wait_for(state="hidden")
+    controls(still).get_by_label("tetrahedra", exact=True).wait_for(state="hidden")
 
 
 def test_tetrahedra_stay_on_the_character_in_both_streams(viewer: Page) -> None:

@@ -5,7 +5,7 @@ from typing import Any
 
 import httpx
 import pytest
-from browser.conftest import Server, expression_value, leave, until
+from browser.conftest import Server, controls, expression_value, leave, until
 from playwright.sync_api import Page
 
 WEIGHT = expression_value("right_biceps.weight")
@@ -56,13 +56,13 @@ def test_glue_changes_nothing_but_the_colours(arms: Page, stream: str) -> None:
 def test_glue_is_orange_and_loose_parts_have_none(arms: Page) -> None:
     drawn(arms, "pose")
     glue = painted(arms, "glue")["colour"]
-    arms.get_by_label("way of skinning").select_option("parts")
+    controls(arms).get_by_label("way of skinning").select_option("parts")
     loose = arms.evaluate("__viewer.pixels()")["colour"]
     assert glue[0] - glue[2] > loose[0] - loose[2] + 1
 
 
 def painted(page: Page, what: str) -> Any:
-    page.get_by_label("what the skin shows").select_option(what)
+    controls(page).get_by_label("what the skin shows").select_option(what)
     return page.evaluate("__viewer.pixels()")
 
 

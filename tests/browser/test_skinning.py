@@ -5,7 +5,7 @@ from typing import Any
 
 import httpx
 import pytest
-from browser.conftest import Server, leave, until
+from browser.conftest import Server, controls, leave, until
 from playwright.sync_api import Page
 
 WAYS = ("linear", "dual-quaternion", "rigid", "parts")
@@ -26,7 +26,7 @@ def arm(server: Server, opened: Callable[[str], Page]) -> Iterator[Page]:
 
 
 def choose(page: Page, way: str) -> None:
-    page.get_by_label("way of skinning").select_option(way)
+    controls(page).get_by_label("way of skinning").select_option(way)
 
 
 def drawn(page: Page, stream: str) -> Any:

@@ -1,5 +1,7 @@
 """The staging camera: what is in its picture by a projection with SciPy, its way by SciPy's linear filter."""
 
+import json
+
 import numpy as np
 import pytest
 import statwalk
@@ -7,6 +9,7 @@ from builders import character
 from paths import MACHINES
 from scipy.signal import lfilter
 from scipy.spatial.transform import Rotation
+from shots import FILE, shots
 from statwalk.character.staging import FRAMINGS, framed
 from statwalk.errors import ContentError, UnknownNameError
 
@@ -96,3 +99,17 @@ def test_an_unknown_framing_is_refused():
 def test_a_camera_that_cannot_be_is_refused(wish):
     with pytest.raises(ContentError):
         statwalk.staging(WALKER, STANDING, **wish)
+
+
+def test_the_shots_that_the_page_is_held_against_are_these():
+    """The page's own test compares its camera with the file: `python tests/support/shots.py` writes it."""
+    kept, now = json.loads(FILE.read_text()), shots()
+    assert json.dumps(_rounded(kept)) == json.dumps(_rounded(now))
+
+
+def _rounded(value):
+    if isinstance(value, dict):
+        return {key: _rounded(part) for key, part in value.items()}
+    if isinstance(value, list):
+        return [_rounded(part) for part in value]
+    return round(value, 6) + 0.0 if isinstance(value, float) else value

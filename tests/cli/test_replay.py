@@ -8,6 +8,7 @@ from paths import MACHINES
 from statwalk.cli.replay import replay
 from statwalk.errors import ContentError, StageError, UnknownNameError
 from statwalk.services.library.load import load, load_role
+from statwalk.stage.history.engine import ENGINE
 from statwalk.stage.stage import Stage
 
 
@@ -55,8 +56,10 @@ def test_a_machine_of_ones_own(tmp_path: Path, capsys: pytest.CaptureFixture[str
 
 def test_a_log_of_another_engine_is_refused(played: tuple[Path, Stage]) -> None:
     path, _ = played
-    path.write_text(path.read_text().replace('"engine":1,"version":"0.1.0"', '"engine":7,"version":"3.2.1"'))
-    with pytest.raises(StageError, match=r"engine 7 \(statwalk 3.2.1\) played the log; this is engine 1"):
+    made_by = f'"engine":{ENGINE},"version":"0.1.0"'
+    path.write_text(path.read_text().replace(made_by, '"engine":7,"version":"3.2.1"'))
+    words = rf"engine 7 \(statwalk 3.2.1\) played the log; this is engine {ENGINE}"
+    with pytest.raises(StageError, match=words):
         replay(path)
 
 

@@ -15,6 +15,7 @@ from statwalk.character.feet import Foot, feet_of
 from statwalk.character.role import Role
 from statwalk.rig.evaluate import world_from_local
 from statwalk.services.library.load import load_role
+from statwalk.stage.measure.limbs import hands_of
 from statwalk.stage.stage import Stage
 
 TERRAIN = load_role(MACHINES / "terrain")
@@ -26,8 +27,8 @@ WAYS = {
     "up, aslant": ((-0.5, 0, 0), np.radians(20)),
     "down, aslant": ((0.6, 0, 8.9), np.pi + np.radians(12)),
 }
-SKIN = 0.005
-BODY, JOINT = 3.0, 3.0
+SKIN = 0.003
+BODY, JOINT = 2.5, 3.0
 SLIDE = 0.015
 TOUCHES = 0.004
 """metres: a foot that rises, or comes down, is still for a tick too"""
@@ -47,7 +48,6 @@ def level_walk() -> Crossing:
 def test_no_skin_is_inside_steps_or_slope(way: str) -> None:
     depth = skin_depth(TERRAIN, walk(way))
     assert depth.max() < SKIN
-    assert np.quantile(depth, 0.99) < 0.005
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -104,12 +104,19 @@ def test_a_foot_on_the_stairs_has_a_tread_below_it(way: str) -> None:
     assert ((np.abs(soles) < 0.006).mean(1) > 0.4).all()
 
 
-def test_an_actor_that_starts_on_the_slope_stands_on_it_at_once() -> None:
+@pytest.mark.parametrize(("z", "share"), [(5.5, 1.0), (1.65, 0.9)])
+@pytest.mark.parametrize("ticks", [1, 60])
+def test_an_actor_that_starts_on_the_slope_or_a_stair_stands_there_at_once(
+    z: float, share: float, ticks: int
+) -> None:
+    """At z = 1.65 its toes would overlap the next stair: its feet stand a little behind."""
     stage = Stage(seed=1)
-    actor = stage.add(TERRAIN, (0, 0, 5.5))
-    stage.step(60)
+    actor = stage.add(TERRAIN, (0, 0, z))
+    stage.step(ticks)
     for foot in feet_of(TERRAIN.character):
-        assert np.abs(over_ground(foot, foot.skin.at(np.asarray(actor.world)[:, :3]))).max() < 0.006
+        soles = over_ground(foot, foot.skin.at(np.asarray(actor.world)[:, :3]))
+        assert soles.min() > -0.006
+        assert (np.abs(soles) < 0.006).mean() >= share
 
 
 def test_going_back_over_the_stairs_gives_the_same_feet() -> None:
@@ -122,8 +129,31 @@ def test_going_back_over_the_stairs_gives_the_same_feet() -> None:
     assert stage.hash == then
 
 
+def jump(role: Role) -> np.ndarray:
+    """(T, 3, 3) the root and the hands in a jump out of a walk, until the actor has stood up."""
+    stage = Stage(seed=1)
+    actor = stage.add(role)
+    stage.hold(actor, "FORWARD")
+    stage.step(80)
+    stage.release(actor, "FORWARD")
+    stage.send(actor, "JUMP")
+    shots, states = [], set()
+    for _ in range(110):
+        stage.step()
+        states.add(actor.state)
+        shots.append(np.asarray(actor.world)[[0, *hands_of(role.character)], :3, 3])
+    assert {"FLY", "LAND", "CRCH", "STUP"} <= states
+    return np.array(shots)
+
+
+def test_a_jump_on_high_ground_is_the_jump_on_the_floor() -> None:
+    high = replace(GROUND[0], corner=(-100.0, -100.0), opposite=(100.0, 100.0), height=0.48)
+    role = Role.build("high", TERRAIN.character, replace(TERRAIN.definition, ground=(high,)), "Root")
+    assert np.abs(jump(role) - jump(LEVEL) - (0, 0.48, 0)).max() < 0.005
+
+
 def test_ground_without_pieces_near_changes_little() -> None:
     far = replace(GROUND[0], corner=(100.0, 100.0), opposite=(101.0, 101.0))
     role = Role.build("far", TERRAIN.character, replace(TERRAIN.definition, ground=(far,)), "Root")
     there = crossing(role, (0, 0, 0), 0.0, ticks=200)
-    assert np.abs(there.world - level_walk().world[:200])[..., 3].max() < 0.05
+    assert np.abs(there.world - level_walk().world[:200])[..., 3].max() < 0.01

@@ -6,9 +6,10 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 import pytest
+from late_kernel import late_kernel
 from numpy.typing import NDArray
 from statwalk.maths.columns import columns, locked, writable
-from statwalk.maths.compiling import LONG, kernel
+from statwalk.maths.compiling import LONG
 
 
 class Poses(NamedTuple):
@@ -27,7 +28,7 @@ class Wrong(NamedTuple):
     duration: NDArray[np.float64]
 
 
-@kernel(columns(Motions, readonly=True), columns(Motions), returns=LONG)
+@late_kernel(columns(Motions, readonly=True), columns(Motions), returns=LONG)
 def moved(tables, state):
     """Writes one number of each array of the state, and adds up some of the tables."""
     state.duration[1] = 2.5

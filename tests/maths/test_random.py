@@ -4,9 +4,10 @@ same alone and in a crowd.
 
 import numpy as np
 import pytest
+from late_kernel import late_kernel
 from numba import types
 from statwalk.maths import random
-from statwalk.maths.compiling import kernel, write
+from statwalk.maths.compiling import write
 
 SEED = 1234567
 PUBLISHED = (6457827717110365317, 3203168211198807973, 9817491932198370423, 4593380528125082431)
@@ -17,13 +18,13 @@ STATES = [(SEED + (place + 1) * random.GOLDEN) & random.WORD for place in range(
 COUNTERS = np.array([(1, 0, 1, 0), (2, 0, 1, 0), (1, 1, 1, 0), (1, 0, 2, 0), (1, 0, 1, 1), (0, 1, 1, 0)])
 
 
-@kernel(write(types.uint64, 1))
+@late_kernel(write(types.uint64, 1))
 def mix_all(words):
     for row in range(words.shape[0]):
         words[row] = random.scrambled(int(words[row]))
 
 
-@kernel(types.uint64, write(types.int64, 2), write(types.float64, 1))
+@late_kernel(types.uint64, write(types.int64, 2), write(types.float64, 1))
 def draw_all(key, counters, chances):
     for row in range(counters.shape[0]):
         tick, layer, event, draw = counters[row, 0], counters[row, 1], counters[row, 2], counters[row, 3]

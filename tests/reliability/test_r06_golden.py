@@ -89,10 +89,11 @@ def with_longer_arm(model: bytes) -> bytes:
 
 
 def test_r06_sessions_of_another_engine_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(engine, "ENGINE", engine.ENGINE + 1)
+    present = engine.ENGINE
+    monkeypatch.setattr(engine, "ENGINE", present + 1)
     with pytest.raises(StageError) as refused:
         replay(PRESENT.log("elbow-1"), PRESENT.role)
     assert str(refused.value) == (
-        "line 1: engine 1 (statwalk 0.1.0) played the log; this is engine 2 (statwalk 0.1.0), which may move "
-        "otherwise. Play it with statwalk 0.1.0"
+        f"line 1: engine {present} (statwalk 0.1.0) played the log; this is engine {present + 1} (statwalk "
+        "0.1.0), which may move otherwise. Play it with statwalk 0.1.0"
     )

@@ -36,6 +36,7 @@ UPLOAD = (
     b"Content-Length: 1000\r\n\r\nglT"
 )
 HERE = "reliability/test_r13_table.py"
+WORKERS = "services/work/test_workers.py"
 REACHED_BY = {
     "stages": "services/hosting/test_registry.py::test_a_stage_more_than_there_may_be_is_refused",
     "actors": "services/hosting/test_registry.py::test_an_actor_more_than_there_may_be_is_refused",
@@ -91,6 +92,10 @@ REACHED_BY = {
     "WAIT_SECONDS": "web/test_long_work.py::test_who_has_waited_long_is_told_to_try_again",
     "work_seconds": "reliability/alone/test_r13_limits.py"
     "::test_a_long_step_has_a_deadline_and_says_what_to_do",
+    "MOST_WORKERS": f"{WORKERS}::test_a_job_is_cancelled_and_the_worker_does_the_next_one",
+    "IDLE_SECONDS": f"{WORKERS}::test_a_worker_without_work_ends",
+    "CANCEL_SECONDS": f"{WORKERS}::test_a_job_that_does_not_hear_ends_with_its_process",
+    "MOST_MEMORY": f"{WORKERS}::test_a_worker_has_limits_and_nothing_of_the_server",
     "services/limits.MOST_TICKS": f"{HERE}::test_one_tick_more_is_refused",
     "services/hosting/actor_tracks.MOST_TICKS": f"{HERE}::test_a_longer_recording_is_refused",
     "MOST_JOINT_POSES": f"{HERE}::test_a_fuller_recording_is_refused",

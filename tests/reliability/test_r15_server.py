@@ -31,6 +31,11 @@ def edits(rest: httpx.Client) -> list[int]:
     return [answer.status_code for answer in answers]
 
 
+def refusal(rest: httpx.Client) -> str:
+    """The reason why an input is not kept."""
+    return str(rest.post(f"{MAIN}/events", json=CONTENT).json()["detail"])
+
+
 @pytest.fixture(scope="module", autouse=True)
 def _strace() -> None:
     needs_strace()
@@ -43,7 +48,6 @@ def test_r15_a_server_refuses_shows_and_recovers(tmp_path: Path, error: str, sta
     with (
         served("--data", str(tmp_path)) as (process, address),
         httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest,
-        Watcher(address, MAIN) as viewer,
     ):
 
         def post(key: str) -> int:
@@ -56,9 +60,11 @@ def test_r15_a_server_refuses_shows_and_recovers(tmp_path: Path, error: str, sta
         made = rest.post(MACHINES, json={"name": "mine"}).json()
         with strace(process.pid, "-o", "/dev/null", "-e", f"trace={FAILING}", "-e", inject):
             assert [post(key) for key in ("one", "two", "one")] == [status] * 3
+            wait_for(lambda: "the log of the database" in refusal(rest))  # the server has tried again
             assert edits(rest) == [status] * 4
             assert rest.get(MAIN).status_code == 200
-            viewer.frame_from(viewer.frame().tick + TICKS)
+            with Watcher(address, MAIN) as viewer:
+                viewer.frame_from(viewer.frame().tick + TICKS)
         wait_for(lambda: post("one") == 202)
         assert post("after") == 202
         assert rest.get(f"{MACHINES}/mine").json() == made

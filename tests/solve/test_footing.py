@@ -56,39 +56,48 @@ def test_a_foot_in_front_of_a_step_is_on_the_floor() -> None:
     assert lying(on(STEP), 0.0, 1.0 - HALF - 0.01)[2] == 0
 
 
-def landed(feet: FootTables, z: float) -> tuple[float, np.ndarray]:
-    """Where a foot lands in z that sets off at z = 0 on the floor, and the heights of its path."""
-    keep, place, heights = np.zeros((1, OF_FIT)), np.zeros(2), np.zeros(41)
+def landed(feet: FootTables, z: float) -> tuple[float, np.ndarray, np.ndarray]:
+    """Where a foot lands in z that sets off at z = 0 on the floor, and z and heights along its path."""
+    keep, place, path = np.zeros((1, OF_FIT)), np.zeros(2), np.zeros((41, 2))
     keep[0, FROM_X], keep[0, FROM_Z], keep[0, HEIGHT] = 0.0, 0.0, 0.0
-    land(feet, 0, 0.0, z, keep, place, heights)
-    return float(place[1]), heights
+    land(feet, 0, 0.0, z, keep, place, path)
+    return float(place[1]), path[:, 0] * place[1], path[:, 1]
 
 
-def test_on_a_level_floor_a_foot_lands_where_its_motion_does() -> None:
-    place, heights = landed(on(), 0.9)
+def test_on_a_level_floor_a_foot_lands_where_its_motion_does_and_goes_evenly() -> None:
+    place, ways, heights = landed(on(), 0.9)
     assert place == 0.9
+    assert ways == pytest.approx(np.linspace(0, 0.9, 41))
     assert not heights.any()
 
 
 def test_a_foot_lands_wholly_on_a_step_or_wholly_before_it() -> None:
-    place, _ = landed(on(STEP), 1.0 + 0.5 * HALF)
+    place, _, _ = landed(on(STEP), 1.0 + 0.5 * HALF)
     assert place - HALF > 1.0
-    place, _ = landed(on(STEP), 1.0 - 0.9 * HALF)
+    place, _, _ = landed(on(STEP), 1.0 - 0.9 * HALF)
     assert place + HALF < 1.0
 
 
 def test_a_path_begins_and_ends_on_the_ground_and_is_above_all_between() -> None:
     hurdle = (-1.0, 0.5, 1.0, 0.6, 0.2, 0.0, 0.0)
-    place, heights = landed(on(hurdle), 1.0)
+    place, ways, heights = landed(on(hurdle), 1.0)
+    assert (ways[0], ways[-1]) == pytest.approx((0, place))
     assert (heights[0], heights[-1]) == pytest.approx((0, 0), abs=1e-9)
-    toes = np.linspace(0, place, len(heights)) + HALF
-    heels = toes - 2 * HALF
-    over = (toes > 0.5) & (heels < 0.6)
+    over = (ways + HALF > 0.5) & (ways - HALF < 0.6)
     assert heights[over].min() > 0.17  # its corners are rounded
     assert np.abs(np.diff(heights, 2)).max() < 0.02
+    assert np.diff(ways).min() > 0
+
+
+def test_a_foot_close_to_a_step_rises_before_it_goes_on() -> None:
+    """Its toes are 2 cm before the step: when they are over it, all of the foot is above it."""
+    near = (-1.0, HALF + 0.02, 1.0, 2.0, 0.1, 0.0, 0.0)
+    _, ways, heights = landed(on(near), 0.9)
+    assert heights[ways > 0.02].min() > 0.08  # its corners are rounded
+    assert ways[heights < 0.05].max() < 0.015
 
 
 def test_the_way_up_a_step_does_not_come_down_between() -> None:
-    _, heights = landed(on(STEP), 1.4)
+    _, _, heights = landed(on(STEP), 1.4)
     assert heights[-1] == pytest.approx(0.1)
     assert np.diff(heights).min() > -0.002

@@ -21,8 +21,8 @@ from statwalk.character.character import Character
 from statwalk.character.role import Role
 from statwalk.files.machine_yaml.capture_lines import with_captures
 from statwalk.files.machine_yaml.machine_file import MachineFile
-from statwalk.services.hosting.store.kept_stage import model_digest
 from statwalk.services.library.load import character_path, load_role, machine_folders, shipped_machines_folder
+from statwalk.services.library.role_reference import model_digest
 from statwalk.stage.history.engine import ENGINE
 from statwalk.stage.history.log_codec import load
 from statwalk.stage.replay import Roles, replay

@@ -12,8 +12,8 @@ import tomllib
 from golden import GOLDEN, Golden, hashes_of
 from paths import ROOT
 from random_sessions import CONTENTS, MACHINE_FILE, folder_of, role_of, session
-from statwalk.services.hosting.store.kept_stage import model_digest
 from statwalk.services.library.load import machine_folders
+from statwalk.services.library.role_reference import model_digest
 
 SEEDS = (1, 2)
 TICKS = 300

@@ -16,7 +16,7 @@ LEG = SimpleNamespace(
 LEG.bind_pose.translation[:] = [[0, 1, 0], [0, -0.5, 0], [0, -0.5, 0]]
 
 
-def recording(joints, sent=0, left=None, target=None, events=None, position=None):
+def recording(joints, sent=0, left=None, target=None, events=None, position=None, low=None):
     """A recording of one leg, its joints (T, 3, 3) without turns; `events` (T,)."""
     ticks = len(joints)
     world = np.zeros((ticks, 1, 3, 3, 4))
@@ -31,6 +31,7 @@ def recording(joints, sent=0, left=None, target=None, events=None, position=None
         heading=np.zeros((ticks, 1)),
         left=np.zeros((ticks, 1)) if left is None else np.reshape(left, (ticks, 1)),
         world=world,
+        low=np.zeros((ticks, 1)) if low is None else np.reshape(low, (ticks, 1)),
         target=world[..., 3] if target is None else np.reshape(target, (ticks, 1, 3, 3)),
     )
 

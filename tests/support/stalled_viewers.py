@@ -91,7 +91,8 @@ def stalled(
 
 def cuts(log: Path, name: str) -> list[Cut]:
     """How the connections of the stalled viewers of a name ended so far (`serve --log json`)."""
-    rows = [json.loads(line) for line in log.read_text().splitlines() if line.startswith("{")]
+    whole_lines, _, _ = log.read_text().rpartition("\n")  # the server may be writing one
+    rows = [json.loads(line) for line in whole_lines.splitlines() if line.startswith("{")]
     return [
         Cut(row["milliseconds"] / 1000, row["closed"], row["limit"])
         for row in rows

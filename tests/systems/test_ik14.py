@@ -173,10 +173,26 @@ def test_joints_that_a_chain_passes_over_stay():
         ({"sensitivity": {"Head": 0.5}}, UnknownNameError, "Head"),
         ({"sensitivity": {"Right.hand": 1.5}}, ContentError, "Right.hand is 1.5"),
         ({"forward": (0, 0, 0)}, ContentError, "forward"),
+        ({"pose": None}, ContentError, "pose: a pose is needed, not NoneType"),
+        ({"chain": None}, ContentError, "chain: the name of a chain, or the names of its joints"),
+        ({"chain": (1, 2)}, ContentError, "chain: the name of a chain, or the names of its joints"),
+        ({"solver": None}, UnknownNameError, "two-bone"),
+        ({"iterations": 2.5}, ContentError, "iterations: a whole number is needed, not 2.5"),
+        ({"softening": "soft"}, ContentError, "softening: a number is needed, not 'soft'"),
+        ({"tolerance": None}, ContentError, "tolerance: a number is needed, not None"),
+        ({"sensitivity": [0.5]}, ContentError, "sensitivity: {joint: 0…1} is needed, not list"),
+        ({"sensitivity": {"Right.hand": "low"}}, ContentError, "Right.hand is 'low'"),
+        ({"anchor": 5}, ContentError, "anchor: the name of a joint is needed, not 5"),
+        ({"limits": None}, ContentError, "limits: {joint: limit} is needed, not NoneType"),
     ],
 )
 def test_a_wrong_chain_is_refused_by_name(changed, error, says):
     character = statwalk.load("faq-walker").character
-    asked = {"chain": KNIGHT_LIKE, "target": (0, 1, 0), "solver": "ccd"} | changed
+    right = {
+        "pose": character.bind_pose,
+        "chain": KNIGHT_LIKE,
+        "target": (0, 1, 0),
+        "solver": "ccd",
+    }
     with pytest.raises(error, match=says):
-        character.solve(character.bind_pose, **asked)
+        character.solve(**right | changed)

@@ -221,9 +221,21 @@ def test_wrong_expressions_are_errors(lines, what):
         deduce(ARM, {}, lines)
 
 
-def test_a_tolerance_is_a_share():
-    with pytest.raises(ContentError, match="tolerance: -1 is outside"):
-        deduce(ARM, {}, tolerance=-1)
+@pytest.mark.parametrize(
+    ("asked", "what"),
+    [
+        ({"tolerance": -1}, "tolerance: -1 is no number from 0 to 1"),
+        ({"tolerance": "low"}, "tolerance: 'low' is no number from 0 to 1"),
+        ({"known": [{"upper": {}}]}, "known: known values are written {bone: {quantity: value}}"),
+        ({"known": None}, "known: known values are written"),
+        ({"bones": ["upper"]}, "bones: the bones of a skeleton table or a character are needed, not list"),
+        ({"expressions": "upper.length = 7"}, "expressions: a list of lines is needed, not 'upper"),
+        ({"expressions": [3]}, r"expressions: a list of lines is needed, not \[3\]"),
+    ],
+)
+def test_what_is_no_question_is_refused_in_words(asked, what):
+    with pytest.raises(ContentError, match=what):
+        deduce(**{"bones": ARM, "known": {}} | asked)
 
 
 def test_what_was_found_prints_on_one_line():

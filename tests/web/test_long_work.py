@@ -1,12 +1,15 @@
 """Places for long requests: so many run, so many wait, and who has gone waits no more."""
 
 import asyncio
+import socket
 from collections.abc import AsyncIterator
 from typing import Any
 
 import httpx
 import pytest
+from serving import PATIENCE, serving, wait_for
 from statwalk.errors import CancelledError
+from statwalk.services.library import measuring
 from statwalk.web import long_work
 from statwalk.web.app import create_app
 from statwalk.web.errors import Problem
@@ -153,3 +156,21 @@ async def test_short_requests_need_none(full: httpx.AsyncClient) -> None:
     posted = await full.post(f"{opened.headers['Location']}/events", json={"event": "FORWARD"})
     assert (opened.status_code, posted.status_code) == (201, 202)
     assert (await full.get("/api/machines")).status_code == 200
+
+
+def test_work_in_a_process_ends_when_its_client_has_gone() -> None:
+    """It would take many seconds; the measured figures of a machine are kept as soon as they are there."""
+    app: Any = create_app(Settings(main_stage=False))
+    state = app.app.app.state
+    with serving(app) as address, httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest:
+        host, port = address.split(":")
+        with socket.create_connection((host, int(port))) as client:
+            client.sendall(b"GET /api/machines/faq-walker/measure HTTP/1.1\r\nHost: localhost\r\n\r\n")
+            wait_for(lambda: state.workers.processes)
+        wait_for(lambda: not state.long_work.running)
+        assert rest.get("/api/machines/elbow/verify").is_success
+        role = state.registry.catalogue.role("faq-walker")
+        processes = state.workers.processes
+    assert role not in measuring._known
+    assert processes
+    assert state.workers.processes == []

@@ -21,7 +21,8 @@ ROUTES = [(method, filled(path)) for method, path in live_routes(APP)]
 @pytest.mark.parametrize(("method", "path"), ROUTES)
 def test_every_route_is_reached_from_the_own_page(method: str, path: str) -> None:
     headers = {"host": "localhost:8000", "origin": OWN}
-    assert asyncio.run(ask(APP, method, path, headers)).status not in (403, 421, 500)
+    one_cell = "cell=STAT/CROUCH" if path.endswith("/measure") else ""  # all cells take half a minute
+    assert asyncio.run(ask(APP, method, path, headers, query=one_cell)).status not in (403, 421, 500)
 
 
 POSTS = [path for method, path in ROUTES if method == "POST"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from numbers import Real
 
 from statwalk.errors import ContentError, UnknownNameError
 from statwalk.rig.skeleton import Skeleton
@@ -75,7 +76,7 @@ def sensitivities(
     for name, value in given.items():
         if name not in known:
             raise UnknownNameError("joint of the chain", name, known)
-        if not 0 <= value <= 1:
-            raise ContentError(f"the sensitivity of {name} is {value:g}; it is 0…1", place="sensitivity")
+        if not (isinstance(value, Real) and 0 <= value <= 1):
+            raise ContentError(f"the sensitivity of {name} is {value!r:.40}; it is 0…1", place="sensitivity")
     named = set(names) if len(names) > 2 else set(known)
     return tuple(given.get(name, float(name in named)) for name in known)

@@ -10,7 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from numbers import Real
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
@@ -66,11 +68,11 @@ def deduce(
     :raises UnknownNameError: when a bone, quantity or channel does not exist.
     :raises ContentError: when a value is impossible, values contradict each other, or an expression is wrong.
     """
-    if not 0 <= tolerance <= 1:
-        raise ContentError(f"tolerance: {tolerance:g} is outside 0…1")
+    if not (isinstance(tolerance, Real) and 0 <= tolerance <= 1):
+        raise ContentError(f"{tolerance!r:.40} is no number from 0 to 1", place="tolerance")
     bone_set = bones if isinstance(bones, BoneSet) else bone_set_of(bones)
     state = given_values(bone_set, known)
-    numbered = [line if isinstance(line, tuple) else (k, line) for k, line in enumerate(expressions, 1)]
+    numbered = _numbered(expressions)
 
     def check(name: str, names_set: frozenset[str]) -> str:
         place = channel_of(bone_set, name)
@@ -84,6 +86,13 @@ def deduce(
         channel_of(bone_set, assignment.target)
     variables = propagate(state, assignments, tolerance)
     return _answer(state, variables)
+
+
+def _numbered(lines: Any) -> list[tuple[int, str]]:
+    is_list = isinstance(lines, Sequence) and not isinstance(lines, str)
+    if not is_list or not all(isinstance(line, str | tuple) for line in lines):
+        raise ContentError(f"a list of lines is needed, not {lines!r:.40}", place="expressions")
+    return [line if isinstance(line, tuple) else (k, line) for k, line in enumerate(lines, 1)]
 
 
 def _answer(state: BoneValues, variables: Mapping[str, BoneValue]) -> Deduction:
@@ -112,10 +121,17 @@ def bone_set(skeleton: Skeleton, length: Floats, direction: Floats) -> BoneSet:
 def bone_set_of(source: Bones | Character) -> BoneSet:
     """Returns the bones of a skeleton table, or of a character's joints in their pose at rest: a joint's bone
     ends at its first child that has an offset, and the TR of its other children starts there.
+
+    :raises ContentError: when the source is neither.
     """
     if isinstance(source, Bones):
         skeleton = source.skeleton
         return bone_set(skeleton, source.length, source.direction)
+    if not isinstance(source, Character):
+        raise ContentError(
+            f"the bones of a skeleton table or a character are needed, not {type(source).__name__}",
+            place="bones",
+        )
     return _joint_bones(source)
 
 

@@ -17,7 +17,6 @@ from statwalk.maths.arrays import Floats, Ints
 from statwalk.maths.elementary import atan2, sincos
 from statwalk.motion.single import Single
 from statwalk.rig.evaluate import world_from_local
-from statwalk.solve.foot_tables import ACROSS, ALONG
 
 DECIMALS = 6
 """sums over the skin differ in their last bits from processor to processor; a tick needs the same bits"""
@@ -31,11 +30,17 @@ def foot_print(foot: Foot, rest: Floats, ahead: Floats) -> Floats:
     """Returns (4,) as `FootTables.print`, for matrices (J, 3, 4) of the joints at rest and the horizontal
     unit vector (3,) in which the foot points.
     """
-    arms = foot.skin.at(rest) - rest[foot.ankle, :, 3]
-    along = arms[:, 0] * ahead[0] + arms[:, 2] * ahead[2]
-    across = arms[:, 0] * ahead[2] - arms[:, 2] * ahead[0]
-    ends = np.array([[along.min(), along.max()], [across.min(), across.max()]])
+    places = from_ankle(foot, rest, ahead, foot.skin.at(rest))
+    ends = np.array([places.min(0), places.max(0)]).T
     return np.concatenate([ends.mean(1), np.diff(ends)[:, 0] / 2]).round(DECIMALS)
+
+
+def from_ankle(foot: Foot, rest: Floats, ahead: Floats, points: Floats) -> Floats:
+    """Returns how far (metres) points (K, 3) of a foot at rest are from its ankle: (K, 2) forward and to the
+    left.
+    """
+    x, _, z = (points - rest[foot.ankle, :, 3]).T
+    return np.stack([x * ahead[0] + z * ahead[2], x * ahead[2] - z * ahead[0]], -1)
 
 
 def unit_of(lengths: Sequence[float]) -> float:
@@ -70,23 +75,25 @@ def landings(
     character: Character,
     feet: Sequence[Foot],
     ahead: NDArray[np.float64],
-    prints: NDArray[np.float64],
+    places: Sequence[Floats],
     contacts: Sequence[Contacts],
 ) -> NDArray[np.float64]:
     """Returns (spans, 3) as `FootTables.landing`; `ahead` (F, 3) the directions of the feet in the frames of
-    their ankles.
+    their ankles; `places` (K, 2) for each foot, where the points of its sole are on its print.
     """
     rows = [np.zeros((0, 3))]
     for motion, number, spans in contacts:
         times = np.array([down % 1.0 for down, _ in spans]) * motion.clip.duration
         if len(times):
             world = world_from_local(character.skeleton, motion.clip.sample(times)).astype(np.float64)
-            ankle = world[:, feet[number].ankle]
-            forward = (ankle[:, :, :3] * ahead[number]).sum(-1)
+            forward = (world[:, feet[number].ankle, :, :3] * ahead[number]).sum(-1)
             yaw = atan2(forward[:, 0], forward[:, 2])
             sine, cosine = sincos(yaw)
-            along, across = prints[number, ALONG], prints[number, ACROSS]
-            x = ankle[:, 0, 3] + along * sine + across * cosine
-            z = ankle[:, 2, 3] + along * cosine - across * sine
+            points = feet[number].skin.at(world)
+            first = points[..., 1].round(DECIMALS).argmin(1)  # it rolls over the point that touches first
+            touches = points[np.arange(len(times)), first]
+            along, across = places[number][first].T
+            x = touches[:, 0] - along * sine - across * cosine
+            z = touches[:, 2] - along * cosine + across * sine
             rows.append(np.stack([x, z, yaw], -1))
     return np.concatenate(rows, dtype=np.float64).round(DECIMALS)

@@ -12,9 +12,11 @@ from statwalk.character.character import Character
 from statwalk.character.feet import Foot
 from statwalk.character.foot_contacts import ClipContacts, joined
 from statwalk.character.foot_prints import (
+    DECIMALS,
     Contacts,
     beside,
     foot_print,
+    from_ankle,
     in_units,
     joints_below,
     landings,
@@ -91,6 +93,12 @@ def leg_tables(
     ahead = _rows([_local(rest, foot.ankle, way) for foot, way in zip(feet, forward, strict=True)])
     prints = [foot_print(foot, rest, way) for foot, way in zip(feet, forward, strict=True)]
     sizes = np.array(prints, np.float64).reshape(-1, 4)
+    of_feet = list(zip(feet, forward, prints, strict=True))
+    skins = [from_ankle(foot, rest, way, foot.skin.at(rest)) - size[:2] for foot, way, size in of_feet]
+    on_print = [
+        from_ankle(foot, rest, way, transform.apply(rest[carrier], points)) - size[:2]
+        for (foot, way, size), (carrier, points) in zip(of_feet, soles, strict=True)
+    ]
     below = joints_below(character, feet, joints.joints)
     return locked(
         FootTables(
@@ -110,6 +118,7 @@ def leg_tables(
             point=_rows([point for _, points in soles for point in points]),
             first_span=_firsts([len(row) for row in spans]),
             span=np.array([span for row in spans for span in row], np.float64).reshape(-1, 2),
+            on_print=np.concatenate([np.zeros((0, 2)), *on_print]).round(DECIMALS) / unit,
             weight=np.array([weight[0]]),
             weight_parameter=np.array([weight[1]], np.int64),
             ground=np.zeros((0, 7)) if ground is None else in_units(ground, unit),
@@ -118,7 +127,7 @@ def leg_tables(
             print=sizes / unit,
             first_below=_firsts([len(rows) for rows in below]),
             below=np.concatenate([np.zeros(0, np.int64), *below]).astype(np.int32),
-            landing=landings(character, feet, ahead, sizes, stands if columns[1] >= 0 else ()),
+            landing=landings(character, feet, ahead, skins, stands if columns[1] >= 0 else ()),
         )
     )
 

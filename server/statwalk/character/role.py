@@ -29,7 +29,8 @@ from statwalk.machine.compile.program import PROGRAM
 from statwalk.machine.compile.resolved_table import ResolvedTable, resolved_tables
 from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.machine.lint.findings import Finding
-from statwalk.machine.model_checker.work import Checkpoint, go_on
+from statwalk.machine.model_checker.played import Play
+from statwalk.machine.model_checker.work import Checkpoint
 from statwalk.machine.verify import verify
 from statwalk.maths.arrays import Bools, Floats
 from statwalk.maths.clamp_table import CLAMP_TABLE, JointLimit
@@ -102,20 +103,13 @@ class Role:
         role.colliders, role.solvers, role.expressions  # noqa: B018
         return role
 
-    @cached_property
-    def findings(self) -> tuple[Finding, ...]:
-        """Returns the verifier's findings about the definition."""
-        return self._verify(go_on)
+    def verify(self, checkpoint: Checkpoint, play: Play) -> tuple[Finding, ...]:
+        """Returns the verifier's findings about the definition.
 
-    def verify(self, checkpoint: Checkpoint) -> tuple[Finding, ...]:
-        """Returns the findings. If they are not known yet, verifies; `checkpoint` ends that by raising."""
-        if "findings" not in vars(self):
-            vars(self)["findings"] = self._verify(checkpoint)  # where `cached_property` looks for them
-        return self.findings
-
-    def _verify(self, checkpoint: Checkpoint) -> tuple[Finding, ...]:
+        `checkpoint` ends the verification by raising; `play` plays counterexamples on a stage.
+        """
         facts = facts_of(self.character)
-        return tuple(verify(self.definition, facts, self.resolved, self.machine, checkpoint))
+        return tuple(verify(self.definition, facts, self.resolved, self.machine, checkpoint, play))
 
     @cached_property
     def tables(self) -> MotionTables:

@@ -61,12 +61,15 @@ class SkinPoints:
     def _row(self, world: Floats, axis: int) -> Floats:
         """Sums joint by joint: a product of matrices would have other last bits on another processor."""
         rows = world[..., axis, :]
-        values: Floats = np.zeros((*rows.shape[:-2], self.count), rows.dtype)
+        poses = rows.reshape(-1, *rows.shape[-2:]).transpose(1, 2, 0).copy()  # poses side by side: faster
+        values = np.zeros((self.count, poses.shape[-1]), rows.dtype)
         for joint, column in zip(*np.nonzero(self.shares.any(-1)), strict=True):
             carried = np.flatnonzero(self.shares[joint, column])
-            share = self.shares[joint, column, carried].astype(rows.dtype)
-            values[..., carried] += rows[..., joint, column, None] * share
-        return values
+            values[carried] += (
+                self.shares[joint, column, carried, None].astype(rows.dtype) * poses[joint, column]
+            )
+        found: Floats = values.T.reshape(*rows.shape[:-2], self.count)
+        return found
 
 
 def outermost(points: Floats, directions: Floats) -> Ints:

@@ -68,10 +68,15 @@ class SolverOptions:
         :raises UnknownNameError: when there is no such solver.
         """
         if self.solver not in SOLVERS:
-            raise UnknownNameError("solver", self.solver, SOLVERS)
+            raise UnknownNameError("solver", str(self.solver), SOLVERS)
         _in_range("softening", self.softening, 0, FURTHEST)
         _in_range("tolerance", self.tolerance, 1e-9, FURTHEST)
-        _in_range("iterations", 1 if self.iterations is None else self.iterations, 1, MOST_ITERATIONS)
+        if self.iterations is not None:
+            _whole("iterations", self.iterations, 1, MOST_ITERATIONS)
+        if not isinstance(self.anchor, str):
+            raise ContentError(f"the name of a joint is needed, not {self.anchor!r:.40}", place="anchor")
+        _mapping("sensitivity", self.sensitivity, "{joint: 0…1}")
+        _mapping("limits", self.limits, "{joint: limit}")
         if not np.linalg.norm(_numbers("forward", self.forward, 3)) > 0:
             raise ContentError("a direction needs a length above 0", place="forward")
 
@@ -116,6 +121,9 @@ def solve_pose(
     :raises UnknownNameError: when there is no such joint or solver.
     """
     options.check()
+    _check_names(chain)
+    if not isinstance(pose, Pose):
+        raise ContentError(f"a pose is needed, not {type(pose).__name__}", place="pose")
     if pole is not None and pole_point is not None:
         raise ContentError("give the pole as a direction or as a point, not both", place="pole")
     lead = pose.rotation.shape[:-2]
@@ -211,6 +219,25 @@ def _numbers(name: str, values: Any, width: int) -> Floats:
     return numbers
 
 
-def _in_range(name: str, value: float, low: float, high: float) -> None:
+def _check_names(chain: Any) -> None:
+    if not isinstance(chain, Sequence) or not all(isinstance(name, str) for name in chain):
+        wanted = "the name of a chain, or the names of its joints from start to end"
+        raise ContentError(f"{wanted}, not {chain!r:.40}", place="chain")
+
+
+def _mapping(name: str, value: Any, form: str) -> None:
+    if not isinstance(value, Mapping):
+        raise ContentError(f"{form} is needed, not {type(value).__name__}", place=name)
+
+
+def _whole(name: str, value: Any, low: int, high: int) -> None:
+    if not isinstance(value, int | np.integer):
+        raise ContentError(f"a whole number is needed, not {value!r:.40}", place=name)
+    _in_range(name, int(value), low, high)
+
+
+def _in_range(name: str, value: Any, low: float, high: float) -> None:
+    if not isinstance(value, int | float | np.integer | np.floating):
+        raise ContentError(f"a number is needed, not {value!r:.40}", place=name)
     if not low <= value <= high:
         raise ContentError(f"{value:g} is outside {low:g}…{high:g}", place=name)

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple, get_args
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from statwalk.character.character import Character
 from statwalk.errors import ContentError, UnknownNameError
+from statwalk.machine.definition.framing import FRAMINGS, Framing
 from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
 
-Framing = Literal["whole", "upper body", "face", "wide"]
-FRAMINGS: tuple[Framing, ...] = get_args(Framing)
 PART = {"upper body": 0.5, "face": 0.2}
 """the part of the height, from the top, that a framing shows"""
 WIDE, BROADEST = 2.5, 1.2

@@ -68,6 +68,7 @@ def _plain(part: Measured) -> dict[str, Any]:
     row = asdict(part)
     row["figures"] = {
         name: {key: _finite(value) for key, value in figure._asdict().items()}
+        | {"place": figure.place.plain()}
         for name, figure in part.figures.items()
     }
     return row

@@ -13,13 +13,14 @@ from rich.markup import escape
 from rich.table import Table
 
 from statwalk.character.made_clips import with_clips
-from statwalk.character.role import facts_of
-from statwalk.errors import UnknownNameError
+from statwalk.character.role import Role, facts_of
+from statwalk.errors import MachineError, UnknownNameError
 from statwalk.files.character_file import load_character_file
 from statwalk.files.machine_yaml.machine_file import load_machine
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.verify import verify as find
 from statwalk.services.library.load import character_path, machine_folders
+from statwalk.stage.verified import verified
 
 EXAMPLES = """Examples:
 
@@ -50,8 +51,12 @@ def _findings_of(folder: Path) -> list[Finding]:
     file = load_machine(folder)
     character = load_character_file(character_path(file))
     file.check_root(character.skeleton.names)
-    whole = with_clips(character, file.definition.clips, file.definition.refuse)
-    return find(file.definition, facts_of(whole))
+    try:
+        role = Role.build(folder.name, character, file.definition, file.root_joint)
+    except MachineError:
+        whole = with_clips(character, file.definition.clips, file.definition.refuse)
+        return find(file.definition, facts_of(whole))
+    return list(verified(role))
 
 
 def shown(findings: list[Finding]) -> Table:

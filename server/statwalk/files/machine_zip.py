@@ -36,8 +36,8 @@ def machine_zip(text: MachineText, model_glb: bytes, captures: Mapping[str, byte
 
 
 def read_machine_zip(path: Path, folder: Path) -> tuple[MachineText, dict[str, Path], bool]:
-    """Returns the text of the machine in a zip, with all .csv files beside it; the captures beside it,
-    unpacked into `folder`, by their names; and whether the zip holds a model.
+    """Returns the text of the machine in a zip, with all .csv files beside it; the captures beside it and in
+    folders there, unpacked into `folder`, by their paths from it; and whether the zip holds a model.
 
     :raises ContentError: when the zip is damaged, too large or unsafe, or holds no machine file.
     """
@@ -49,7 +49,9 @@ def read_machine_zip(path: Path, folder: Path) -> tuple[MachineText, dict[str, P
         beside = {file.name: entry for file, entry in paths.items() if file.parent == found[0].parent}
         tables = {name: _text(archive, entry) for name, entry in beside.items() if _is(name, (".csv",))}
         captures = {
-            name: extract(archive, entry, folder) for name, entry in beside.items() if _is(name, CAPTURES)
+            file.relative_to(found[0].parent).as_posix(): extract(archive, entry, folder)
+            for file, entry in paths.items()
+            if file.is_relative_to(found[0].parent) and _is(file.name, CAPTURES)
         }
         has_model = any(_is(file.name, MODELS) for file in paths)
         return MachineText(_text(archive, paths[found[0]]), tables), captures, has_model

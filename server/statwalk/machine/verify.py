@@ -10,6 +10,7 @@ from statwalk.machine.definition.machine_definition import MachineDefinition
 from statwalk.machine.lint import cells, names, states
 from statwalk.machine.lint.findings import Finding
 from statwalk.machine.lint.lint_context import LintContext, contexts
+from statwalk.machine.model_checker.played import Play
 from statwalk.machine.model_checker.properties import answers
 from statwalk.machine.model_checker.work import Checkpoint, go_on
 
@@ -20,6 +21,7 @@ def verify(
     resolved: Sequence[ResolvedTable] | None = None,
     machine: Machine | None = None,
     checkpoint: Checkpoint = go_on,
+    play: Play | None = None,
 ) -> list[Finding]:
     """Returns all findings, by the kind of fault; with `motions` (by name) the findings about motions and
     time as well. Raises only what `checkpoint` raises.
@@ -27,6 +29,7 @@ def verify(
     `resolved`, `machine`: the tables of this definition with these motions, and the machine compiled from
     them, where they were made before. Errors make the machine something else than its author meant; warnings
     may be meant; info says what was proved. `checkpoint` is called between the pieces of the work.
+    `play` plays the inputs of a counterexample on a stage, so that what is said to happen does happen there.
     """
     tables = resolved_tables(definition, motions) if resolved is None else resolved
     every = contexts(tables, motions)
@@ -45,7 +48,7 @@ def verify(
         *names.colliders(definition),
     ]
     found += [*names.unknown_motions(every, motions), *names.unused_motions(every, motions)]
-    return found + answers(definition, every[0].graph, motions, tables, machine, checkpoint)
+    return found + answers(definition, every[0].graph, motions, tables, machine, checkpoint, play)
 
 
 def _of_table(context: LintContext) -> Iterator[Finding]:

@@ -21,11 +21,10 @@ from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.pose_layout import place_of
 from statwalk.maths.springs import settled
-from statwalk.solve.foot_flight import fly, foremost, go_over, is_new, look_ahead, set_off
-from statwalk.solve.foot_points import ankle_of, stage_point
+from statwalk.solve.foot_flight import fly, go_over, is_new, look_ahead, set_off
+from statwalk.solve.foot_path import choose_landing
+from statwalk.solve.foot_points import ankle_of, flat_place, stage_point
 from statwalk.solve.foot_tables import (
-    ACROSS,
-    ALONG,
     AT_X,
     AT_Z,
     FIT,
@@ -57,7 +56,7 @@ from statwalk.solve.foot_tables import (
     Y,
     Z,
 )  # fmt: skip
-from statwalk.solve.footing import height_over, slope_under
+from statwalk.solve.footing import height_under, slope_under
 
 NEAR, FAR = 0.03, 0.12
 """metres above the ground: a foot that is nearer lies on the slope; one that is farther is as in its motion
@@ -78,22 +77,21 @@ def fit_foot(
     """Moves the matrices of an animated foot in `legs` to the ground of the stage."""
     ankle = ankle_of(f, legs, row, foot, root)
     sine, cosine = sincos(ankle[3])
-    along, across = f.print[foot, ALONG], f.print[foot, ACROSS]
-    x, z = ankle[0] + along * sine + across * cosine, ankle[2] + along * cosine - across * sine
-    here_x = x + keep[row, at + SHIFT_X] - left * keep[row, at + TOOK + SHIFT_X] + keep[row, lock + X]
-    here_z = z + keep[row, at + SHIFT_Z] - left * keep[row, at + TOOK + SHIFT_Z] + keep[row, lock + Z]
+    x, z = flat_place(f, legs, row, foot, root, sine, cosine)
+    own_x, own_z = x - left * keep[row, at + TOOK + SHIFT_X], z - left * keep[row, at + TOOK + SHIFT_Z]
+    here_x = own_x + keep[row, at + SHIFT_X] + keep[row, lock + X]
+    here_z = own_z + keep[row, at + SHIFT_Z] + keep[row, lock + Z]
     yaw = ankle[3] + keep[row, lock + TURN]
     taken = left * keep[row, at + TOOK + LIFT]
     if keep[row, lock + SINCE] < 0.0:
-        _begin(f, keep, row, foot, at, here_x, here_z, yaw)
+        _begin(f, keep, row, foot, at, here_x, here_z, yaw, landing[0] and landing[4] < 0.0)
     elif keep[row, lock + PLANTED] == STANDING:
         _stand(f, keep, row, foot, at, here_x, here_z, yaw)
     elif landing[0]:
-        to_x, to_z = (landing[1], landing[2]) if landing[4] >= 0.0 else (x, z)
+        to_x, to_z = (landing[1], landing[2]) if landing[4] >= 0.0 else (own_x, own_z)
         if is_new(keep, row, at, to_x, to_z):
-            front = foremost(f, legs, row, foot, root, x, z, sine, cosine)
-            set_off(f, keep, row, foot, at, here_x, here_z, to_x, to_z, landing[3], front)
-        fly(keep, row, at, here_x, here_z, to_x, to_z, landing[4], dt)
+            set_off(f, keep, row, foot, at, to_x, to_z, landing[3], landing[4])
+        fly(keep, row, at, here_x, here_z, landing[4], dt)
     else:
         look_ahead(f, keep, row, foot, at, here_x, here_z, yaw, dt)
     if keep[row, at + PLAN] != STANDS:
@@ -128,9 +126,17 @@ def slow_rise(keep: Any, row: int, lock: int, old: float, dt: float) -> None:
 
 
 @inlined
-def _begin(f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, yaw: float) -> None:
-    """A new actor: its feet are on the ground at once."""
-    _stand(f, keep, row, foot, at, x, z, yaw)
+def _begin(
+    f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, yaw: float, is_down: bool
+) -> None:
+    """A new actor: its feet are on the ground at once; a foot that its motion plants, where it would land."""
+    to_x, to_z = x, z
+    if is_down:
+        sine, cosine = sincos(yaw)
+        choose_landing(f, keep, row, foot, at, x, z, sine, cosine)
+        to_x, to_z = keep[row, at + TO_X], keep[row, at + TO_Z]
+    keep[row, at + SHIFT_X], keep[row, at + SHIFT_Z] = to_x - x, to_z - z
+    _stand(f, keep, row, foot, at, to_x, to_z, yaw)
     keep[row, at + SLIP] = 0.0
     keep[row, at + TILT_X], keep[row, at + TILT_Z] = keep[row, at + SLOPE_X], keep[row, at + SLOPE_Z]
 
@@ -141,7 +147,7 @@ def _stand(f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, 
     if keep[row, at + PLAN] != STANDS:
         sine, cosine = sincos(yaw)
         slope_x, slope_z = slope_under(f, foot, x, z, sine, cosine)
-        height = height_over(f, foot, x, z, sine, cosine, slope_x, slope_z, 0.0, 0.0, 0.0)
+        height = height_under(f, foot, x, z, sine, cosine, slope_x, slope_z)
         go_over(keep, row, at, height)
         keep[row, at + SLOPE_X], keep[row, at + SLOPE_Z] = slope_x, slope_z
         keep[row, at + PLAN] = STANDS

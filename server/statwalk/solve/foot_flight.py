@@ -1,5 +1,8 @@
 """A foot on its way through the air over uneven ground, part of its fit (`foot_fit`).
 
+It goes along the string of its path (`foot_path`) as evenly as its motion goes over a floor: where the string
+rises at once, the foot rises before it goes on.
+
 `f`, `legs`, `root`, `keep`, `row`, `at` as in `foot_fit`; x and z the middle of the sole on the stage.
 """
 
@@ -10,9 +13,10 @@ from typing import Any
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.scalar import sincos
-from statwalk.solve.foot_path import choose_landing, first_rise, path_height, stretch_path
-from statwalk.solve.foot_points import stage_point
+from statwalk.solve.foot_path import along_path, choose_landing, stretch_path
 from statwalk.solve.foot_tables import (
+    AIM_X,
+    AIM_Z,
     AT_X,
     AT_Z,
     FLIES,
@@ -21,6 +25,8 @@ from statwalk.solve.foot_tables import (
     HEIGHT,
     OLD_X,
     OLD_Z,
+    PATH,
+    PATH_PARTS,
     PLAN,
     PROGRESS,
     SEARCHES,
@@ -33,20 +39,22 @@ from statwalk.solve.foot_tables import (
 )  # fmt: skip
 from statwalk.solve.footing import MARGIN, height_over, slope_under
 
-LAND_EARLY_S, LATE_S = 0.05, 0.1
-"""seconds before it lands in which a foot is above the place where it lands; seconds in which a foot comes
-there that should stand already
+LAND_EARLY_S, SOONEST_S, LATE_S = 0.05, 0.05, 0.1
+"""seconds before it lands in which a foot is above the place where it lands; seconds that it takes to come
+there at least, and if it should stand already
 """
-CHANGED = 0.2
-"""metres by which a motion must land elsewhere than it did, for a foot to look for another place"""
+CHANGED, IN_TIME_S = 0.03, 0.12
+"""metres by which a motion must land elsewhere than it did, for a foot to take another way; seconds before it
+lands after which it looks for no other tread
+"""
+FASTEST_FALL, SLOWEST_FALL, BRAKES = 2.5, 0.4, 20.0
+"""m/s at which a foot on its way is lowered at most; the same where it lands; and how much faster for each
+metre above that (1/s)
+"""
 AHEAD_S = 0.15
 """seconds: a foot whose motion does not say where it lands looks so far ahead"""
 FORGET = 4.0
 """1/s: how fast a foot without a known landing comes back to the place of its motion"""
-LAG_SHARE, MOST_LAG, LAG_CURVE = 0.6, 0.12, 6.75
-"""metres by which a foot that must rise at once lags behind its motion, for each metre, and at most; what
-makes the highest value of share · (1 - share)² one
-"""
 IN_PLACE = 0.0064
 """metres²: a way that is shorter is none"""
 
@@ -61,57 +69,53 @@ def go_over(keep: Any, row: int, at: int, height: float) -> None:
 @inlined
 def is_new(keep: Any, row: int, at: int, to_x: float, to_z: float) -> Any:
     """Returns whether a foot sets off, or its motion lands elsewhere than it did."""
-    u, v = to_x - keep[row, at + TO_X], to_z - keep[row, at + TO_Z]
+    u, v = to_x - keep[row, at + AIM_X], to_z - keep[row, at + AIM_Z]
     return keep[row, at + PLAN] != FLIES or u * u + v * v > CHANGED * CHANGED
 
 
 @inlined
-def foremost(
-    f: Any, legs: Any, row: int, foot: int, root: Any, x: float, z: float, sine: float, cosine: float
-) -> Any:
-    """Returns how far (units) the foremost point of an animated foot is from below the middle of its sole."""
-    front = -1e9
-    for point in range(f.first_point[foot], f.first_point[foot + 1]):
-        px, _, pz = stage_point(f, legs, row, point, root)
-        front = max(front, (px - x) * sine + (pz - z) * cosine)
-    return front
-
-
-@inlined
 def set_off(
-    f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, to_x: float, to_z: float, yaw: float,
-    front: float,
+    f: Any, keep: Any, row: int, foot: int, at: int, to_x: float, to_z: float, yaw: float, seconds: float
 ) -> None:  # fmt: skip
-    """Plans a foot's way through the air."""
+    """Plans a foot's way through the air from where it is; one that lands in a moment looks for no other
+    tread.
+    """
+    chooses = keep[row, at + PLAN] != FLIES or seconds > IN_TIME_S
+    keep[row, at + TO_X] += to_x - keep[row, at + AIM_X]
+    keep[row, at + TO_Z] += to_z - keep[row, at + AIM_Z]
+    keep[row, at + AIM_X], keep[row, at + AIM_Z] = to_x, to_z
     keep[row, at + PLAN], keep[row, at + SHIFTED], keep[row, at + PROGRESS] = FLIES, 0.0, 0.0
-    keep[row, at + FROM_X], keep[row, at + FROM_Z] = x, z
+    keep[row, at + FROM_X], keep[row, at + FROM_Z] = keep[row, at + AT_X], keep[row, at + AT_Z]
     keep[row, at + OLD_X], keep[row, at + OLD_Z] = keep[row, at + SHIFT_X], keep[row, at + SHIFT_Z]
-    sine, cosine = sincos(yaw)
-    choose_landing(f, keep, row, foot, at, to_x, to_z, sine, cosine)
-    stretch_path(f, keep, row, foot, at, yaw, front)
+    if chooses:
+        sine, cosine = sincos(yaw)
+        choose_landing(f, keep, row, foot, at, to_x, to_z, sine, cosine)
+    stretch_path(f, keep, row, foot, at, yaw)
 
 
 @inlined
-def fly(
-    keep: Any, row: int, at: int, x: float, z: float, to_x: float, to_z: float, seconds: float, dt: float
-) -> None:
-    """Moves a foot on its way to where it lands; its motion lands in `seconds` at `to_x`, `to_z`."""
-    until = max(seconds - LAND_EARLY_S, dt) if seconds >= 0.0 else LATE_S
+def fly(keep: Any, row: int, at: int, x: float, z: float, seconds: float, dt: float) -> None:
+    """Moves a foot on its way to where it lands; its motion lands in `seconds`."""
+    until = max(seconds - LAND_EARLY_S, SOONEST_S) if seconds >= 0.0 else LATE_S
     keep[row, at + SHIFTED] += (1.0 - keep[row, at + SHIFTED]) * min(dt / until, 1.0)
     gone = keep[row, at + SHIFTED]
-    part, lag = gone * gone * (3.0 - 2.0 * gone), LAG_CURVE * gone * (1.0 - gone) * (1.0 - gone)
-    u, v = keep[row, at + TO_X] - to_x, keep[row, at + TO_Z] - to_z
-    keep[row, at + SHIFT_X] = keep[row, at + OLD_X] + (u - keep[row, at + OLD_X]) * part
-    keep[row, at + SHIFT_Z] = keep[row, at + OLD_Z] + (v - keep[row, at + OLD_Z]) * part
+    part = gone * gone * (3.0 - 2.0 * gone)
+    x, z = x - keep[row, at + SHIFT_X], z - keep[row, at + SHIFT_Z]
+    u, v = keep[row, at + TO_X] - keep[row, at + AIM_X], keep[row, at + TO_Z] - keep[row, at + AIM_Z]
+    shift_x = keep[row, at + OLD_X] + (u - keep[row, at + OLD_X]) * part
+    shift_z = keep[row, at + OLD_Z] + (v - keep[row, at + OLD_Z]) * part
     from_x, from_z = keep[row, at + FROM_X], keep[row, at + FROM_Z]
     u, v = keep[row, at + TO_X] - from_x, keep[row, at + TO_Z] - from_z
     square = u * u + v * v
-    lag *= min(LAG_SHARE * first_rise(keep, row, at), MOST_LAG) / max(math.sqrt(square), 0.1)
-    keep[row, at + SHIFT_X] -= lag * u
-    keep[row, at + SHIFT_Z] -= lag * v
-    gone = ((x - from_x) * u + (z - from_z) * v) / square if square > IN_PLACE else part
-    keep[row, at + PROGRESS] = max(keep[row, at + PROGRESS], min(max(gone, 0.0), 1.0))
-    keep[row, at + HEIGHT] = path_height(keep, row, at, keep[row, at + PROGRESS])
+    gone = ((x + shift_x - from_x) * u + (z + shift_z - from_z) * v) / square if square > IN_PLACE else part
+    gone = max(keep[row, at + PROGRESS], min(max(gone, 0.0), 1.0))
+    share, height = along_path(keep, row, at, gone, math.sqrt(square))
+    above = keep[row, at + HEIGHT] - keep[row, at + PATH + PATH_PARTS]
+    fall = min(FASTEST_FALL, SLOWEST_FALL + BRAKES * max(above, 0.0))
+    height = max(height, keep[row, at + HEIGHT] - fall * dt)
+    keep[row, at + PROGRESS], keep[row, at + HEIGHT] = gone, height
+    keep[row, at + SHIFT_X] = shift_x + (share - gone) * u
+    keep[row, at + SHIFT_Z] = shift_z + (share - gone) * v
 
 
 @inlined

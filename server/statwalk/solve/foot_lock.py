@@ -3,7 +3,8 @@
 For each foot of one actor, from its animated pose on the stage: while a foot is planted, the point of the
 sole on which it stands and its yaw do not move; the difference from the motion grows. A foot is released when
 its motion lifts it, or when the difference has become too large; then the difference dies out on the way, and
-the foot is held so high that it does not drag. The sole never goes below the ground.
+the foot is held so high that it does not drag. While the other foot is in the air, a foot that its motion
+plants comes down where it is, and takes its step later. The sole never goes below the ground.
 
 `f`, `legs`, `root` as in `foot_points`; `keep` the solvers' memory, a row for each actor; `at` the column of
 the foot's first number, `other` of another foot's.
@@ -18,6 +19,7 @@ from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.springs import settled
 from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, size_of, speeds_of, stage_point
+from statwalk.solve.foot_return import approach, eagerness, take_rates
 from statwalk.solve.foot_tables import (
     EAGER,
     LEAVING,
@@ -32,11 +34,8 @@ from statwalk.solve.foot_tables import (
     STANDING,
     TOO_SHORT,
     TURN,
-    TURN_RATE,
-    X_RATE,
     Y_RATE,
     YAW,
-    Z_RATE,
     X,
     Y,
     Z,
@@ -47,14 +46,16 @@ LOW, SLOW = 0.012, 0.35
 """a foot is planted when its lowest point is this near to the ground (metres), and slower than this (m/s)"""
 NOT_FAST, TOUCHING = 1.0, 0.005
 """the same of a foot that its blend brings to the ground: it would drag"""
-STEP, FAR = 0.03, 0.14
-"""metres from its motion at which a planted foot takes a step, if the other foot stands; and in any case"""
+LIFTED = 0.003
+"""metres by which its motion, if that is not slow, must have lifted a planted foot for it to go along"""
+STEP, FAR, FARTHEST = 0.03, 0.14, 0.25
+"""metres from its motion at which a planted foot takes a step: if the other foot has stood for a moment; if
+the other foot stands; in any case
+"""
 TWIST, FAR_TWIST = 0.15, 0.5
-"""radians, likewise"""
+"""radians: if the other foot has stood for a moment; in any case"""
 SHORTEST_STAND, SHORTEST_STEP = 0.05, 0.1
 """seconds"""
-HARDEST, MOST_EAGER = 16.0, 24.0
-"""m/s² with which a released foot sets off to its motion at most; 1/s"""
 CLEARANCE, PER_METRE, PER_SPEED = 0.06, 0.3, 0.03
 """metres by which a foot on its way is lifted at most; for each metre from its motion; for each m/s"""
 LEAST_CLEARANCE, NEARLY_THERE = 0.009, 0.004
@@ -103,18 +104,21 @@ def step_foot(
         _begin(f, keep, row, at, low, ankle, root, is_down)
     old = keep[row, at + X], keep[row, at + Z], keep[row, at + TURN], keep[row, at + Y]
     keep[row, at + SINCE] += dt
+    if keep[row, at + PLANTED] == STANDING and speed > SLOW and fall <= 0.0:
+        _perhaps_go_along(f, keep, row, at, low, root)
     if keep[row, at + PLANTED] == LEAVING:
         _perhaps_leave(f, keep, row, at, low, root)
     if keep[row, at + PLANTED] >= LEAVING:
         _hold(f, legs, keep, row, at, ankle, root)
-        _take_rates(keep, row, at, old, dt)
+        take_rates(keep, row, at, old, dt)
         if keep[row, at + PLANTED] == STANDING:
             _perhaps_release(keep, row, at, other, is_down)
     else:
-        _approach(keep, row, at, old, dt)
-    ahead = fall * LOOK_AHEAD if blends and f.ground.shape[0] == 0 else 0.0
-    _raise(f, keep, row, at, low, old[3], root, is_down or blends, speed, ahead, dt)
-    _perhaps_plant(f, keep, row, at, low, root, is_down, blends, speed)
+        approach(keep, row, at, old, dt)
+    ahead = fall * LOOK_AHEAD if blends else 0.0
+    lands = is_down and _must_land(keep, row, at, other, speed)
+    _raise(f, keep, row, at, low, old[3], root, is_down or blends, speed, ahead, lands, dt)
+    _perhaps_plant(f, keep, row, at, low, root, is_down, blends, lands, speed)
     if keep[row, at + PLANTED] == STANDING:
         _roll(f, legs, keep, row, at, low, ankle, root)
 
@@ -126,6 +130,17 @@ def _begin(f: Any, keep: Any, row: int, at: int, low: Any, ankle: Any, root: Any
     keep[row, at + PLANTED] = STANDING if is_down and is_low else 0.0
     keep[row, at + PIVOT], keep[row, at + PIVOT_X], keep[row, at + PIVOT_Z] = low[0], low[1], low[3]
     keep[row, at + YAW], keep[row, at + SINCE] = ankle[3], 1.0
+
+
+@inlined
+def _perhaps_go_along(f: Any, keep: Any, row: int, at: int, low: Any, root: Any) -> None:
+    """Releases a planted foot that its motion has lifted, before it is held back: a foot that sets off late
+    would still be behind when it lands.
+    """
+    x, z = low[1] + keep[row, at + X], low[3] + keep[row, at + Z]
+    if low[2] - ground_at(f.ground, x, z, root[1]) > LIFTED:
+        keep[row, at + PLANTED], keep[row, at + SINCE] = 0.0, 0.0
+        keep[row, at + EAGER] = eagerness(keep, row, at)
 
 
 @inlined
@@ -144,21 +159,15 @@ def _perhaps_release(keep: Any, row: int, at: int, other: int, is_down: bool) ->
     """Releases a foot that its motion lifts, that is too far from its motion, or that takes a step."""
     x, z, twist = keep[row, at + X], keep[row, at + Z], abs(keep[row, at + TURN])
     away = math.sqrt(x * x + z * z)
-    goes = not is_down or away > FAR or twist > FAR_TWIST or keep[row, at + TOO_SHORT] > 0.0
+    far = FAR if other < 0 or keep[row, other + PLANTED] == STANDING else FARTHEST
+    goes = not is_down or away > far or twist > FAR_TWIST or keep[row, at + TOO_SHORT] > 0.0
     if not goes and other >= 0 and keep[row, at + SINCE] > SHORTEST_STAND:
         stands = keep[row, other + PLANTED] == STANDING and keep[row, other + SINCE] > SHORTEST_STAND
         further = size_of(keep, row, at) >= size_of(keep, row, other)
         goes = stands and further and (away > STEP or twist > TWIST)
     if goes:
         keep[row, at + PLANTED], keep[row, at + SINCE] = LEAVING, 0.0
-        keep[row, at + EAGER] = _eagerness(keep, row, at)
-
-
-@inlined
-def _take_rates(keep: Any, row: int, at: int, old: Any, dt: float) -> None:
-    keep[row, at + X_RATE] = (keep[row, at + X] - old[0]) / dt
-    keep[row, at + Z_RATE] = (keep[row, at + Z] - old[1]) / dt
-    keep[row, at + TURN_RATE] = (keep[row, at + TURN] - old[2]) / dt
+        keep[row, at + EAGER] = eagerness(keep, row, at)
 
 
 @inlined
@@ -169,41 +178,31 @@ def _perhaps_leave(f: Any, keep: Any, row: int, at: int, low: Any, root: Any) ->
     away = math.sqrt(x * x + z * z)
     if height > CLEAR or away > FAR or keep[row, at + SINCE] > LONGEST_LEAVE:
         keep[row, at + PLANTED] = 0.0
-        keep[row, at + EAGER] = _eagerness(keep, row, at)
+        keep[row, at + EAGER] = eagerness(keep, row, at)
 
 
 @inlined
-def _eagerness(keep: Any, row: int, at: int) -> Any:
-    """1/s: as much as HARDEST allows for a foot that is so far from its motion, and falls back so fast."""
-    x, z, u, w = keep[row, at + X], keep[row, at + Z], keep[row, at + X_RATE], keep[row, at + Z_RATE]
-    away, rate = math.sqrt(x * x + z * z), math.sqrt(u * u + w * w)
-    root = math.sqrt(rate * rate + away * HARDEST)  # of HARDEST = eager² · away + 2 · eager · rate
-    return min(MOST_EAGER, HARDEST / max(rate + root, 1e-6))
-
-
-@inlined
-def _approach(keep: Any, row: int, at: int, old: Any, dt: float) -> None:
-    """A foot on its way: the difference from its motion dies out."""
-    eager = keep[row, at + EAGER]
-    keep[row, at + X], keep[row, at + X_RATE] = settled(old[0], keep[row, at + X_RATE], eager, dt)
-    keep[row, at + Z], keep[row, at + Z_RATE] = settled(old[1], keep[row, at + Z_RATE], eager, dt)
-    keep[row, at + TURN], keep[row, at + TURN_RATE] = settled(old[2], keep[row, at + TURN_RATE], eager, dt)
+def _must_land(keep: Any, row: int, at: int, other: int, speed: float) -> Any:
+    """Whether a foot on its way that its motion plants comes down at once: the other foot does not stand."""
+    lands = other >= 0 and keep[row, other + PLANTED] != STANDING and size_of(keep, row, at) < FAR
+    on_its_way = keep[row, at + PLANTED] == 0.0 and keep[row, at + SINCE] >= SHORTEST_STEP
+    return lands and on_its_way and speed <= NOT_FAST
 
 
 @inlined
 def _raise(
     f: Any, keep: Any, row: int, at: int, low: Any, old: float, root: Any, may_drag: bool, speed: float,
-    ahead: float, dt: float,
+    ahead: float, lands: bool, dt: float,
 ) -> None:  # fmt: skip
-    """The height of the shown foot: on the ground if planted; clear of it on its way, and of where it will be
-    `ahead` metres lower.
+    """The height of the shown foot: on the ground if it is planted, or lands; clear of it on its way, and of
+    where it will be `ahead` metres lower.
     """
     x, z = keep[row, at + X], keep[row, at + Z]
     floor = ground_at(f.ground, low[1] + x, low[3] + z, root[1]) - low[2]
     wanted = 0.0  # as high above the ground as in the motion: on uneven ground `foot_fit` has seen to it
     if f.ground.shape[0] == 0:
         wanted = floor + low[2] - root[1]
-    if keep[row, at + PLANTED] == STANDING:
+    if keep[row, at + PLANTED] == STANDING or lands:
         wanted = floor
     elif may_drag or -floor < CLEARANCE:
         away = math.sqrt(x * x + z * z)
@@ -219,15 +218,16 @@ def _raise(
 
 @inlined
 def _perhaps_plant(
-    f: Any, keep: Any, row: int, at: int, low: Any, root: Any, is_down: bool, blends: bool, speed: float
-) -> None:
+    f: Any, keep: Any, row: int, at: int, low: Any, root: Any, is_down: bool, blends: bool, lands: bool,
+    speed: float,
+) -> None:  # fmt: skip
     """Plants a foot that has come down where its motion plants it, or that touches the ground in a blend."""
     if keep[row, at + PLANTED] != 0.0 or keep[row, at + SINCE] < SHORTEST_STEP:
         return
     x, z = keep[row, at + X], keep[row, at + Z]
     height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
-    comes_down = is_down and speed <= SLOW and height < LOW
-    if comes_down or (blends and f.ground.shape[0] == 0 and speed <= NOT_FAST and height < TOUCHING):
+    comes_down = is_down and (lands or speed <= SLOW) and height < LOW
+    if comes_down or (blends and speed <= NOT_FAST and height < TOUCHING):
         keep[row, at + PLANTED], keep[row, at + SINCE], keep[row, at + PIVOT] = STANDING, 0.0, low[0]
         keep[row, at + EAGER] = keep[row, at + TOO_SHORT] = 0.0
 

@@ -7,6 +7,7 @@ the foot's first number for uneven ground (`foot_tables`).
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from statwalk.maths.compiling import inlined
@@ -15,14 +16,13 @@ from statwalk.maths.scalar import sincos
 from statwalk.solve.foot_tables import (
     FROM_X,
     FROM_Z,
-    HALF_LENGTH,
     HEIGHT,
     PATH,
     PATH_PARTS,
     TO_X,
     TO_Z,
 )
-from statwalk.solve.footing import MARGIN, height_over, points_supported, slope_under
+from statwalk.solve.footing import MARGIN, height_over, height_under, points_supported, slope_under
 
 FARTHEST, STRIDE = 0.13, 0.02
 """metres by which a foot lands before or behind the place of its motion at most, to stand on one tread; in
@@ -30,16 +30,16 @@ which steps a place is looked for
 """
 COST, COST_BACK = 18.0, 27.0
 """points of a sole that a metre before, or behind the place of the motion must win"""
-SHORT_PART = 0.5
-"""the share of a path in which a foot that hangs down becomes as long as one that lies"""
 TOE_CAP = 0.02
 """metres by which toes are longer than the points of the sole"""
 AIR, EVEN = 0.015, 0.03
 """metres by which a foot is higher than the string in the middle of its path; if heights along it differ by
 more
 """
-ROUNDED = 0.12
+ROUNDED = 0.05
 """the share of a path over which its corners are rounded"""
+UPWARD, DOWNWARD = 1.5, 0.4
+"""metres of a level way that take as long as a metre up, or down"""
 EVERY_POINT = 15
 
 
@@ -66,57 +66,86 @@ def choose_landing(
 
 
 @called
-def stretch_path(f: Any, keep: Any, row: int, foot: int, at: int, yaw: float, front: float) -> None:
-    """Writes the heights of the ground along the path from where the foot is; `front`: metres from the middle
-    of the sole to its foremost point now.
-    """
+def stretch_path(f: Any, keep: Any, row: int, foot: int, at: int, yaw: float) -> None:
+    """Writes the heights of the string from where the foot is to where it lands."""
     sine, cosine = sincos(yaw)
     x, z = keep[row, at + FROM_X], keep[row, at + FROM_Z]
-    u, v = (keep[row, at + TO_X] - x) / PATH_PARTS, (keep[row, at + TO_Z] - z) / PATH_PARTS
-    along, wider = 0.5 * abs(u * sine + v * cosine) + MARGIN, 0.5 * abs(u * cosine - v * sine) + MARGIN
-    shorter = min(front - f.print[foot, HALF_LENGTH], 0.0)
+    u, v = keep[row, at + TO_X] - x, keep[row, at + TO_Z] - z
+    along, across = abs(u * sine + v * cosine), abs(u * cosine - v * sine)
     keep[row, at + PATH] = keep[row, at + HEIGHT]
-    for part in range(1, PATH_PARTS + 1):
-        hangs = max(1.0 - part / (SHORT_PART * PATH_PARTS), 0.0)
-        hangs = hangs * (2.0 - hangs)
-        before, behind = along + shorter * hangs + TOE_CAP, along
-        if part == PATH_PARTS:
-            before, behind, wider = 0.0, 0.0, 0.0
-        px, pz = x + part * u, z + part * v
+    for part in range(1, PATH_PARTS):
+        share = _share_of(part)
+        half = 0.5 * max(share - _share_of(part - 1), _share_of(part + 1) - share)
+        behind, wider = half * along + MARGIN, half * across + MARGIN
+        px, pz = x + share * u, z + share * v
         slope_x, slope_z = slope_under(f, foot, px, pz, sine, cosine)
-        height = height_over(f, foot, px, pz, sine, cosine, slope_x, slope_z, before, behind, wider)
+        height = height_over(f, foot, px, pz, sine, cosine, slope_x, slope_z, behind + TOE_CAP, behind, wider)
         keep[row, at + PATH + part] = height
+    slope_x, slope_z = slope_under(f, foot, x + u, z + v, sine, cosine)
+    height = height_under(f, foot, x + u, z + v, sine, cosine, slope_x, slope_z)
+    keep[row, at + PATH + PATH_PARTS] = height
+    _stretch(keep, row, at)
 
 
 @inlined
-def first_rise(keep: Any, row: int, at: int) -> Any:
-    """Returns how much (metres) the first third of a path rises."""
-    rise = 0.0
-    for part in range(1, PATH_PARTS // 3 + 1):
-        rise = max(rise, keep[row, at + PATH + part] - keep[row, at + PATH])
-    return rise
+def _share_of(part: int) -> Any:
+    """The share of the way at which a height is kept: close together where the foot rises and comes down."""
+    share = min(part / PATH_PARTS, 1.0)
+    return share * share * (3.0 - 2.0 * share)
+
+
+@inlined
+def _stretch(keep: Any, row: int, at: int) -> None:
+    """Raises each height to the lines between heights before and behind it."""
+    for part in range(1, PATH_PARTS):
+        place, height = _share_of(part), keep[row, at + PATH + part]
+        for first in range(part):
+            for last in range(part + 1, PATH_PARTS + 1):
+                start, end = keep[row, at + PATH + first], keep[row, at + PATH + last]
+                gone = (place - _share_of(first)) / (_share_of(last) - _share_of(first))
+                height = max(height, start + (end - start) * gone)
+        keep[row, at + PATH + part] = height
 
 
 @called
-def path_height(keep: Any, row: int, at: int, progress: float) -> Any:
-    """Returns the height of the stretched string at a share 0…1 of the path, its corners rounded."""
+def along_path(keep: Any, row: int, at: int, progress: float, size: float) -> Any:
+    """Returns the share of the way and the height at a share 0…1 of the string, its corners rounded; `size`:
+    metres from where the foot was to where it lands.
+    """
     near = min(ROUNDED, progress, 1.0 - progress)
-    sides = _string(keep, row, at, progress - near) + _string(keep, row, at, progress + near)
+    share, height = _on_string(keep, row, at, progress, size)
+    share_before, height_before = _on_string(keep, row, at, progress - near, size)
+    share_after, height_after = _on_string(keep, row, at, progress + near, size)
     least, most = keep[row, at + PATH], keep[row, at + PATH]
     for part in range(1, PATH_PARTS + 1):
         least, most = min(least, keep[row, at + PATH + part]), max(most, keep[row, at + PATH + part])
     air = 4.0 * AIR * progress * (1.0 - progress) if most - least > EVEN else 0.0
-    return 0.5 * _string(keep, row, at, progress) + 0.25 * sides + air
+    share = 0.5 * share + 0.25 * (share_before + share_after)
+    return share, 0.5 * height + 0.25 * (height_before + height_after) + air
+
+
+@called
+def _on_string(keep: Any, row: int, at: int, progress: float, size: float) -> Any:
+    """The share of the way and the height at a share of the string's length."""
+    total = 0.0
+    for part in range(PATH_PARTS):
+        total += _length(keep, row, at, part, size)
+    left = progress * total
+    for part in range(PATH_PARTS):
+        length = _length(keep, row, at, part, size)
+        if left <= length or part == PATH_PARTS - 1:
+            gone = min(left / max(length, 1e-9), 1.0)
+            start, end = keep[row, at + PATH + part], keep[row, at + PATH + part + 1]
+            share = _share_of(part)
+            return share + (_share_of(part + 1) - share) * gone, start + (end - start) * gone
+        left -= length
+    return 1.0, keep[row, at + PATH + PATH_PARTS]
 
 
 @inlined
-def _string(keep: Any, row: int, at: int, progress: float) -> Any:
-    place = progress * PATH_PARTS
-    height = -1e9
-    for first in range(PATH_PARTS):
-        for last in range(first + 1, PATH_PARTS + 1):
-            if first <= place <= last:
-                part = (place - first) / (last - first)
-                start, end = keep[row, at + PATH + first], keep[row, at + PATH + last]
-                height = max(height, start + (end - start) * part)
-    return height
+def _length(keep: Any, row: int, at: int, part: int, size: float) -> Any:
+    """Metres of a level way that take as long as a part of the string."""
+    rise = keep[row, at + PATH + part + 1] - keep[row, at + PATH + part]
+    rise *= UPWARD if rise > 0.0 else DOWNWARD
+    way = (_share_of(part + 1) - _share_of(part)) * size
+    return math.sqrt(way * way + rise * rise)

@@ -10,6 +10,7 @@ import math
 from typing import Any
 
 from statwalk.maths.compiling import inlined
+from statwalk.maths.reference import called
 from statwalk.maths.scalar import atan2, sincos
 from statwalk.maths.simd.pose_layout import place_of
 from statwalk.solve.foot_tables import LOWEST, LOWEST_X, LOWEST_Y, LOWEST_Z, SINCE, TURN, X, Z
@@ -69,6 +70,28 @@ def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any, away_x: floa
         if height < least:
             best, bx, by, bz, least = point, x, y, z, height
     return best, bx, by, bz
+
+
+@called
+def flat_place(f: Any, legs: Any, row: int, foot: int, root: Any, sine: float, cosine: float) -> Any:
+    """Returns x, z on the stage where the middle of a sole will lie that rolls flat over its lowest animated
+    point; `sine` and `cosine` of the foot's yaw.
+    """
+    best = f.first_point[foot]
+    least = _height(f, legs, row, best)
+    for point in range(best + 1, f.first_point[foot + 1]):
+        height = _height(f, legs, row, point)
+        if height < least:
+            best, least = point, height
+    x, _, z = stage_point(f, legs, row, best, root)
+    return from_point(f, best, x, z, sine, cosine)
+
+
+@inlined
+def from_point(f: Any, point: int, x: float, z: float, sine: float, cosine: float) -> Any:
+    """Returns x, z of the middle of a flat sole, one point of which is at `x`, `z`."""
+    along, across = f.on_print[point, 0], f.on_print[point, 1]
+    return x - along * sine - across * cosine, z - along * cosine + across * sine
 
 
 @inlined

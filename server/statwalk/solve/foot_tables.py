@@ -40,6 +40,8 @@ class FootTables(NamedTuple):
     """the index in `joints` of the joint that carries a point"""
     point: Annotated[NDArray[np.float64], "point, xyz"]
     """metres, in the frame of its carrier"""
+    on_print: Annotated[NDArray[np.float64], "point, 2"]
+    """units from the middle of the sole at rest to a point, forward and to the left"""
     first_span: Annotated[NDArray[np.int32], "member · foot + 1"]
     """for each member of `MotionTables` and foot"""
     span: Annotated[NDArray[np.float64], "span, 2"]
@@ -63,8 +65,8 @@ class FootTables(NamedTuple):
     below: Annotated[NDArray[np.int32], "joint of a foot"]
     """the indices in `joints` of each ankle and the joints below it"""
     landing: Annotated[NDArray[np.float64], "span, 3"]
-    """where the middle of the sole is as a foot comes down, x and z (metres, in the actor's frame), and the
-    foot's yaw
+    """where the middle of the sole will lie of a foot that comes down, once it is flat: x and z (metres, in
+    the actor's frame), and the foot's yaw
     """
 
 
@@ -90,7 +92,7 @@ LEAVING, STANDING = 1.0, 2.0
 
 ALONG, ACROSS, HALF_LENGTH, HALF_WIDTH = range(4)
 """columns of `print`"""
-FIT, PATH_PARTS = 5, 12
+FIT, PATH_PARTS = 5, 16
 """numbers of a fit; parts of a foot's path through the air"""
 SHIFT_X, SHIFT_Z, TILT_X, TILT_Z, LIFT = range(FIT)
 """a foot's fit to uneven ground: metres from its motion, slope, metres above the root's floor"""
@@ -98,12 +100,13 @@ TOOK = FIT
 """the fit when the last motion began: the pose offset has taken it over"""
 (
     TILT_X_RATE, TILT_Z_RATE, SLOPE_X, SLOPE_Z, PLAN, HEIGHT, SLIP, SLIP_RATE, AT_X, AT_Z, FROM_X, FROM_Z,
-    TO_X, TO_Z, OLD_X, OLD_Z, SHIFTED, PROGRESS, PATH,
-) = range(2 * FIT, 2 * FIT + 19)  # fmt: skip
+    TO_X, TO_Z, AIM_X, AIM_Z, OLD_X, OLD_Z, SHIFTED, PROGRESS, PATH,
+) = range(2 * FIT, 2 * FIT + 21)  # fmt: skip
 """how fast the slope changes; the slope that is wanted; STANDS, FLIES, SEARCHES or 0, a new foot; the height
-that is wanted, and how far above it the foot still is (metres), with the rate; the middle of the sole on the
-stage; where it set off and where it lands; SHIFT as it set off, and the share 0…1 of the way to its new
-SHIFT; the share of its path that is behind it; the first of PATH_PARTS + 1 heights along it
+that is wanted, and how far above it the foot still is (metres), with the rate; where the middle of the sole
+lies once it is flat, on the stage; where it set off and where it lands; where its motion lands; SHIFT as it
+set off, and the share 0…1 of the way to its new SHIFT; the share of its path that is behind it; the first of
+PATH_PARTS + 1 heights along it
 """
 SAG, OF_GROUND = 0, 1
 """the number of an actor on uneven ground, before its feet: metres by which its pelvis is lowered"""

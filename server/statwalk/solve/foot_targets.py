@@ -18,11 +18,19 @@ from statwalk.solve.foot_points import ankle_of, in_units
 from statwalk.solve.foot_tables import (
     DROP,
     DROP_RATE,
+    FLIES,
+    LEAVING,
     LIFT_RATE,
     OF_ACTOR,
+    OF_FIT,
     OF_FOOT,
+    OF_GROUND,
+    PATH,
+    PATH_PARTS,
+    PLAN,
     PLANTED,
     SAG,
+    SHIFTED,
     STANDING,
     TOO_SHORT,
     TURN,
@@ -38,10 +46,14 @@ MOST_DROP, MOST_DROP_ON_GROUND = 0.05, 0.35
 """metres by which the pelvis is lowered, on a level floor and on uneven ground; a foot that needs more is
 released
 """
-GIVE, GIVE_ON_GROUND, FOLLOW = 21.0, 14.0, 14.0
+GIVE, GIVE_ON_GROUND, FOLLOW = 21.0, 13.0, 14.0
 """1/s: how eagerly the pelvis gives way, on a level floor and on uneven ground, and the root follows the
 ground
 """
+REACHED = 0.06
+"""metres below the root at which a foot on its way lands, for which the pelvis need not be lowered"""
+MOST_OVER = 0.15
+"""metres above its place at most that a foot is shown, if its leg is too short"""
 SAG_SHARE, MOST_SAG = 0.25, 0.15
 """metres by which the pelvis is lower for each metre that the ground rises or falls in a metre; at most"""
 MEAN_STEPS, MEAN_STEP = 4, 0.11
@@ -58,14 +70,25 @@ def lower_pelvis(f: Any, legs: Any, keep: Any, row: int, root: Any, dt: float) -
         wanted, give = keep[row, f.fit[0] + SAG], GIVE_ON_GROUND
     for foot in range(f.hip.shape[0]):
         at = memory + OF_ACTOR + foot * OF_FOOT
-        if keep[row, at + PLANTED] == STANDING:
-            need = _missing(f, legs, keep, row, foot, at, root)
+        if keep[row, at + PLANTED] == STANDING or (f.fit[0] >= 0 and keep[row, at + PLANTED] == LEAVING):
+            need = _missing(f, legs, keep, row, foot, at, root, STRETCH * f.length[foot])
             keep[row, at + TOO_SHORT] = 1.0 if need > most else 0.0
             wanted = max(wanted, min(need, most))
+        elif f.fit[0] >= 0:
+            wanted = max(wanted, min(_awaited(keep, row, f.fit[0] + OF_GROUND + foot * OF_FIT, root), most))
     old = keep[row, memory + DROP] - wanted
     drop, rate = settled(old, keep[row, memory + DROP_RATE], give, dt)
     keep[row, memory + DROP], keep[row, memory + DROP_RATE] = drop + wanted, rate
     return drop + wanted
+
+
+@inlined
+def _awaited(keep: Any, row: int, at: int, root: Any) -> Any:
+    """By how much the pelvis is lowered for a foot on its way that will land far below the root."""
+    if keep[row, at + PLAN] != FLIES:
+        return 0.0
+    gone, below = keep[row, at + SHIFTED], root[1] - keep[row, at + PATH + PATH_PARTS]
+    return max(below - REACHED, 0.0) * gone
 
 
 @inlined
@@ -75,10 +98,10 @@ def begin_pelvis(f: Any, keep: Any, row: int) -> None:
 
 
 @inlined
-def _missing(f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, root: Any) -> Any:
-    """How much lower a hip must be for its leg to reach the shown ankle."""
+def _missing(f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, root: Any, reach: float) -> Any:
+    """How much lower a hip must be for its leg to reach the shown ankle from `reach` units."""
     block, lane = place_of(row)
-    place, reach = f.hip[foot], STRETCH * f.length[foot]
+    place = f.hip[foot]
     x, y, z = in_units(
         f, legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
     )
@@ -104,14 +127,22 @@ def move_pelvis(f: Any, legs: Any, values: Any, row: int, drop: float) -> None:
 
 
 @called
-def aim_leg(f: Any, legs: Any, keep: Any, rows: Any, row: int, foot: int, root: Any, weight: float) -> None:
-    """Writes the inputs of a leg's chain: the shown ankle, its rotation, and where the knee bends to."""
+def aim_leg(
+    f: Any, legs: Any, keep: Any, rows: Any, row: int, foot: int, root: Any, drop: float, weight: float
+) -> None:
+    """Writes the inputs of a leg's chain: the shown ankle, its rotation, and where the knee bends to; `drop`:
+    units by which the pelvis is lowered.
+    """
     block, lane = place_of(row)
     at, inputs = f.memory[0] + OF_ACTOR + foot * OF_FOOT, rows[foot]
     ankle = ankle_of(f, legs, row, foot, root)
     x, z = ankle[0] + keep[row, at + X] - root[0], ankle[2] + keep[row, at + Z] - root[2]
     inputs[TARGET, lane] = (x * root[4] - z * root[3]) * f.unit[0]
-    inputs[TARGET + 1, lane] = (ankle[1] + keep[row, at + Y] - root[1]) * f.unit[0]
+    y = ankle[1] + keep[row, at + Y] - root[1]
+    if f.fit[0] >= 0:  # a foot that is out of reach stays above its place: beside it there may be a step
+        missing = _missing(f, legs, keep, row, foot, at, root, f.length[foot])
+        y += min(max(missing - drop, 0.0), MOST_OVER)
+    inputs[TARGET + 1, lane] = y * f.unit[0]
     inputs[TARGET + 2, lane] = (z * root[4] + x * root[3]) * f.unit[0]
     for axis in range(3):
         bend = 0.0

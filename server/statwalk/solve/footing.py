@@ -64,6 +64,21 @@ def height_over(
 
 
 @called
+def height_under(
+    f: Any, foot: int, x: float, z: float, sine: float, cosine: float, slope_x: float, slope_z: float
+) -> Any:
+    """Returns how high (metres) the middle of a flat foot with this slope lies: no point of its sole is below
+    the ground.
+    """
+    height = -1e9
+    for point in range(f.first_point[foot], f.first_point[foot + 1]):
+        along, across = f.on_print[point, 0], f.on_print[point, 1]
+        u, v = along * sine + across * cosine, along * cosine - across * sine
+        height = max(height, ground_at(f.ground, x + u, z + v, 0.0) - slope_x * u - slope_z * v)
+    return height
+
+
+@called
 def points_supported(f: Any, foot: int, x: float, z: float, sine: float, cosine: float) -> Any:
     """Returns how many of fifteen points of a sole have ground below them there."""
     slope_x, slope_z = slope_under(f, foot, x, z, sine, cosine)

@@ -45,6 +45,8 @@ def given_values(bones: BoneSet, known: Known) -> BoneValues:
 
 def _read(state: BoneValues, known: Known) -> Iterator[tuple[int, str]]:
     """Puts the known values into `state`; yields the quantities that are said to be unknown."""
+    if not isinstance(known, Mapping):
+        raise ContentError("known values are written {bone: {quantity: value}}", place="known")
     for bone_name, quantities in known.items():
         if bone_name not in state.bones.names:
             raise UnknownNameError("bone", str(bone_name), state.bones.names)

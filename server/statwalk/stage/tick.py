@@ -47,6 +47,7 @@ from statwalk.stage.steps._kernels import (
 )
 from statwalk.stage.steps.hang import hang
 from statwalk.stage.steps.hash_lanes import hash_block
+from statwalk.stage.steps.measurements import places_of
 from statwalk.stage.steps.memory import MEMORY, Memory, memory_of
 from statwalk.stage.steps.offset_apart import begin_transitions
 from statwalk.stage.steps.offset_begin import begins_here
@@ -92,8 +93,7 @@ def decide(cast: Cast, memory: Memory, inputs: Inputs, dt: float, now: int, seed
     role, machine, measured_from = cast.role, memory.machine(cast.machine), NOT_MEASURED
     memory.key(cast.ids, seed)
     if role.measures:
-        shown = cast.shown.values, cast.position, cast.root_delta
-        measured_from = MeasuredFrom(role.packed.poses.argument, *shown)
+        measured_from = MeasuredFrom(role.packed.poses.argument, *places_of(cast))
     around, effects = memory.surroundings, memory.effects
     memory.effects = step_machines(
         role.packed.program, machine, dt, now, inputs, around, effects, measured_from

@@ -6,6 +6,7 @@ import asyncio
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from functools import partial
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -21,6 +22,8 @@ from statwalk.services.hosting.store.store import Store
 from statwalk.services.hosting.ticker import Ticker
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.model_store import ModelStore
+from statwalk.services.library.role_reference import reference_to
+from statwalk.services.work.workers import Workers
 from statwalk.web import errors, openapi, page
 from statwalk.web.dependencies import shown_to_link
 from statwalk.web.long_work import LongWork
@@ -148,29 +151,34 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     ticker = app.state.ticker = Ticker(registry.all)
     registry.wake = ticker.wake
     ticker.start()
-    housekeeping = asyncio.ensure_future(_housekeeping(app, registry, app.state.file_watch))
+    workers = app.state.workers = Workers(partial(reference_to, registry.catalogue))
+    registry.work = workers.do
+    housekeeping = asyncio.ensure_future(_housekeeping(app, registry, workers))
     try:
         yield
     finally:
         housekeeping.cancel()
+        workers.close()
         ticker.stop()
         registry.save()
         if registry.store:
             registry.store.close()
 
 
-async def _housekeeping(app: FastAPI, registry: Registry, watch: FileWatch | None) -> None:
+async def _housekeeping(app: FastAPI, registry: Registry, workers: Workers) -> None:
     """Once a second: sends each stage's status to its viewers, disconnects viewers that do not acknowledge
-    frames or whose access has ended, closes idle stages, keeps how far each stage is, and reads saved machine
-    files.
+    frames or whose access has ended, closes idle stages, ends idle workers, keeps how far each stage is, and
+    reads saved machine files.
     """
     authenticator: Authenticator | None = app.state.authenticator
+    watch: FileWatch | None = app.state.file_watch
     while True:
         await asyncio.sleep(1.0)
         now = registry.now()
         for host in registry.all():
             host.look_after_viewers(now)
         registry.drop_idle(now)
+        workers.end_idle(time.monotonic())
         if authenticator:
             authenticator.disconnect_ended(time.monotonic(), registry.stages)
         await to_thread.run_sync(registry.save)

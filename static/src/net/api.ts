@@ -136,12 +136,6 @@ export const carryClip = (name: string, body: NewClip) =>
 /** Gives character `name` a skeleton and a skin; takes seconds. */
 export const rig = (name: string, body: NewRig, signal: AbortSignal) =>
   ask("post", "/api/characters/{name}/rig", { name }, { body, signal });
-/**
- * Makes a machine for an uploaded character; a clip with an empty state is left out. `root`: the joint that moves
- * the character through the world.
- */
-export const makeMachine = (name: string, character: string, states: Record<string, string>, root = "") =>
-  ask("post", "/api/machines", {}, { body: { name, character, mapping: states, root } });
 /** Reads what this browser may do. */
 export const access = () => ask("get", "/api/access", {});
 export const stages = () => ask("get", "/api/stages", {});
@@ -158,7 +152,7 @@ export const newStage = async (opening: { machine: string } | { scene: string })
 
 /** Makes a stage that moves only by steps, with one actor of a machine. */
 export const manualStage = (machine: string, name: string) =>
-  ask("post", "/api/stages", {}, { body: { clock: "manual", name, actors: [{ machine }] } });
+  ask("post", "/api/stages", {}, { body: { clock: "manual", seed: 0, name, actors: [{ machine }] } });
 
 export const pause = (stage_id: string, paused: boolean, viewer?: number) =>
   ask("post", "/api/stages/{stage_id}/pause", { stage_id }, { body: { paused }, viewer });

@@ -1,6 +1,7 @@
 /** Calls the part of the REST interface that edits machines and goes through their versions. */
 
 import { ask } from "./api";
+import { askOnce } from "./once";
 import type { Operation } from "./protocol";
 
 /** The key of an edit that shall be kept, which counts once however often it is sent; null: it is only verified. */
@@ -20,12 +21,12 @@ export const patchMachine = (name: string, version: number, operations: readonly
 export const putMachine = (name: string, version: number, text: string, key: Key) =>
   ask("put", "/api/machines/{name}", { name }, { body: { text }, version, ...how(key) });
 export const undo = (name: string, version: number) =>
-  ask("post", "/api/machines/{name}/undo", { name }, { version });
+  askOnce("post", "/api/machines/{name}/undo", { name }, { version });
 export const redo = (name: string, version: number) =>
-  ask("post", "/api/machines/{name}/redo", { name }, { version });
+  askOnce("post", "/api/machines/{name}/redo", { name }, { version });
 /** Makes a new version with the text of version `number`. */
 export const restore = (name: string, version: number, number: number) =>
-  ask("post", "/api/machines/{name}/versions/{number}/restore", { name, number }, { version });
+  askOnce("post", "/api/machines/{name}/versions/{number}/restore", { name, number }, { version });
 export const versions = (name: string) => ask("get", "/api/machines/{name}/versions", { name });
 /** Reads what version `number` says otherwise than version `since`. */
 export const differences = (name: string, number: number, since: number) =>

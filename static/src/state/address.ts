@@ -1,6 +1,7 @@
 /** What the page's address says: the stage, and what is looked at there, from where, and when. */
 
 import type { Opening } from "./ownStages";
+import { CAMERA_MODES, type CameraMode } from "./viewpoint";
 
 export interface Address {
   /** Null: main. */
@@ -15,6 +16,8 @@ export interface Address {
   tick: number | null;
   /** Where the camera stands and what it looks at, metres from the actor's root; null: as the page frames it. */
   camera: readonly number[] | null;
+  /** What the camera does while the actor moves; null: it follows. */
+  view: CameraMode | null;
 }
 
 const CAMERA_NUMBERS = 6;
@@ -43,6 +46,7 @@ export function readAddress(search: string = location.search): Address {
     layer: query.get("layer"),
     tick: countOf(query.get("tick")),
     camera: cameraOf(query.get("camera")),
+    view: CAMERA_MODES.find((mode) => mode === query.get("view")) ?? null,
   };
 }
 

@@ -12,6 +12,7 @@ describe("refusal", () => {
       line: 36,
       ...place,
       replay: [],
+      ticks: 0,
     };
     expect(refusal("refused", [finding], place)).toEqual({
       kind: "refused",
@@ -30,6 +31,7 @@ describe("refusal", () => {
         line: 45,
         ...place,
         replay: [],
+        ticks: 0,
       },
     ]);
   });

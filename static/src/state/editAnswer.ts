@@ -1,6 +1,5 @@
 /** What the server says to an edit. */
 
-import { ApiError } from "../net/api";
 import type { Finding } from "../net/protocol";
 
 /** The answer to an edit. `stale`: another editor was first, and the machine was read again. */
@@ -27,11 +26,5 @@ export function refusal(words: string, findings: readonly Finding[], place: Cell
   const message = words.replace(/^[^:]*\bline \d+: /, "");
   const { layer, state, event } = place ?? { layer: "", state: null, event: null };
   const finding = { kind: "refused", severity: "error" as const, message, line, layer, state, event };
-  return { kind: "refused", words, findings: [{ ...finding, replay: [] }] };
-}
-
-/** Returns whether a request got no answer: the server is away or busy, or a proxy answered in its place. */
-export function isUnheard(error: unknown): boolean {
-  if (error instanceof ApiError) return error.passing || error.status === 502 || error.status === 504;
-  return error instanceof TypeError;
+  return { kind: "refused", words, findings: [{ ...finding, replay: [], ticks: 0 }] };
 }

@@ -4,6 +4,7 @@
  */
 
 import { signal } from "@preact/signals-core";
+import { newKey } from "../net/once";
 
 export interface Waiting<Edit> {
   /** Tells the server that an edit which is sent again is still the same. */
@@ -23,9 +24,6 @@ export interface Sender<Edit, Answer> {
 }
 
 const PLACE = "statwalk edits";
-/** Makes a key; `crypto.randomUUID` is only there over https. */
-const newKey = (): string =>
-  Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join("-");
 
 export class EditQueue<Edit, Answer> {
   /** The edits that the server has not answered yet, oldest first. */

@@ -6,10 +6,11 @@
 import { batch, computed, signal } from "@preact/signals-core";
 import * as api from "../net/api";
 import * as edits from "../net/edits";
+import { isUnheard } from "../net/once";
 import type { Edited, Finding, MachineInfo, MachineVersion, Operation } from "../net/protocol";
 import { reasonOf } from "../net/reason";
 import { EditQueue } from "./editQueue";
-import { type Answer, type CellPlace, isUnheard, refusal } from "./editAnswer";
+import { type Answer, type CellPlace, refusal } from "./editAnswer";
 import { Event } from "./event";
 import type { Notice } from "./notice";
 import type { WatchedMachine } from "./watchedMachine";

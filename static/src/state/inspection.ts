@@ -25,6 +25,8 @@ export type Drawer = "cell" | "machine" | "versions" | "text" | "stages" | "peop
 export class Inspection {
   readonly selected = signal<Selected | null>(null);
   readonly drawer = signal<Drawer>(null);
+  /** Whether light and background are chosen. */
+  readonly isSceneShown = signal(false);
   /** The tick that is explained, or null. */
   readonly why = signal<number | null>(null);
   /** Emitted if a cell of the table shall be shown. */

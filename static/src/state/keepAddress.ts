@@ -21,6 +21,7 @@ export function shownAddress({ stage, stages, selection, playback, viewpoint }: 
     layer: selection.layer.value > 0 ? (selection.cast?.layers[selection.layer.value] ?? null) : null,
     tick: playback.looking.value,
     camera: viewpoint.chosen.value,
+    view: viewpoint.mode.value === "follow" ? null : viewpoint.mode.value,
   };
 }
 
@@ -44,7 +45,9 @@ export function keepAddress(state: State): void {
     layer = null;
   }
 
-  function arrive({ actor, tick, ...rest }: Address): void {
+  function arrive({ actor, tick, camera, view, ...rest }: Address): void {
+    viewpoint.ask(camera);
+    viewpoint.mode.value = view ?? "follow";
     if (actor !== null) selection.actor.value = actor;
     layer = rest.layer;
     // The session forgets the past of the stage before, first.
@@ -80,6 +83,5 @@ export function keepAddress(state: State): void {
         history.replaceState(history.state, "", addressWith(shownAddress(state)));
     }, REST_MS);
   });
-  viewpoint.ask(readAddress().camera);
   open();
 }

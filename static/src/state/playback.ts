@@ -8,6 +8,8 @@ import type { WatchedStage } from "./watchedStage";
 export class Playback {
   readonly scrubber: Scrubber;
   readonly replaying = signal(false);
+  /** The ticks that are replayed again and again; null: the replay goes on to the newest. */
+  readonly loop = signal<{ from: number; to: number } | null>(null);
   private at = 0;
 
   constructor(
@@ -17,6 +19,7 @@ export class Playback {
     this.scrubber = new Scrubber(send);
     this.looking.subscribe((tick) => {
       if (tick === null) this.replaying.value = false;
+      if (tick === null) this.loop.value = null;
     });
   }
 
@@ -46,11 +49,22 @@ export class Playback {
     this.replaying.value = !this.replaying.value;
   }
 
+  /** Replays a span again and again, from its begin; null: the replay goes on. */
+  repeat(span: { from: number; to: number } | null): void {
+    this.loop.value = span;
+    if (!span) return;
+    this.look(span.from);
+    this.at = span.from;
+    this.replaying.value = true;
+  }
+
   /** Moves the replay on by `dt` seconds; at the head the page goes live. */
   advance(dt: number): void {
     if (!this.replaying.value) return;
     this.at += dt * this.stage.rate * this.stage.status.value.speed;
-    if (this.at >= this.stage.head) this.live();
+    const loop = this.loop.value;
+    if (loop && (this.at > loop.to || this.at < loop.from)) this.at = loop.from;
+    if (!loop && this.at >= this.stage.head) this.live();
     else this.look(this.at);
   }
 

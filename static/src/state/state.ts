@@ -15,9 +15,11 @@ import { ParameterValues } from "./parameterValues";
 import { Past } from "./past";
 import { People } from "./people";
 import { Playback } from "./playback";
+import { SceneSettings } from "./sceneSettings";
 import { Selection } from "./selection";
 import { Session } from "./session";
 import { StageList } from "./stageList";
+import { TimelineWindow } from "./timelineWindow";
 import { Travel } from "./travel";
 import { Viewpoint } from "./viewpoint";
 import { WatchedMachine } from "./watchedMachine";
@@ -60,6 +62,8 @@ export function makeState() {
   const inspection = new Inspection();
   editing.kept.on((operations) => inspection.follow(operations));
   const commands = new Commands();
+  const timeline = new TimelineWindow(stage, playback);
+  const scene = new SceneSettings();
   frame.on(({ dt }) => keyChanges.advance(Math.min(LONGEST_KEY_S, dt)));
   frame.on(({ dt }) => playback.advance(Math.min(LONGEST_STEP_S, dt)));
   return {
@@ -85,5 +89,7 @@ export function makeState() {
     keyChanges,
     inspection,
     commands,
+    scene,
+    timeline,
   };
 }

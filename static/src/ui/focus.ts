@@ -1,7 +1,9 @@
 /** Keeps the keyboard free for the character. */
 
-/** Dialogs and fields of forms keep their focus: their keys are not for the character. */
-const keepsFocus = (element: Element): boolean => element.closest("dialog, .field") !== null;
+/** Dialogs, fields of forms, and popovers used by keys keep their focus: their keys are not for the character. */
+const keepsFocus = (element: Element): boolean =>
+  element.closest("dialog, .field") !== null ||
+  (element.closest("[popover]") !== null && element.matches(":focus-visible"));
 
 /** Takes the focus off a clicked button or select, or a dragged slider: it would catch the character's keys. */
 export function freeFocus(): void {

@@ -2,9 +2,10 @@
 
 import { type State, makeState } from "../state/state";
 import { onTheme, reducedMotion } from "../ui/dom";
-import type { FollowCamera } from "./camera";
+import type { FollowCamera } from "./camera/followCamera";
 import { chooseQuality } from "./quality";
 import { Scene } from "./scene";
+import { teachCutaway } from "./cutaway";
 import { teachSkinning } from "./skinShader";
 import { StageView } from "./stageView";
 
@@ -21,6 +22,7 @@ const REST_M = 1e-4;
 /** Makes the state and the stage view; `renderer`: the name of the browser's renderer. */
 export function makeApp(canvas: HTMLCanvasElement, renderer: string): App {
   teachSkinning();
+  teachCutaway();
   const state = makeState();
   const quality = chooseQuality(renderer, location.search);
   const view = new StageView(new Scene(canvas, quality, reducedMotion), state);
@@ -30,15 +32,26 @@ export function makeApp(canvas: HTMLCanvasElement, renderer: string): App {
   frame.on(({ now }) => people.look(camera.place, now));
   people.cameras.on((place) => camera.stand(place));
   camera.controls.addEventListener("start", () => people.follow(null));
+  people.following.subscribe((viewer) => {
+    if (viewer !== null) camera.mode.value = "follow";
+  });
+  camera.mode.subscribe((mode) => mode === "follow" || people.follow(null));
+  camera.mode.subscribe((mode) => (state.viewpoint.mode.value = mode));
+  state.viewpoint.mode.subscribe((mode) => (camera.mode.value = mode));
   noteViewpoints(state, camera);
   onTheme(() => view.recolour());
+  state.scene.look.subscribe((look) => view.scene.light(look));
   return { ...state, view };
 }
 
-/** Notes from where the user looks when the camera rests after a drag: it swings on for a moment. */
+/** Notes from where the user looks when the camera rests after a drag or in another mode: it swings on for a moment. */
 function noteViewpoints({ frame, viewpoint }: State, camera: FollowCamera): void {
   let before: number[] | null = null;
-  camera.controls.addEventListener("end", () => (before = []));
+  const begin = (): void => {
+    before = [];
+  };
+  camera.controls.addEventListener("end", begin);
+  camera.mode.subscribe((mode) => mode === "follow" || begin());
   frame.on(() => {
     if (!before) return;
     const [earlier, around] = [before, camera.around];

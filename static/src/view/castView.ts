@@ -67,8 +67,7 @@ export class CastView {
   private attach(): void {
     this.bones.update();
     this.signs.forEach((sign, row) => sign.position.setFromMatrixPosition(this.root(row)));
-    this.spots.visible = this.scene.quality === "low";
-    if (!this.spots.visible) return;
+    if (this.scene.quality === "high") return;
     const [size, spot] = [new THREE.Vector3().setScalar(this.radius), new THREE.Matrix4()];
     for (let row = 0; row < this.crowd.pose.actors; row++) {
       const { elements } = spot.identity().scale(size).copyPosition(this.root(row));
@@ -76,6 +75,12 @@ export class CastView {
       this.spots.setMatrixAt(row, spot);
     }
     this.spots.instanceMatrix.needsUpdate = true;
+  }
+
+  /** Prepares what `camera` sees; called before each drawing. */
+  arrange(camera: THREE.PerspectiveCamera): void {
+    this.crowd.arrange(camera);
+    this.spots.visible = this.scene.hasSpots;
   }
 
   private root(row: number): THREE.Matrix4 {

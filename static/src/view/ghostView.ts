@@ -1,13 +1,25 @@
 /** Draws the ghost: the actors of another stage, translucent. */
 
+import { Vector3, type Camera } from "three";
 import type { State } from "../state/state";
 import type { Casting } from "./casting";
 import { themeColours } from "./castView";
 import type { Scene } from "./scene";
 
+/** Whether one of the points (x, y, z, x, …; metres) is drawn inside the picture. */
+export function isInPicture(points: Float32Array, camera: Camera): boolean {
+  const point = new Vector3();
+  for (let at = 0; at < points.length; at += 3) {
+    const { x, y, z } = point.fromArray(points, at).project(camera);
+    if (Math.max(Math.abs(x), Math.abs(y)) <= 1 && Math.abs(z) <= 1) return true;
+  }
+  return false;
+}
+
 export class GhostView {
   /** The tick that is drawn; -1: none. */
   posed = -1;
+  private isOutside = false;
 
   constructor(
     private readonly scene: Scene,
@@ -17,6 +29,7 @@ export class GhostView {
     casting.built.on(() => this.dress());
     state.ghost.hello.subscribe((hello) => {
       this.posed = -1;
+      this.isOutside = false;
       if (hello) void casting.take(hello);
       else casting.leave();
       scene.invalidate();
@@ -32,7 +45,19 @@ export class GhostView {
     ghost.pose = null;
     this.casting.casts.forEach((cast, c) => cast.take(pose.casts[c]!));
     this.posed = pose.tick;
+    this.tell();
     this.scene.invalidate();
+  }
+
+  /** Says so, once, when the ghost of the watched actor is nowhere in the picture. */
+  private tell(): void {
+    const actor = this.casting.actors.get(this.state.selection.actor.value ?? -1);
+    if (!actor) return;
+    const joints = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
+    const isOutside = !isInPicture(joints, this.scene.view.camera);
+    if (isOutside && !this.isOutside)
+      this.state.notices.emit("The ghost is outside the picture: F frames both.");
+    this.isOutside = isOutside;
   }
 
   /** Makes the skins translucent, in the theme's colours. */

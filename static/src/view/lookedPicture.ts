@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import { el, token } from "../ui/dom";
-import { FollowCamera } from "./camera";
+import { FollowCamera } from "./camera/followCamera";
 import { JointLines } from "./jointLines";
 import { Lights } from "./lights";
 import type { LookedModel } from "./lookedModel";

@@ -2,11 +2,15 @@
 
 import * as THREE from "three";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
-import { FollowCamera } from "./camera";
+import { FollowCamera } from "./camera/followCamera";
 import { Ground } from "./ground";
 import { Lights } from "./lights";
 import type { Quality } from "./quality";
 import { Event } from "../state/event";
+import { backgroundOf, type SceneLook } from "../state/sceneSettings";
+
+/** Strengths of the page's own light from all around. */
+const [SKY, SKY_WITH_ENVIRONMENT, ENVIRONMENT] = [2.1, 0.9, 0.35];
 
 /** Handles in the picture, by name: where each is drawn, in pixels of the page. */
 export interface Handles {
@@ -27,6 +31,8 @@ export class Scene {
   readonly drawing = new Event<THREE.PerspectiveCamera>();
   /** The handles that you can drag. */
   readonly handles: Handles[] = [];
+  /** Whether soft spots on the ground stand for shadows. */
+  hasSpots = false;
   /** Draw calls of the last drawing. */
   calls = 0;
   /** Controls over the lower end of the picture. */
@@ -61,12 +67,26 @@ export class Scene {
   private addShadow(): void {
     const makeEnvironment = new THREE.PMREMGenerator(this.renderer);
     this.world.environment = makeEnvironment.fromScene(new RoomEnvironment(), 0.04).texture;
-    this.world.environmentIntensity = 0.35;
-    this.lights.sky.intensity = 0.9;
-    this.lights.castShadows(true);
     this.floor.receiveShadow = true;
     this.floor.renderOrder = -1;
     this.world.add(this.floor);
+  }
+
+  /** Lights the stage, and sets what is behind it. */
+  light(look: SceneLook): void {
+    const { environment, exposure, shadow } = look;
+    const high = this.quality === "high";
+    this.renderer.toneMappingExposure = exposure;
+    this.world.environmentIntensity = environment * ENVIRONMENT;
+    this.lights.sky.intensity = environment * (high ? SKY_WITH_ENVIRONMENT : SKY);
+    this.lights.castShadows(high && shadow);
+    this.floor.visible = shadow;
+    this.hasSpots = !high && shadow;
+    const behind = backgroundOf(look);
+    const { style } = this.canvas.parentElement ?? this.canvas;
+    for (const [part, name] of ["--view-1", "--view-2"].entries())
+      style.setProperty(name, behind?.[part] ?? "");
+    this.invalidate();
   }
 
   /** Fits light, shadow and grid to a character `height_m` tall. */
@@ -109,6 +129,7 @@ export class Scene {
     if (this.view.update(dt)) this.dirty = true;
     if (!this.dirty) return false;
     this.dirty = false;
+    this.view.camera.updateMatrixWorld();
     this.drawing.emit(this.view.camera);
     this.renderer.render(this.world, this.view.camera);
     this.calls = this.renderer.info.render.calls;

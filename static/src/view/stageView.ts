@@ -63,8 +63,8 @@ export class StageView {
     this.casting = new Casting(scene, state, this.detail);
     this.casting.cleared.on(() => this.clear());
     this.casting.built.on(() => this.dress());
-    this.watched = new WatchedActor(scene, state, this.casting, this.modes);
     this.ghost = new GhostView(scene, state, new Casting(scene, state, this.detail));
+    this.watched = new WatchedActor(scene, state, this.casting, this.ghost.casting, this.modes);
     this.glb = new GlbStage(scene.quality === "high", (index, name) =>
       materialOf(new Set(this.crowds.map(({ model }) => model)), index, name),
     );
@@ -85,7 +85,7 @@ export class StageView {
       if (joint) this.looks.bone.value = joint;
     });
     for (const look of Object.values(this.looks)) (look as Signal<string>).subscribe(() => this.restyle());
-    scene.drawing.on((camera) => this.crowds.forEach((crowd) => crowd.arrange(camera)));
+    scene.drawing.on((camera) => this.casts.forEach((cast) => cast.arrange(camera)));
     this.detail.byHand.subscribe(() => scene.invalidate());
   }
 

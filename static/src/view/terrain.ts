@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import type { GroundPiece } from "../net/protocol";
+import { fade } from "./cutaway";
 
 /** Faces of a block whose corners are numbered round its top (0 to 3) and round its foot (4 to 7). */
 const FACES = [
@@ -54,6 +55,7 @@ export class Terrain {
   );
 
   constructor() {
+    fade([this.mesh], true);
     this.mesh.receiveShadow = true;
     this.mesh.castShadow = true;
     this.mesh.visible = false;

@@ -3,11 +3,15 @@
  * are drawn.
  */
 
+import * as THREE from "three";
 import type { State } from "../state/state";
 import { type Signal, signal } from "@preact/signals-core";
 import type { Casting } from "./casting";
 import type { CastView } from "./castView";
-import { framed, type Framing, withCompany } from "./framing";
+import { sideOf } from "./camera/cameraModes";
+import { framed, withCompany, withGhost, withHeadroom } from "./camera/framing";
+import { FramingChoice } from "./camera/framingChoice";
+import { fade, keepInSight } from "./cutaway";
 import type { LimitMark } from "./limitOverlay";
 import { MotionPath } from "./motionPath";
 import type { PosedModel } from "./posedModel";
@@ -20,8 +24,7 @@ const keyOf = ({ id, model }: PosedModel): string => `${id} ${model.url}`;
 export class WatchedActor {
   /** True while the actor is drawn. */
   readonly ready = signal(false);
-  /** How much the camera shows. */
-  readonly framing = signal<Framing>("whole");
+  readonly framing: FramingChoice;
   /** Whether the view turns around the actor. */
   readonly turning = signal(false);
   /** The joint whose path is drawn; empty: none. */
@@ -30,12 +33,16 @@ export class WatchedActor {
   readonly joint = signal<string>("");
   private readonly path = new MotionPath();
   private readonly limits: WatchedLimits;
+  /** Around the body, as it stood when it was framed, from the root. */
+  private readonly body = new THREE.Sphere();
   private framed = "";
+  private stage = "";
 
   constructor(
     private readonly scene: Scene,
     private readonly state: State,
     private readonly casting: Casting,
+    private readonly ghosts: Casting,
     private readonly modes: Pick<Signal<{ limits: boolean }>, "value">,
   ) {
     this.limits = new WatchedLimits(scene);
@@ -45,8 +52,16 @@ export class WatchedActor {
       this.drawLimits();
     });
     this.joint.subscribe(() => this.drawLimits());
-    this.framing.subscribe(() => this.frame());
+    this.framing = new FramingChoice(state);
+    this.framing.chosen.on(() => this.frame());
+    this.framing.staged.on(() => this.reframe());
     this.turning.subscribe((turning) => scene.view.turn(turning));
+    scene.view.mode.subscribe((mode) => {
+      if (sideOf(mode)) this.turning.value = false;
+      this.find();
+    });
+    casting.built.on(() => this.fadeOthers());
+    scene.drawing.on((camera) => this.clearView(camera));
     this.traced.subscribe(() => {
       this.path.clear();
       scene.invalidate();
@@ -56,6 +71,11 @@ export class WatchedActor {
   /** Null: no actor is watched, or its model is not loaded. */
   get model(): PosedModel | null {
     return this.casting.actors.get(this.state.selection.actor.value ?? -1) ?? null;
+  }
+
+  /** The same actor on the ghost's stage. */
+  private get ghost(): PosedModel | null {
+    return this.ghosts.actors.get(this.state.selection.actor.value ?? -1) ?? null;
   }
 
   /** The cast of the actor. */
@@ -85,10 +105,30 @@ export class WatchedActor {
     const actor = this.model;
     this.limits.update();
     if (actor) this.scene.follow(actor.position, actor.heading);
-    if (actor && this.framed !== keyOf(actor)) this.frame();
+    if (actor && (this.framed !== keyOf(actor) || this.state.viewpoint.isAsked)) this.frame();
+    if (actor && this.stage !== this.state.stage.id) this.find();
+    this.stage = this.state.stage.id;
     if (actor) this.trace(actor, tick);
     this.scene.invalidate();
     this.ready.value = actor !== null;
+  }
+
+  private fadeOthers(): void {
+    const { cast } = this;
+    for (const other of this.casting.casts) fade(other.crowd.bodies, cast !== null && other !== cast);
+  }
+
+  /** Lets what covers the actor fade. */
+  private clearView(camera: THREE.PerspectiveCamera): void {
+    const actor = this.ready.value ? this.model : null;
+    const { center, radius } = this.body;
+    keepInSight(actor && new THREE.Sphere(center.clone().add(actor.position), radius), camera);
+  }
+
+  /** Frames the actor if the camera looks elsewhere: on another stage, or after it was free. */
+  private find(): void {
+    if (!this.scene.view.sees) this.frame();
+    this.scene.invalidate();
   }
 
   /** Lets go of an actor that has left. */
@@ -105,23 +145,41 @@ export class WatchedActor {
     this.path.add(`${keyOf(actor)} ${joint}`, tick, [e[12]!, e[13]!, e[14]!]);
   }
 
-  /** Turns the camera to the actor, and to others near it. */
+  /** Turns the camera to the actor, to others near it, and to its ghost. */
   frame(): void {
     const actor = this.model;
     if (!actor) return;
+    this.scene.view.frame(this.subject(actor));
+    const asked = this.state.viewpoint.take();
+    if (asked) this.scene.view.standAround(asked);
+    this.framed = keyOf(actor);
+    this.scene.invalidate();
+  }
+
+  /** Moves the camera to the shown framing; it looks from where it looked. */
+  private reframe(): void {
+    const actor = this.model;
+    if (!actor || this.framed !== keyOf(actor) || this.state.people.following.value !== null) return;
+    this.subject(actor);
+    this.scene.view.glide();
+  }
+
+  /** Tells the scene and the camera what to frame; returns whether others are in the picture. */
+  private subject(actor: PosedModel): boolean {
     const box = actor.box();
     const height = box.max.y - Math.min(0, box.min.y);
     const span = Math.max(box.max.x - box.min.x, box.max.z - box.min.z);
     this.scene.fit(Math.max(height, 0.5 * span));
     for (const cast of this.casting.casts) cast.shade(Math.max(0.2 * height, 0.32 * span));
+    box.getBoundingSphere(this.body);
+    this.fadeOthers();
     const others = [...this.casting.actors.values()];
-    const company = others.length > 1;
-    this.scene.view.subject(framed(company ? withCompany(actor, box, others) : box, this.framing.value));
-    this.scene.view.frame(company);
-    const asked = this.state.viewpoint.take();
-    if (asked) this.scene.view.standAround(asked);
-    this.framed = keyOf(actor);
-    this.scene.invalidate();
+    const framing = this.framing.shown.value;
+    const company = others.length > 1 && (framing === "whole" || framing === "wide");
+    const shown = framed(company ? withCompany(actor, box, others) : box, framing);
+    const seen = framing === "whole" ? withHeadroom(shown) : shown;
+    this.scene.view.subject(this.ghost ? withGhost(actor, seen, this.ghost) : seen);
+    return company;
   }
 
   /** Draws the limits of the joints. */

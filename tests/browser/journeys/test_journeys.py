@@ -114,3 +114,34 @@ def test_send_a_colleague_the_moment_that_goes_wrong(journey: Journey) -> None:
     colleague.goto(page.evaluate("navigator.clipboard.readText()"))
     until(colleague, "window.__viewer?.ready && __viewer.looking() === arg", page.evaluate("__viewer.tick()"))
     assert journey.steps == journey.promised("Send a colleague the moment that goes wrong")
+
+
+def test_find_out_why_it_did_not_jump(journey: Journey) -> None:
+    page = journey.page
+    journey.press("Space")
+    page.get_by_text("JUMP: dropped").wait_for()
+    journey.click("#verdict[data-tick]")
+    page.locator(".event-why[data-about=JUMP] .where", has_text="STAT/JUMP").wait_for()
+    journey.click(page.locator(".remedies [data-kind=state] button").first)
+    journey.until("__viewer.state() === 'WALK'")
+    journey.press("Space")
+    journey.until("__viewer.state() === 'JUMP'")
+    assert journey.steps == journey.promised("Find out why it did not jump")
+
+
+def test_teach_interpolation(journey: Journey) -> None:
+    page = journey.page
+    journey.click(page.get_by_role("link", name="curves"))
+    page.get_by_role("button", name="far apart").wait_for()
+    journey.until("document.body.dataset.curves === '7'")
+    journey.click(page.get_by_role("button", name="far apart"))
+    journey.click(page.get_by_label("x° of key 2"))
+    page.keyboard.press("Control+a")
+    with page.expect_response(lambda answer: "170" in (answer.request.post_data or "")) as found:
+        journey.type("170")
+    speeds = {curve["interpolation"]: curve["speed_deg"] for curve in found.value.json()["curves"]}
+    assert max(speeds["slerp"]) - min(speeds["slerp"]) < 1
+    assert max(speeds["euler linear"]) - min(speeds["euler linear"]) > 20
+    journey.click(page.get_by_role("button", name="linear, Euler XYZ"))
+    journey.until("document.querySelectorAll('#names button[aria-pressed=true]').length === 6")
+    assert journey.steps == journey.promised("Teach interpolation")

@@ -107,6 +107,11 @@ WRONG = {
         "motion: {over: pace, clips: {a: 1, b: 1.0}}",
         "line 8: the clips a and b have the same",
     ),
+    "framing": (
+        "loop: true",
+        "framing: uper body",
+        "line 8: no framing is called 'uper body'; did you mean upper body?",
+    ),
     "final outside": ("loop: true", "final: true", "line 8: `final` is only for states of a sub-machine"),
     "marker of a state": (
         "loop: true",

@@ -34,7 +34,7 @@ states:
     loop: true
     markers: {left: 0.1}
   LEAP: {motion: leap, speed: pace}
-  1: {motion: 2}
+  1: {motion: 2, framing: upper body}
   FIGHT:
     machine:
       initial: GUARD
@@ -91,12 +91,14 @@ properties:
 feet: {left: {hip: thigh, knee: shin, ankle: foot, toe: toes}}
 contacts: {walk: {left: [[0, 0.6]], right: [[0.5, 1.1]]}}
 budgets:
-  {jump: 1.2, joint: 2.4, slide: 0.015, sink: 0.005, knee: 0, hand: 60, visible: 0.1, half: 1, arrived: 2}
+  {jump: 1.2, joint: 2.4, slide: 0.015, sink: 0.005, hover: 0.006, knee: 0, hand: 60, visible: 0.1, half: 1,
+   arrived: 2}
 """
 
 WRONG = {
     "unknown key": ("title:", "titel:"),
     "unknown key of a state": ("speed: pace", "sped: pace"),
+    "unknown framing": ("framing: upper body", "framing: feet"),
     "unknown key of a cell": ("off: true}", "of: true}"),
     "no initial state": ("initial: FIGHT\n", ""),
     "no table": ("table: |\n  state | GO  ", "description: |\n  state | GO  "),

@@ -6,8 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from late_kernel import late_kernel
 from numba import types
-from statwalk.maths.compiling import kernel, write
+from statwalk.maths.compiling import write
 from statwalk.maths.random import scrambled
 from statwalk.maths.simd.hashing import hash_rows, hash_span
 
@@ -38,13 +39,13 @@ KINDS = (
 COLUMNS = types.BaseTuple.from_types([write(*kind) for kind in KINDS], Columns)
 
 
-@kernel(write(types.uint64, 1), COLUMNS)
+@late_kernel(write(types.uint64, 1), COLUMNS)
 def hashed(hashes, columns):
     for row in range(hashes.shape[0]):
         hashes[row] = scrambled(hash_rows(hashes[row], columns, row))
 
 
-@kernel(write(types.uint64, 1), write(types.int64, 3), types.int64, types.int64)
+@late_kernel(write(types.uint64, 1), write(types.int64, 3), types.int64, types.int64)
 def spanned(hashes, array, first, count):
     hashes[0] = hash_span(hashes[0], array, first, count)
 

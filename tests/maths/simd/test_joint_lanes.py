@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+from late_kernel import late_kernel
 from scipy.spatial.transform import Rotation
 from statwalk.maths.clamp_kinds import CONE, EULER
 from statwalk.maths.clamp_table import CLAMP_TABLE, JointLimit, clamp_table
-from statwalk.maths.compiling import FLOAT, LONG, kernel, write
+from statwalk.maths.compiling import FLOAT, LONG, write
 from statwalk.maths.packed import ADDRESSES, opened, packed
 from statwalk.maths.pose import Pose
 from statwalk.maths.simd.joint_lanes import clamp_joint
@@ -35,7 +36,7 @@ COUNT = 1600
 _table = opened(CLAMP_TABLE)
 
 
-@kernel(ADDRESSES, LONG, write(FLOAT, 3), write(FLOAT, 3))
+@late_kernel(ADDRESSES, LONG, write(FLOAT, 3), write(FLOAT, 3))
 def clamp_all(table, row, translations, rotations):
     limits = _table(table)
     for block in range(rotations.shape[0]):

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from statwalk.maths.compiling import FLOAT, kernel, read, write
+from late_kernel import late_kernel
+from statwalk.maths.compiling import FLOAT, read, write
 from statwalk.maths.simd.lane_elementary import angle, arc_cosine, cosine, sine
 from statwalk.maths.simd.lanes import load, store
 
@@ -10,7 +11,7 @@ RNG = np.random.default_rng(4)
 HARD = [0, np.pi / 2, np.pi, -np.pi, 2 * np.pi, 1e-20, -1e-7, 1e4]
 
 
-@kernel(read(FLOAT, 2), read(FLOAT, 2), write(FLOAT, 3))
+@late_kernel(read(FLOAT, 2), read(FLOAT, 2), write(FLOAT, 3))
 def evaluated(x, y, out):
     width = x.size
     for at in range(0, x.size, 16):

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+from late_kernel import late_kernel
 from scipy.spatial.transform import Rotation, Slerp
-from statwalk.maths.compiling import FLOAT, kernel, read, write
+from statwalk.maths.compiling import FLOAT, read, write
 from statwalk.maths.simd.lane_quat import from_rotation_vector, mul, normalized, slerp, to_rotation_vector
 from statwalk.maths.simd.lanes import load
 from statwalk.maths.simd.pose_lanes import load3, load4, store3, store4
@@ -12,7 +13,7 @@ RNG = np.random.default_rng(8)
 FIRST, SECOND = (Rotation.random(64, random_state=RNG) for _ in range(2))
 
 
-@kernel(read(FLOAT, 3), read(FLOAT, 3), read(FLOAT, 2), write(FLOAT, 3))
+@late_kernel(read(FLOAT, 3), read(FLOAT, 3), read(FLOAT, 2), write(FLOAT, 3))
 def products(a, b, f, out):
     """out (3, B·4, 16): a b, slerp, normalised a + 0 b."""
     size = a.size
@@ -24,7 +25,7 @@ def products(a, b, f, out):
         store4(out, at + 2 * size, normalized((p[0] * p[3], p[1] * p[3], p[2] * p[3], p[3] * p[3])))
 
 
-@kernel(read(FLOAT, 3), write(FLOAT, 3), write(FLOAT, 3))
+@late_kernel(read(FLOAT, 3), write(FLOAT, 3), write(FLOAT, 3))
 def exponentials(vectors, out, back):
     for block in range(vectors.shape[0]):
         q = from_rotation_vector(load3(vectors, 48 * block))

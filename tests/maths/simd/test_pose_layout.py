@@ -4,8 +4,9 @@ import re
 
 import numpy as np
 import pytest
+from late_kernel import late_kernel
 from paths import ROOT
-from statwalk.maths.compiling import FLOAT, LONG, kernel, read, write
+from statwalk.maths.compiling import FLOAT, LONG, read, write
 from statwalk.maths.pose import Pose, rest
 from statwalk.maths.pose_buffer import PoseBuffer
 from statwalk.maths.simd.pose_layout import (
@@ -33,7 +34,7 @@ DEFINES_THE_LAYOUT = re.compile(
 )
 
 
-@kernel(read(FLOAT, 3), LONG, LONG, write(FLOAT, 1))
+@late_kernel(read(FLOAT, 3), LONG, LONG, write(FLOAT, 1))
 def read_joint(values, row, joint, out):
     """Translation, rotation and scale of a joint of an actor, then the morph weights."""
     block, lane = place_of(row)
@@ -47,7 +48,7 @@ def read_joint(values, row, joint, out):
         out[10 + weight] = values[block, weight_channel(3, weight), lane]
 
 
-@kernel(read(FLOAT, 3), LONG, LONG, write(LONG, 1))
+@late_kernel(read(FLOAT, 3), LONG, LONG, write(LONG, 1))
 def numbers_of_block(values, block, channel, out):
     out[0], out[1] = first_row(block), end_row(block, out.shape[0])
     out[2], out[3] = index_at(values, block, channel), channel_of(index_at(values, 0, channel))

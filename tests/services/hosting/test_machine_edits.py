@@ -10,6 +10,7 @@ from keeping import keeping
 from statwalk.errors import ConflictError, UnknownNameError, VersionConflictError
 from statwalk.files.machine_yaml.edit.operations import AddState, EditOperation, RenameState, SetCell, SetView
 from statwalk.files.machine_yaml.machine_text import MachineText
+from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting.machine_edits import (
     MOST_TRIES,
     EditRequest,
@@ -136,11 +137,12 @@ def test_what_is_kept_says_all(versions: MachineVersions, operation: EditOperati
 def test_an_edit_that_is_always_late_is_given_up(versions: MachineVersions) -> None:
     """While it is verified, another editor changes another cell, each time."""
 
-    def other_edit() -> None:
-        other = "TLFT" if versions.current(WALKER).version.number % 2 else "STAT"
-        change(versions, newest(versions), [SetCell("STAT", "RIGHT", other)])
+    class OtherEdits(CancelToken):
+        def check(self) -> None:
+            other = "TLFT" if versions.current(WALKER).version.number % 2 else "STAT"
+            change(versions, newest(versions), [SetCell("STAT", "RIGHT", other)])
 
-    late = newest(versions)._replace(checkpoint=other_edit)
+    late = newest(versions)._replace(token=OtherEdits())
     with pytest.raises(VersionConflictError):
         change(versions, late, [SetCell("WALK", "LEFT", "STAT")])
     assert len(versions.of(WALKER)) > MOST_TRIES

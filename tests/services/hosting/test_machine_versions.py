@@ -13,13 +13,14 @@ WALKER = "faq-walker"
 PATIENCE = 60.0
 
 
-class HeldVerification:
-    """A checkpoint at which the verification stays until it may go on."""
+class HeldVerification(CancelToken):
+    """A token at whose check the verification stays until it may go on."""
 
     def __init__(self) -> None:
+        super().__init__()
         self.reached, self.may_go_on = threading.Event(), threading.Event()
 
-    def __call__(self) -> None:
+    def check(self) -> None:
         self.reached.set()
         assert self.may_go_on.wait(PATIENCE)
 
@@ -37,7 +38,7 @@ def test_a_machine_is_read_and_edited_while_an_edit_is_verified(versions: Machin
     """The faster editor is first; the slower one is told."""
     slow, current, text = HeldVerification(), versions.current(WALKER), other_text(versions)
     with ThreadPoolExecutor(2) as threads:
-        slower = threads.submit(versions.change, current, text, "slow", checkpoint=slow)
+        slower = threads.submit(versions.change, current, text, "slow", token=slow)
         assert slow.reached.wait(PATIENCE)
         try:
             faster = threads.submit(versions.change, versions.current(WALKER), text, "fast")
@@ -52,20 +53,22 @@ def test_an_edit_whose_client_has_gone_changes_nothing(versions: MachineVersions
     token = CancelToken()
     token.cancel()
     with pytest.raises(CancelledError):
-        versions.change(versions.current(WALKER), other_text(versions), "gone", checkpoint=token.check)
+        versions.change(versions.current(WALKER), other_text(versions), "gone", token=token)
     assert len(versions.of(WALKER)) == 1
 
 
 def test_the_server_s_end_gives_up_a_verification_on_its_way(versions: MachineVersions) -> None:
     ending, checks = threading.Event(), []
-    token = CancelToken(ending)
 
-    def checkpoint() -> None:
-        checks.append(True)
-        if len(checks) == 2:
-            ending.set()
-        token.check()
+    class EndsAtTheSecondCheck(CancelToken):
+        def check(self) -> None:
+            checks.append(True)
+            if len(checks) == 2:
+                ending.set()
+            super().check()
 
     with pytest.raises(CancelledError):
-        versions.change(versions.current(WALKER), other_text(versions), "ended", checkpoint=checkpoint)
+        versions.change(
+            versions.current(WALKER), other_text(versions), "ended", token=EndsAtTheSecondCheck(ending)
+        )
     assert (len(checks), len(versions.of(WALKER))) == (2, 1)

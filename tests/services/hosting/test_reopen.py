@@ -146,6 +146,7 @@ def test_a_renamed_machine_has_its_versions_when_the_server_starts_again(tmp_pat
     with keeping(tmp_path, Catalogue()) as held:
         edited(held)
         before = held.versions.of("elbow")
+        held.versions.copy("elbow", "hand")
         held.versions.rename("elbow", "hand")
     with keeping(tmp_path, Catalogue()) as held:
         kept = held.store.records.versions() if held.store else {}

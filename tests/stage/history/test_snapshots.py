@@ -17,24 +17,27 @@ def after(ticks):
     return snapshots
 
 
-def test_a_night_leaves_few():
-    assert len(after(NIGHT)) < 450
+@pytest.fixture(scope="module")
+def night():
+    return after(NIGHT)
 
 
-def test_the_last_quarter_of_a_minute_is_dense():
-    snapshots = after(NIGHT)
-    assert all(tick - snapshots.nearest(tick) < EVERY for tick in range(NIGHT - 15 * EVERY, NIGHT, 7))
+def test_a_night_leaves_few(night):
+    assert len(night) < 450
 
 
-def test_the_gap_grows_with_age_only():
-    snapshots = after(NIGHT)
+def test_the_last_quarter_of_a_minute_is_dense(night):
+    assert all(tick - night.nearest(tick) < EVERY for tick in range(NIGHT - 15 * EVERY, NIGHT, 7))
+
+
+def test_the_gap_grows_with_age_only(night):
     for age in (10_000, 100_000, NIGHT - 5):
         tick = NIGHT - age
-        assert tick - snapshots.nearest(tick) <= max(EVERY, age / 31)
+        assert tick - night.nearest(tick) <= max(EVERY, age / 31)
 
 
-def test_tick_zero_is_always_there():
-    assert after(NIGHT).nearest(1) == 0
+def test_tick_zero_is_always_there(night):
+    assert night.nearest(1) == 0
 
 
 def test_a_fork_has_only_its_past():

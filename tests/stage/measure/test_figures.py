@@ -3,15 +3,18 @@
 import numpy as np
 import pytest
 from statwalk.stage.measure.figures import Played, worded
+from statwalk.stage.measure.measured_ground import Spot
 
-PLAIN = Played({"slide": np.array([0.01, 0.03])}, ["", ""], [0.0, 0.1], ["", ""], [0, 0])
-TWICE = Played({"slide": np.array([0.2])}, [""], [0.1], ["STOP"], [5])
+ORIGIN, STAIR = Spot(), Spot(0, 1.65, np.pi)
+PLAIN = Played({"slide": np.array([0.01, 0.03])}, ["", ""], [0.0, 0.1], ["", ""], [0, 0], [ORIGIN, ORIGIN])
+TWICE = Played({"slide": np.array([0.2])}, [""], [0.1], ["STOP"], [5], [STAIR])
 
 
 def test_the_mean_is_of_the_phases_and_the_worst_of_all():
     figure = PLAIN.append(TWICE).figures()["slide"]
     assert figure.mean == pytest.approx(0.02)
     assert (figure.worst, figure.phase, figure.then, figure.ticks) == (0.2, 0.1, "STOP", 5)
+    assert figure.place is STAIR
 
 
 def test_what_was_not_measured_of_the_interrupted_does_not_count():

@@ -23,6 +23,7 @@ def test_the_walk_by_itself_holds_the_ground():
     assert (walk.name, walk.trials) == ("WALK", 1)
     assert walk.figures["slide"].worst < 0.012
     assert walk.figures["sink"].worst < 0.001
+    assert walk.figures["hover"].worst < 0.006
     assert walk.figures["knee"].worst == 0
 
 

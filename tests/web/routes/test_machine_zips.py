@@ -157,9 +157,10 @@ def zipped(**files: str | bytes) -> bytes:
     return packed.getvalue()
 
 
+TAKE = "takes/one/walk.bvh"
 CAPTURED = """character: faq-walker
 root: Root
-captures: {stroll: {file: walk.bvh}}
+captures: {stroll: {file: takes/one/walk.bvh}}
 initial: A
 states: {A: {motion: stroll, loop: true}}
 table: |
@@ -172,14 +173,14 @@ async def test_captures_come_along_and_only_a_child_reads_them(
     client: httpx.AsyncClient, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = tmp_path / "captured"
-    folder.mkdir()
+    (folder / "takes" / "one").mkdir(parents=True)
     (folder / "machine.yaml").write_text(CAPTURED)
-    (folder / "walk.bvh").write_text(captures.walk())
+    (folder / TAKE).write_text(captures.walk())
     stage = Stage()
     actor = stage.add(load(folder))
     stage.step(30)
     monkeypatch.setattr(capture_lines, "load_capture", None)  # the child has its own
-    made = await unpacked(client, zipped(machine__yaml=CAPTURED, walk__bvh=captures.walk()))
+    made = await unpacked(client, zipped(**{"machine__yaml": CAPTURED, TAKE: captures.walk()}))
     assert made.status_code == 201, made.text
     world = (await shown(client, "mine"))["world"]
     np.testing.assert_allclose(world, actor.world, atol=1e-6)

@@ -13,7 +13,6 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from statwalk.character.character import Character
-from statwalk.character.staging import Framing
 from statwalk.files.gltf import container, json_text
 from statwalk.files.gltf.builder import GENERATOR, Builder
 from statwalk.files.gltf.check import Json
@@ -31,6 +30,7 @@ from statwalk.files.gltf.recording_draft import (
 from statwalk.files.gltf.textures import add_textures
 from statwalk.files.gltf.world_keys import PROPERTIES, SHARE, WorldKeys
 from statwalk.files.gltf.write import MeshKey, grouped, matrix_columns, primitive_entry
+from statwalk.machine.definition.framing import Framing
 from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from statwalk.character.staging import Framing, staging
+from statwalk.character.staging import staging
 from statwalk.files.gltf.keys import reduce_keys
 from statwalk.files.gltf.recording_draft import Recorded, RecordingDraft, add_property, new_node
+from statwalk.machine.definition.framing import Framing
 
 NEAR_ENOUGH = 1e-3
 """metres between the camera and its place, at most"""

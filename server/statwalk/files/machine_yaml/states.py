@@ -10,6 +10,7 @@ from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.compile.compile_machine import LARGEST_SPEED
 from statwalk.machine.conditions.variables import ENTRY
 from statwalk.machine.definition.expression_definition import ExpressionMotion
+from statwalk.machine.definition.framing import FRAMINGS, Framing
 from statwalk.machine.definition.machine_definition import (
     NO_MOTION,
     BlendDefinition,
@@ -17,15 +18,15 @@ from statwalk.machine.definition.machine_definition import (
 )
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
-STATE_KEYS = ("motion", "loop", "speed", "markers", "final")
+STATE_KEYS = ("motion", "loop", "speed", "markers", "final", "framing")
 NONE = "none"
 MOST_CLIPS = 64
 MOST_MARKERS = 256
 
 
 def state(node: Node, composite: str, parameters: Mapping[str, ParameterDefinition]) -> StateDefinition:
-    """Reads `{motion: walk, loop: true, speed: 1.5, markers: {left-down: 0.05}}`; the speed may be a
-    parameter.
+    """Reads `{motion: walk, loop: true, speed: 1.5, markers: {left-down: 0.05}, framing: face}`; the
+    speed may be a parameter.
 
     :raises MachineError: when a field is missing or wrong.
     """
@@ -44,7 +45,17 @@ def state(node: Node, composite: str, parameters: Mapping[str, ParameterDefiniti
         markers=markers(entries.get("markers")),
         composite=composite,
         final=fields.truth(entries, "final"),
+        framing=framing(entries["framing"]) if "framing" in entries else None,
     )
+
+
+def framing(node: Node) -> Framing:
+    """Reads what the viewer's camera shows: `whole`, `upper body`, `face` or `wide`.
+
+    :raises MachineError: when the value is none of these.
+    """
+    by_name: dict[str, Framing] = dict(zip(FRAMINGS, FRAMINGS, strict=True))
+    return by_name[fields.chosen(node, "framing", FRAMINGS)]
 
 
 def motion(

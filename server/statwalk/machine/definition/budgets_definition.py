@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-FIGURES = ("jump", "joint", "slide", "sink", "knee", "hand", "visible", "half", "arrived")
+FIGURES = ("jump", "joint", "slide", "sink", "hover", "knee", "hand", "visible", "half", "arrived")
 """the figures that have a budget; `stage.measure.figures` says what they are"""
 
 

@@ -15,6 +15,7 @@ from statwalk.machine.definition.clip_definition import ClipDefinition
 from statwalk.machine.definition.expression_definition import ExpressionMotion
 from statwalk.machine.definition.feet_definition import ContactDefinition, FootDefinition
 from statwalk.machine.definition.flock_definition import FlockDefinition
+from statwalk.machine.definition.framing import Framing
 from statwalk.machine.definition.ground_definition import GroundDefinition
 from statwalk.machine.definition.limit_definition import LimitDefinition
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
@@ -62,6 +63,8 @@ class StateDefinition:
     """the composite state around this one, if any"""
     final: bool = False
     """the composite state ends when the motion of this one ends"""
+    framing: Framing | None = None
+    """what the viewer's camera shows while an actor is in the state; None: the viewer's own choice"""
 
     @property
     def clips(self) -> tuple[str, ...]:

@@ -27,6 +27,8 @@ class Finding:
     """the layer whose table it is about; empty: the base, or the machine as a whole"""
     replay: tuple[tuple[int, str], ...] = ()
     """for a refuted property: the (tick, event) inputs of the counterexample, from a fresh stage at 60 Hz"""
+    ticks: int = 0
+    """after so many ticks of its replay a stage has shown it"""
 
     @property
     def about(self) -> tuple[str, str, str]:

@@ -21,6 +21,8 @@ class Refuted(NamedTuple):
     message: str
     replay: tuple[tuple[int, str], ...]
     """(tick, event) of each input; `replay` sends the inputs to a fresh stage"""
+    ticks: int
+    """after so many ticks a fresh stage has shown it"""
 
 
 def seconds(ticks: float) -> str:
@@ -39,12 +41,18 @@ def refuted(
 
 def shown(machine: Machine, steps: Sequence[SearchStep], words: str = "") -> Refuted:
     """The counterexample with these steps; `words` describe the steps, if an event's name does not."""
-    replay = tuple(
-        (tick, machine.events[step.press]) for tick, step in enumerate(steps, 1) if step.press != NOTHING
-    )
     chance = ", if conditions and chance will have it" if any(step.is_free for step in steps) else ""
     return Refuted(
-        f"refuted: {machine.states[machine.initial]}{words or in_words(machine, steps, 0)}{chance}", replay
+        f"refuted: {machine.states[machine.initial]}{words or in_words(machine, steps, 0)}{chance}",
+        inputs(machine, steps),
+        len(steps),
+    )
+
+
+def inputs(machine: Machine, steps: Sequence[SearchStep]) -> tuple[tuple[int, str], ...]:
+    """(tick, event) of each input of these steps."""
+    return tuple(
+        (tick, machine.events[step.press]) for tick, step in enumerate(steps, 1) if step.press != NOTHING
     )
 
 

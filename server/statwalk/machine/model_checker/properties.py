@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Sequence
+from dataclasses import replace
 from functools import cached_property
 
 from statwalk.machine.compile.compile_machine import build
@@ -17,9 +18,12 @@ from statwalk.machine.compile.resolved_table import Motions, ResolvedTable
 from statwalk.machine.definition.machine_definition import END, MachineDefinition, PropertyDefinition, nearest
 from statwalk.machine.lint.findings import Finding, Severity
 from statwalk.machine.lint.reach import Graph, reached, way
+from statwalk.machine.model_checker.counterexample import Refuted
 from statwalk.machine.model_checker.lengths import TICKS_PER_SECOND
+from statwalk.machine.model_checker.played import Play
+from statwalk.machine.model_checker.search_at_pace import TimedQuestion
 from statwalk.machine.model_checker.state_space import NOTHING
-from statwalk.machine.model_checker.timed import Timed, TimedQuestion, timed
+from statwalk.machine.model_checker.timed import Timed, timed
 from statwalk.machine.model_checker.work import Checkpoint, Work
 
 ONLY_AFTER = re.compile(r"(?P<first>\S+) only after (?P<second>\S+)")
@@ -39,11 +43,12 @@ def answers(
     tables: Sequence[ResolvedTable],
     machine: Machine | None,
     checkpoint: Checkpoint,
+    play: Play | None,
 ) -> list[Finding]:
     """Returns the answers to all properties of a machine.
 
     `graph` is that of its base; `machine` where it was compiled before; `checkpoint` is called for each
-    property and between searches.
+    property and between searches; `play` plays what refutes them on a stage.
     """
     checker = PropertyChecker(
         definition,
@@ -51,6 +56,7 @@ def answers(
         lambda: machine or build(definition, motions or {}, tables),
         motions,
         Work(checkpoint=checkpoint),
+        play,
     )
     found = [checker.answer(question) for question in definition.properties[:MOST_PROPERTIES]]
     rest = definition.properties[MOST_PROPERTIES:]
@@ -70,14 +76,15 @@ class PropertyChecker:
         compiled: Callable[[], Machine],
         motions: Motions,
         work: Work,
+        play: Play | None,
     ) -> None:
         self.definition, self.graph, self.compiled, self.motions = definition, graph, compiled, motions
-        self.work = work
+        self.work, self.play = work, play
 
     @cached_property
     def timed(self) -> Timed | str:
         """Answers the properties that name a time."""
-        return timed(self.compiled, self.motions, self.work)
+        return timed(self.compiled, self.motions, self.work, self.play)
 
     def answer(self, question: PropertyDefinition) -> Finding:
         """proved, refuted (with a shortest counterexample) or undecided (with the reason)."""
@@ -125,9 +132,7 @@ class PropertyChecker:
             return _finding(question, "error", f"refuted: {way}")
         first, second = (self.rows(match[name]) for name in ("first", "second"))
         answer = (self.timed.only_after if match.re is ONLY_AFTER else self.timed.never)(first, second)
-        if isinstance(answer, str):
-            return _finding(question, "info" if answer.startswith("proved") else "warning", answer)
-        return _finding(question, "error", answer.message, answer.replay)
+        return _answered(question, answer)
 
     def rows(self, name: str) -> tuple[int, ...]:
         """The rows of the states of that name."""
@@ -145,16 +150,19 @@ class PropertyChecker:
             TICKS_PER_SECOND if match["unit"] == "s" else TICKS_PER_SECOND / 1000
         )
         answer = self.timed.answer(TimedQuestion(first, second, event, int(ticks + 1e-6)))
-        if isinstance(answer, str):
-            return _finding(question, "info" if answer.startswith("proved") else "warning", answer)
-        return _finding(question, "error", answer.message, answer.replay)
+        return _answered(question, answer)
 
 
-def _finding(
-    question: PropertyDefinition, severity: Severity, message: str, replay: tuple[tuple[int, str], ...] = ()
-) -> Finding:
+def _answered(question: PropertyDefinition, answer: str | Refuted) -> Finding:
+    if isinstance(answer, str):
+        return _finding(question, "info" if answer.startswith("proved") else "warning", answer)
+    found = _finding(question, "error", answer.message)
+    return replace(found, replay=answer.replay, ticks=answer.ticks)
+
+
+def _finding(question: PropertyDefinition, severity: Severity, message: str) -> Finding:
     """The answer to a property."""
-    return Finding("property", severity, f"{question.text}: {message}", question.line, replay=replay)
+    return Finding("property", severity, f"{question.text}: {message}", question.line)
 
 
 def _only_after(initial: str, graph: Graph, goals: States, gates: States) -> str:

@@ -48,14 +48,26 @@ SHORT = {MORE_NODES: NODE_ARRAYS, MORE_TICKS: TICK_ARRAYS, MORE_TAKEN: TAKEN_ARR
 """the arrays that need more room, by how an exploration ends"""
 
 
+class Taken(NamedTuple):
+    """An event that is taken in a state; `to` -1: the state stays and its motion goes on."""
+
+    event: int
+    state: int
+    to: int
+
+
 class SearchStep(NamedTuple):
     """A tick: the event that comes from outside, and what it leads to."""
 
     press: int
-    changes: tuple[tuple[int, int], ...] = ()
-    """event and new state of each change"""
+    taken: tuple[Taken, ...] = ()
     is_free: bool = False
     """conditions or chance have decided"""
+
+    @property
+    def changes(self) -> tuple[tuple[int, int], ...]:
+        """Event and new state of each change."""
+        return tuple((one.event, one.to) for one in self.taken if one.to >= 0)
 
 
 def beginning(program: Program) -> Ints:
@@ -176,8 +188,8 @@ class Search:
     def step(self, tick: int) -> SearchStep:
         """A tick in a form to be told."""
         events = self.space.taken[self.first_taken[tick] : self.first_taken[tick + 1]].tolist()
-        changes = tuple((event, to) for event, _, to in events if to >= 0)
-        return SearchStep(int(self.space.press[tick]), changes, bool(self.space.is_free[tick]))
+        taken = tuple(Taken(*event) for event in events)
+        return SearchStep(int(self.space.press[tick]), taken, bool(self.space.is_free[tick]))
 
     def way(self, node: int) -> list[int]:
         """The ticks by which a node was found."""

@@ -14,10 +14,11 @@ from statwalk.errors import ConflictError, StatwalkError, VersionConflictError
 from statwalk.files.machine_yaml.edit.edited import conflict, edited
 from statwalk.files.machine_yaml.edit.operation import EditOperation
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, machine_of
-from statwalk.machine.model_checker.work import Checkpoint, go_on
+from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.hosting.edit_keys import EditKey
 from statwalk.services.hosting.machine_versions import CurrentMachine, Edited, MachineVersions, Step
 from statwalk.services.hosting.store.records import MachineVersion
+from statwalk.services.library.measuring import findings_of
 
 MOST_TRIES = 8
 """how often operations are verified again, if others edit the machine meanwhile"""
@@ -25,12 +26,12 @@ LONGEST_WHAT = 200
 
 
 class EditRequest(NamedTuple):
-    """Who edits a machine, which version they have read, and what cancels the edit by raising."""
+    """Who edits a machine, which version they have read, and what cancels the edit."""
 
     name: str
     seen: int
     author: str = ""
-    checkpoint: Checkpoint = go_on
+    token: CancelToken = NEVER
     key: EditKey | None = None
 
 
@@ -50,7 +51,7 @@ def _as_made(versions: MachineVersions, request: EditRequest, version: MachineVe
     entry, newest, _ = versions.current(request.name)
     file = machine_of(version.text, entry.folder, FILE_NAME)
     role = Role.build(newest.name, newest.character, file.definition, file.root_joint)
-    return Edited(version, file, role, list(role.verify(request.checkpoint)))
+    return Edited(version, file, role, list(findings_of(role, token=request.token)))
 
 
 def change(versions: MachineVersions, request: EditRequest, operations: Sequence[EditOperation]) -> Edited:
@@ -69,7 +70,7 @@ def change(versions: MachineVersions, request: EditRequest, operations: Sequence
                 text,
                 what(operations),
                 author=request.author,
-                checkpoint=request.checkpoint,
+                token=request.token,
                 key=request.key,
             )
         except VersionConflictError:  # another edit came while this one was verified: again on top of it
@@ -81,7 +82,7 @@ def change(versions: MachineVersions, request: EditRequest, operations: Sequence
 def trial(versions: MachineVersions, request: EditRequest, operations: Sequence[EditOperation]) -> Edited:
     """Returns what `change` would make, without making it; raises the same."""
     current, text = _applied(versions, request, operations)
-    return versions.checked(current, text, what(operations), checkpoint=request.checkpoint)
+    return versions.checked(current, text, what(operations), token=request.token)
 
 
 def what(operations: Sequence[EditOperation]) -> str:
@@ -196,6 +197,6 @@ def _back_to(
         f"back to version {target.number}",
         step=step,
         author=request.author,
-        checkpoint=request.checkpoint,
+        token=request.token,
         key=request.key,
     )

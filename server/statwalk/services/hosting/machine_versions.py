@@ -15,7 +15,7 @@ from statwalk.character.role import Role
 from statwalk.errors import RefusedEditError, VersionConflictError, existing
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, MachineFile, load_machine, machine_of
 from statwalk.machine.lint.findings import Finding
-from statwalk.machine.model_checker.work import Checkpoint, go_on
+from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.hosting.edit_keys import EditKey, EditKeys
 from statwalk.services.hosting.edited_file import written
 from statwalk.services.hosting.stage_host import StageHost
@@ -24,6 +24,7 @@ from statwalk.services.hosting.store.records import MachineVersion
 from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.entry import Entry
+from statwalk.services.library.measuring import findings_of
 
 MOST_VERSIONS = 200
 
@@ -119,12 +120,12 @@ class MachineVersions:
         what: str,
         step: Step | None = None,
         author: str = "",
-        checkpoint: Checkpoint = go_on,
+        token: CancelToken = NEVER,
     ) -> Edited:
         """Returns the edit that would replace `current` by the text, without making it. Holds no lock.
 
         `step`: what undo and redo bring back after the edit; None means `current`, and nothing.
-        `checkpoint` cancels the verification by raising.
+        `token` cancels the verification.
 
         :raises ContentError: when the text cannot be read.
         :raises RefusedEditError: when the text names another character, or the verifier finds errors that the
@@ -138,11 +139,11 @@ class MachineVersions:
                 field="character",
             )
         file.check_root(role.character.skeleton.names)
-        checkpoint()
+        token.check()
         new = Role.build(role.name, role.character, file.definition, file.root_joint, before=role)
-        findings = list(new.verify(checkpoint))
+        findings = list(findings_of(new, token=token))
         if errors := _errors_in(findings):
-            earlier = {finding.about for finding in _errors_in(role.verify(checkpoint))}
+            earlier = {finding.about for finding in _errors_in(findings_of(role, token=token))}
             errors = [finding for finding in errors if finding.about not in earlier]
         if errors:
             raise RefusedEditError(
@@ -163,7 +164,7 @@ class MachineVersions:
         write: bool = True,
         step: Step | None = None,
         author: str = "",
-        checkpoint: Checkpoint = go_on,
+        token: CancelToken = NEVER,
         key: EditKey | None = None,
     ) -> Edited:
         """Makes the text the newest version: in the machine's file (`write`), and on every stage that plays
@@ -174,7 +175,7 @@ class MachineVersions:
         :raises RefusedEditError: when `checked` refuses the text.
         :raises VersionConflictError: when another edit is made while this one is verified.
         """
-        edited, name = self.checked(current, text, what, step, author, checkpoint), current.entry.name
+        edited, name = self.checked(current, text, what, step, author, token), current.entry.name
         with self.storing:
             entry = self.based_on(name, current.version.number).entry
             self.check_storage()
@@ -216,17 +217,18 @@ class MachineVersions:
         if self.store:
             self.store.forget_versions(name)
 
-    def rename(self, name: str, new: str) -> None:
-        """Keeps the versions of a machine under its new name.
+    def copy(self, name: str, new: str) -> None:
+        """Keeps the versions of a machine for another name too; :raises StorageError: if the disk refuses."""
+        if self.store and (kept := self.versions_of.get(name)):
+            self.store.copy_versions(new, kept)
 
-        :raises StorageError: when the disk refuses.
-        """
+    def rename(self, name: str, new: str) -> None:
+        """Has a machine that got another name keep its versions, of which `copy` made a copy."""
         with self.lock:
-            kept = self.versions_of.pop(name, None)
-            if kept:
+            if kept := self.versions_of.pop(name, None):
                 self.versions_of[new] = kept
-        if self.store and kept:
-            self.store.rename_versions(name, new, kept)
+        if self.store:
+            self.store.drop_versions(name)
 
     def follow(self, name: str) -> Edited | None:
         """Makes the text of the machine's file the newest version; returns None if the text is unchanged.

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from statwalk.character.staging import Framing
 from statwalk.errors import StageError, UnknownNameError
 from statwalk.files.gltf.recording import recording_glb
 from statwalk.files.gltf.recording_draft import Recorded
+from statwalk.machine.definition.framing import Framing
 from statwalk.services.hosting.actor_tracks import ActorTrack, tracks_of
 from statwalk.stage.stage import Stage
 

@@ -23,6 +23,7 @@ from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.limits import Limits
 from statwalk.services.threads import Now
+from statwalk.services.work.job import DoJob, do_here
 from statwalk.stage.stage import Stage
 
 MANUAL_PATIENCE = 6
@@ -56,6 +57,8 @@ class Registry:
         self.store, self.now, self.new_id = store, now, new_id
         self.catalogue, self.encode_fact, self.limits, self.wake = catalogue, encode_fact, limits, wake
         self.measure_ticks: MeasureTicks = lambda _late, _lost: None
+        self.work: DoJob = do_here
+        """does what takes long: verifying, measuring, computing many ticks of the past"""
         self.pacing = Pacing(limits.tick_share)
         self.lock = threading.Lock()
         self.stages: dict[str, StageHost] = {}

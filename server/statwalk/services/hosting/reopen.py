@@ -17,10 +17,10 @@ from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_messages import Edit
 from statwalk.services.hosting.store.database import KEYS
-from statwalk.services.hosting.store.kept_stage import model_digest
 from statwalk.services.hosting.store.records import MAIN, MachineVersion, StageRecord
 from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.role_reference import model_digest
 from statwalk.stage.history.engine import ENGINE, RELEASE
 from statwalk.stage.history.log_codec import Beginning, Loaded, load, log_header
 from statwalk.stage.replay import at_beginning

@@ -20,6 +20,7 @@ from statwalk.services.hosting.apply_commands import packed, roles_to_add
 from statwalk.services.hosting.attention import Attention
 from statwalk.services.hosting.audience import Audience
 from statwalk.services.hosting.live_stage import LiveStage
+from statwalk.services.hosting.long_queries import answer_on_a_copy
 from statwalk.services.hosting.past_stages import PastStages, branch_at
 from statwalk.services.hosting.stage_lock import RETRY_SECONDS, StageLock
 from statwalk.services.hosting.stage_moves import AT_ONCE, IN_SLICES
@@ -83,10 +84,8 @@ class StageHost:
                 rest = query(live, message)
                 next(rest)
             answer = finished(rest, token.check)
-        elif on_a_copy := ON_A_COPY.get(kind):
-            copy = self._copy()
-            copy.before_tick = token.check
-            answer = on_a_copy(copy, message)
+        elif kind in ON_A_COPY:
+            answer = answer_on_a_copy(self._copy(), message, self.home, token)
         elif kind in IN_SLICES or kind in AT_ONCE:
             answer = self._moved(message, token)
         else:

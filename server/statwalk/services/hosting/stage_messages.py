@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from statwalk.character.staging import Framing
 from statwalk.files.skeleton_svg import Side
+from statwalk.machine.definition.framing import Framing
 from statwalk.services.hosting import stage_replies as replies
 from statwalk.services.hosting.commands import PROGRAM, Command, Doer
 from statwalk.services.publish.outbox import EncodedFrame, FrameForm, FrameKind

@@ -151,8 +151,8 @@ def _stick_figures(stage: Stage, message: ask.StickFigures) -> str:
 
 
 def _recording(stage: Stage, message: ask.Recording) -> bytes:
-    last = stage.tick if message.last is None else message.last
-    return recorded(stage, message.first, last, message.camera)
+    assert message.last is not None  # `answer_on_a_copy` put the playhead there
+    return recorded(stage, message.first, message.last, message.camera)
 
 
 def _joints(stage: Stage, message: ask.Joints) -> JointTracks:

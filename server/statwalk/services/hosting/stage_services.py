@@ -10,6 +10,7 @@ from statwalk.services.hosting.stage_replies import Camera, Present, StageStatus
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.limits import Limits
 from statwalk.services.threads import Now
+from statwalk.services.work.job import DoJob
 from statwalk.stage.state.frame import Action, Verdict
 
 EncodeFact = Callable[[Action | Verdict | StageStatus | Present | Camera], bytes]
@@ -27,6 +28,8 @@ class StageServices(Protocol):
     measure_ticks: MeasureTicks
     pacing: Pacing
     now: Now
+    work: DoJob
+    """does what takes long"""
     new_id: Callable[[], str]
     """returns the id of a new stage"""
     wake: Callable[[], None]

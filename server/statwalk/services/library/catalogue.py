@@ -165,6 +165,10 @@ class Catalogue:
             raise UnknownNameError("machine", machine, self.entries)
         return self.entries[machine]
 
+    def can_load(self, role: Role) -> bool:
+        """Whether a worker can load a role from its machine's files: not after the machine was deleted."""
+        return role.name in self.entries and role in self.texts
+
     def role(self, machine: str) -> Role:
         """Returns the role of a machine: the compiled machine with its character.
 

@@ -142,8 +142,6 @@ def _put(
     token: CancelToken = NEVER,
 ) -> tuple[Path, Role]:
     """Writes a machine whose character is a model of the store."""
-    if any("/" in path for path in files):
-        raise MachineError("its captures are in a folder of their own; put them beside machine.yaml first")
     model = str(_model(place.store, sha256))
     with place.store.working() as written:
         whole = text._replace(yaml=with_value(text.yaml, ("character",), model)).whole()
@@ -152,6 +150,7 @@ def _put(
         for path, content in {FILE_NAME: used.yaml, **used.tables}.items():
             (written / path).write_bytes(content.encode())
         for path in {line.path for line in machine.captures} & files.keys():
+            (written / path).parent.mkdir(parents=True, exist_ok=True)
             copyfile(files[path], written / path)
         return _kept(place, written, partial(catalogue.checked.of_machine, place.store, token=token))
 

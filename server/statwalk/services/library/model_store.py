@@ -173,8 +173,8 @@ class ModelStore:
             if (self.machines / name).exists():
                 raise ConflictError(f"a machine is called {name!r} already", field="name")
             self.machines.mkdir(parents=True, exist_ok=True)
-            for path in written.iterdir():
-                flush(path)
+            for path in written.rglob("*"):
+                flush_folder(path) if path.is_dir() else flush(path)
             move(written, self.machines / name, self.machines)
             return self.machines / name
 

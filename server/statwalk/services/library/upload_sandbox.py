@@ -32,9 +32,7 @@ from statwalk.files.md2 import md2_header, read_md2
 from statwalk.files.md2.md2_file import Inbetween
 from statwalk.motion.filter_clip import Filter
 from statwalk.services.cancel import NEVER, CancelToken
-
-if sys.platform != "win32":
-    import resource
+from statwalk.services.work.limited_process import limit_self, run_last, started
 
 MEMORY_BYTES = 1 << 30
 PROCESSOR_SECONDS = 10
@@ -44,8 +42,6 @@ PROCESSOR_SECONDS
 """
 POLL_SECONDS = 0.1
 """the time between two checks of the token"""
-NICENESS = 10
-"""lets the stages run before the child"""
 LARGEST_MODEL_BYTES = 64 << 20
 MOST_NOTES = 20
 OUT_OF_MEMORY = f"reading it takes more than {MEMORY_BYTES >> 20} MiB of memory"
@@ -53,7 +49,6 @@ TOO_LARGE = f"its arrays take more than {archive.LARGEST_UNPACKED_BYTES >> 20} M
 OUT_OF_TIME = f"reading it takes more than {PROCESSOR_SECONDS} s of computing"
 REFUSALS = errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO
 """errors of a disk that does not take what the child writes"""
-ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 log = logging.getLogger(__name__)
 
 
@@ -83,13 +78,7 @@ def child_answer(
     :raises StorageError: when the disk refuses what the child writes.
     :raises CancelledError: when the token is cancelled; the child is killed.
     """
-    with subprocess.Popen(  # noqa: S603 - our own program, no shell
-        [sys.executable, "-P", "-m", module, *arguments],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        cwd=folder,
-        env=os.environ | ONE_THREAD,
-    ) as child:
+    with started(module, arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=folder) as child:
         try:
             output, error_output = _wait_for(child, token, seconds)
         finally:
@@ -143,7 +132,8 @@ def answer_as_child(
     """Sets the limits of this process, makes a character, writes its model and the checked character, and
     prints the facts, or the reason why it is refused.
     """
-    _limit_self(seconds)
+    limit_self(MEMORY_BYTES, archive.LARGEST_UNPACKED_BYTES, seconds)
+    run_last()
     answer: dict[str, Any]
     try:
         character = character_of()
@@ -160,17 +150,6 @@ def answer_as_child(
     except MemoryError:
         answer = {"message": OUT_OF_MEMORY, "file": "", "place": ""}
     sys.stdout.write(json.dumps(answer))
-
-
-def _limit_self(seconds: int) -> None:
-    if sys.platform != "win32":
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
-        resource.setrlimit(
-            resource.RLIMIT_FSIZE, (archive.LARGEST_UNPACKED_BYTES, archive.LARGEST_UNPACKED_BYTES)
-        )
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-        os.nice(NICENESS)
 
 
 def _reading(text: str) -> captures.Reading:

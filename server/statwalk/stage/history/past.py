@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from itertools import chain
 from typing import NamedTuple, TypeVar
 
 from statwalk.character.role import Role
@@ -80,6 +81,10 @@ class Past:
     def commands(self, tick: int) -> list[Command]:
         """Returns the commands of one tick."""
         return [entry.command for entry in self._log.at(tick)]
+
+    def entries(self, first: int, last: int) -> Iterator[LogEntry]:
+        """Yields the commands of the ticks `first` to `last`, by tick, in the order in which they came."""
+        return chain.from_iterable(map(self._log.at, range(first, last + 1)))
 
     def durable(self, number: int, seconds: float = 0.0) -> bool:
         """Returns whether a crash would leave the command of this number; waits for at most `seconds`."""

@@ -9,12 +9,14 @@ from typing import NamedTuple
 import numpy as np
 
 from statwalk.maths.arrays import Floats
+from statwalk.stage.measure.measured_ground import Spot
 
 UNITS: Mapping[str, str] = {
     "jump": "×",
     "joint": "×",
     "slide": "m",
     "sink": "m",
+    "hover": "m",
     "knee": "m",
     "hand": "m/s²",
     "visible": "s",
@@ -22,8 +24,8 @@ UNITS: Mapping[str, str] = {
     "arrived": "s",
 }
 """the figures: jump of the body and of a joint relative to the motions themselves; slide of a sole in a
-contact; skin below the floor; knee behind its leg; acceleration of a hand; seconds from the event to the
-first visible motion, half way, and arrival
+contact; skin below the floor; height of all soles while the motion stands; knee behind its leg; acceleration
+of a hand; seconds from the event to the first visible motion, half way, and arrival
 """
 
 
@@ -60,12 +62,14 @@ class Figure(NamedTuple):
     """the event that interrupted the worst; empty: none"""
     ticks: int = 0
     """after which it came"""
+    place: Spot = Spot()
+    """where the trial began that was the worst"""
 
 
 @dataclass(frozen=True)
 class Played:
-    """The figures of the trials of a cell, (N,) each; `joints` (N,) of `joint`; `phase`, `then`, `ticks`
-    (N,) say how each was played.
+    """The figures of the trials of a cell, (N,) each; `joints` (N,) of `joint`; `phase`, `then`, `ticks`,
+    `places` (N,) say how each was played.
     """
 
     values: Mapping[str, Floats]
@@ -73,6 +77,7 @@ class Played:
     phase: Sequence[float]
     then: Sequence[str]
     ticks: Sequence[int]
+    places: Sequence[Spot]
 
     def append(self, others: Played) -> Played:
         """Returns these trials followed by others; figures that the others lack are NaN."""
@@ -86,6 +91,7 @@ class Played:
             [*self.phase, *others.phase],
             [*self.then, *others.then],
             [*self.ticks, *others.ticks],
+            [*self.places, *others.places],
         )
 
     def figures(self) -> dict[str, Figure]:
@@ -102,4 +108,5 @@ class Played:
             self.joints[row] if name == "joint" else "",
             self.then[row],
             self.ticks[row],
+            self.places[row],
         )

@@ -13,6 +13,7 @@ import numpy as np
 from statwalk.machine.compile.alternatives import NOW
 from statwalk.maths.arrays import Bools, Floats, Ints
 from statwalk.stage.measure.figures import Figure, Played
+from statwalk.stage.measure.hover import hovers
 from statwalk.stage.measure.jump import Jump, jump_of
 from statwalk.stage.measure.limbs import hand_accelerations, knees
 from statwalk.stage.measure.response import arrivals, visible
@@ -82,7 +83,7 @@ def _play_motion(subject: Subject, row: int) -> Played:
     trials = [CellTrial(row, 0.0, place=place) for place in subject.places]
     recording = record(subject.role, trials, max(ticks, 3), subject.checkpoint)
     values, count = _held(subject, recording, np.ones(recording.left.shape, bool)), len(trials)
-    return Played(values, [""] * count, [0.0] * count, [""] * count, [0] * count)
+    return Played(values, [""] * count, [0.0] * count, [""] * count, [0] * count, subject.places)
 
 
 def _held(subject: Subject, recording: Recording, watched: Bools) -> dict[str, Floats]:
@@ -90,6 +91,7 @@ def _held(subject: Subject, recording: Recording, watched: Bools) -> dict[str, F
     return {
         "slide": slides(recording, subject.feet, watched, subject.ground),
         "sink": sinks(recording, subject.skin, watched, subject.ground),
+        "hover": hovers(recording, subject.feet, watched, subject.ground),
         "knee": knees(recording, subject.feet, watched),
         "hand": hand_accelerations(recording, subject.hands, watched),
     }
@@ -98,7 +100,8 @@ def _held(subject: Subject, recording: Recording, watched: Bools) -> dict[str, F
 def _play_cell(subject: Subject, row: int, column: int) -> Played:
     """The figures of all trials of a cell that were taken."""
     layer = int(subject.role.machine.layer_of[row])
-    begins = list(product(subject.places, _phases(subject, row, column)))
+    phases = _phases(subject, row, column)
+    begins = list(product(subject.places, phases))
     plain = [CellTrial(row, phase, column, place=place) for place, phase in begins]
     twins = [CellTrial(row, phase, place=place) for place, phase in begins]
     every = record(subject.role, [*plain, *twins], _ticks(subject, row, column), subject.checkpoint)
@@ -110,7 +113,9 @@ def _play_cell(subject: Subject, row: int, column: int) -> Played:
     began = [plain[k] for k in taken.tolist()]
     played = _played(subject, recording, began, (changed, changed))
     shown = visible(every, np.tile(np.arange(len(plain), 2 * len(plain)), 2))[taken]
-    free = record(subject.unlocked, plain, len(every.left), subject.checkpoint).take(taken)
+    of_one_place = plain[: len(phases)]  # without foot lock nothing finds the ground: all places are alike
+    free = record(subject.unlocked, of_one_place, len(every.left), subject.checkpoint)
+    free = free.take(taken % len(phases))
     half, arrived = arrivals(replace(free, sent=recording.sent), changed)
     response = {"half": half, "arrived": arrived}
     if column != subject.role.machine.end:
@@ -175,6 +180,7 @@ def _played(
         [trial.phase for trial in trials],
         [events[trial.second] if trial.second >= 0 else "" for trial in trials],
         [int(last[n] - first[n]) for n in range(len(trials))],
+        [trial.place for trial in trials],
     )
 
 

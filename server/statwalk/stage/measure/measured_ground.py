@@ -26,6 +26,16 @@ class Spot(NamedTuple):
     z: float = 0.0
     heading: float = 0.0
 
+    def plain(self) -> dict[str, float]:
+        """Returns the place as files and answers have it, to the millimetre and in degrees."""
+        turn = float(np.degrees(self.heading))
+        return {"x": round(self.x, 3), "z": round(self.z, 3), "heading_deg": round(turn, 1)}
+
+    @property
+    def words(self) -> str:
+        """Returns the place for people: `x 0, z 1.65, heading 180°`."""
+        return "x {x:g}, z {z:g}, heading {heading_deg:g}°".format(**self.plain())
+
 
 def places_on(pieces: Sequence[GroundDefinition]) -> list[Spot]:
     """Returns where trials begin: at the origin, and in the middle of every piece, with both headings along
@@ -61,15 +71,24 @@ def mean_heights(pieces: Sequence[GroundDefinition], places: Sequence[Spot], uni
     return means
 
 
-def depths(pieces: Sequence[GroundDefinition], points: Floats) -> Floats:
-    """Returns how far points (…, 3) are from the nearest place outside the ground: upwards, or to a side."""
-    flat = points.reshape(-1, 3)
-    depth = (heights_at(pieces, flat[:, 0], flat[:, 2]) - flat[:, 1]).clip(0)
-    rows = np.flatnonzero(depth > DEEP)
-    x, y, z = flat[rows].T
-    for u, v in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-        for away in np.arange(STEP, min(FARTHEST, depth[rows].max(initial=0)), STEP):
-            is_out = (heights_at(pieces, x + away * u, z + away * v) <= y) & (away < depth[rows])
-            depth[rows] = np.where(is_out, away, depth[rows])
-    found: Floats = depth.reshape(points.shape[:-1])
-    return found
+def depths(pieces: Sequence[GroundDefinition], points: Floats, known: Floats | float = 0.0) -> Floats:
+    """Returns how far points (…, 3) are from the nearest place outside the ground: upwards, or to a side.
+
+    `known` (…,): for points that are no deeper than this no way out to a side is looked for.
+    """
+    depth = (heights_at(pieces, points[..., 0], points[..., 2]) - points[..., 1]).clip(0)
+    is_deep = depth > np.maximum(known, DEEP)
+    depth[is_deep] = _least(pieces, points[is_deep], depth[is_deep])
+    return depth
+
+
+def _least(pieces: Sequence[GroundDefinition], points: Floats, depth: Floats) -> Floats:
+    """(K,) the depths of points (K, 3) that are as far below the ground as `depth`, or less to a side."""
+    left = np.arange(len(points))
+    for away in np.arange(STEP, min(FARTHEST, depth.max(initial=0)), STEP):
+        left = left[depth[left] > away]
+        x, y, z = points[left].T
+        sides = ((away, 0), (-away, 0), (0, away), (0, -away))
+        is_out = np.any([heights_at(pieces, x + u, z + v) <= y for u, v in sides], 0)
+        depth[left[is_out]] = away
+    return depth

@@ -11,13 +11,16 @@ from statwalk.stage.measure.measure import Measured
 
 
 def over_budget(definition: MachineDefinition, measured: Iterable[Measured]) -> Iterator[Finding]:
-    """Yields a warning for every figure over its budget, with the cell, the phase and the joint."""
+    """Yields a warning for every figure over its budget, with the cell, the phase and the joint; on
+    uneven ground also with the place.
+    """
     for part in measured:
         for name, budget in definition.budgets.items():
             figure = part.figures.get(name)
             if figure is not None and figure.worst > budget.most:
                 limit = worded(name, budget.most)
-                message = f"{part.name}: {name} {sentence(name, figure)}; the budget is {limit}"
+                place = f", from {figure.place.words}" if definition.ground else ""
+                message = f"{part.name}: {name} {sentence(name, figure)}{place}; the budget is {limit}"
                 yield Finding(
                     "budget", "warning", message, part.line, part.state, part.event or None, part.layer
                 )

@@ -31,9 +31,7 @@ def slides(
     """
     farthest = np.zeros(recording.heading.shape[1])
     for foot in feet:
-        points = placed(
-            foot.skin.at(recording.world).astype(np.float64), recording.position, recording.heading
-        )
+        points = soles(recording, foot)
         below = heights_at(ground, points[..., 0], points[..., 2])
         above = points[..., 1] - below
         is_inside = (above < -NEAR) & (below > 0)  # of a step: it came in from the side, and sinks
@@ -48,6 +46,18 @@ def slides(
     return farthest
 
 
+def soles(recording: Recording, foot: Foot) -> Floats:
+    """Returns the points (T, N, K, 3) of a sole on the stage."""
+    return placed(foot.skin.at(recording.world).astype(np.float64), recording.position, recording.heading)
+
+
+def soles_above(recording: Recording, foot: Foot, ground: Sequence[GroundDefinition] = ()) -> Floats:
+    """Returns (T, N, K) metres: how high the points of a sole are above the ground below them."""
+    points = soles(recording, foot)
+    above: Floats = points[..., 1] - heights_at(ground, points[..., 0], points[..., 2])
+    return above
+
+
 def sinks(
     recording: Recording, skin: SkinPoints, watched: Bools, ground: Sequence[GroundDefinition] = ()
 ) -> Floats:
@@ -56,10 +66,14 @@ def sinks(
     """
     if not skin.count:
         return np.zeros(recording.heading.shape[1])
-    ticks = zip(recording.world, recording.position, recording.heading, strict=True)
-    if ground:
-        deepest = [depths(ground, placed(skin.at(world), *root)).max(-1) for world, *root in ticks]
-    else:
-        deepest = [-(skin.heights(world).min(-1) + position[:, 1]) for world, position, _ in ticks]
-    sunk: Floats = np.where(watched, deepest, 0).max(0)
-    return sunk.clip(0)
+    ticks = zip(recording.world, recording.position, recording.heading, watched, strict=True)
+    sunk = np.zeros(recording.heading.shape[1])
+    for world, position, heading, rows in ticks:
+        known = sunk[rows]
+        if ground:
+            points = placed(skin.at(world[rows]), position[rows], heading[rows])
+            deepest = depths(ground, points, known[:, None]).max(-1)
+        else:
+            deepest = -(skin.heights(world[rows]).min(-1) + position[rows, 1])
+        sunk[rows] = np.maximum(known, deepest)
+    return sunk

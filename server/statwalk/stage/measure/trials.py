@@ -72,12 +72,16 @@ class Recording:
     """(T, N, J, 3, 4) float32: the joints in the actor's space"""
     target: Floats
     """(T, N, J, 3) float32: where the joints would be in the new motion alone, in the actor's space"""
+    low: Floats
+    """(T, N) the height of the lowest sole in the new motion alone, in the actor's space; infinite without
+    feet
+    """
 
     def take(self, rows: Ints) -> Recording:
         """Returns the recording of some trials."""
         of_ticks = {
             name: getattr(self, name)[:, rows]
-            for name in ("state", "event", "position", "heading", "left", "world", "target")
+            for name in ("state", "event", "position", "heading", "left", "world", "target", "low")
         }
         return replace(self, sent=self.sent[rows], **of_ticks)
 
@@ -112,8 +116,18 @@ def record(role: Role, trials: Sequence[CellTrial], ticks: int, checkpoint: Chec
         shots.append(_shot(role, state, effects))
     rows, targets, *shown = (np.stack(column) for column in zip(*shots, strict=True))
     machine, event, position, heading, left = shown
-    worlds = world_of(role, rows), world_of(role, targets)[..., 3].copy()
-    return Recording(role, sent, machine, event, position, heading, left, *worlds)
+    world, target = world_of(role, rows), world_of(role, targets)
+    joints = target[..., 3].copy()
+    return Recording(
+        role, sent, machine, event, position, heading, left, world, joints, _lowest(role, target)
+    )
+
+
+def _lowest(role: Role, world: Floats) -> Floats:
+    """(T, N) the height of the lowest sole of joints (T, N, J, 3, 4)."""
+    heights = [foot.skin.heights(world).min(-1) for foot in role.feet]
+    lowest: Floats = np.min([np.full(world.shape[:2], np.inf), *heights], 0)
+    return lowest
 
 
 def _beginnings(role: Role, trials: Sequence[CellTrial]) -> tuple[Floats, Ints]:

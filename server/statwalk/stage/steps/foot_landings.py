@@ -10,6 +10,9 @@ from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
 from statwalk.motion.sampling.root_motion import compose, way
 
+LEAVES_S = 0.1
+"""seconds before its motion lifts a foot in which it lands no more: it is on its way to the next place"""
+
 
 @called
 def next_landing(
@@ -24,9 +27,11 @@ def next_landing(
     if member >= 0:
         phase = member_phase(m, state, member, time)
         number = member * f.hip.shape[0] + foot
+        leaves = LEAVES_S / max(m.durations[state], LEAVES_S)
         for k in range(f.first_span[number], f.first_span[number + 1]):
             down, up = f.span[k, 0], f.span[k, 1]
-            is_down |= down <= phase <= up or down <= phase + 1.0 <= up
+            last = up - leaves if up != 1.0 else up  # a contact that ends with the clip may go on
+            is_down |= down <= phase <= last or down <= phase + 1.0 <= last
             ahead = down - phase
             if loops:
                 ahead -= math.floor(ahead)

@@ -12,9 +12,11 @@ from numba import types
 from statwalk.character.pose_tables import POSES
 from statwalk.machine.conditions.variables import HEIGHT, SPEED, TURNING
 from statwalk.machine.runtime.surroundings import SURROUNDINGS, Measurements
+from statwalk.maths.arrays import Floats
 from statwalk.maths.compiling import FLOAT, inlined, kernel, read
 from statwalk.maths.packed import ADDRESSES, PackedColumns, opened
 from statwalk.maths.simd.pose_layout import joint_channel, place_of
+from statwalk.solve.foot_tables import DROP
 from statwalk.stage.state.cast import Cast
 from statwalk.stage.steps.memory import Memory
 
@@ -51,9 +53,30 @@ def surroundings(cast: Cast, memory: Memory, dt: float, seed: int) -> PackedColu
     role, around = cast.role, memory.surroundings
     memory.key(cast.ids, seed)
     if role.measures:
-        places = cast.shown.values, cast.position, cast.root_delta
-        _measure_all(role.packed.poses.argument, *places, around.argument, dt)
+        _measure_all(role.packed.poses.argument, *places_of(cast), around.argument, dt)
     return around
+
+
+def places_of(cast: Cast) -> tuple[Floats, Floats, Floats]:
+    """Returns what `measure` reads of a cast: the shown poses, positions (N, 3), root motion (N, 3).
+
+    On uneven ground heights count from the ground, and a root joint that gives way to the legs is as high as
+    in its motion: which clip a height chooses must not depend on the ground.
+    """
+    legs, position = cast.role.solvers.legs, cast.position
+    if legs.fit[0] >= 0:
+        position = position.copy()
+        position[:, 1] = _given_way(cast) if legs.pelvis[0] == cast.role.packed.poses.values.root[0] else 0.0
+    return cast.shown.values, position, cast.root_delta
+
+
+def _given_way(cast: Cast) -> Floats:
+    """(N,) metres by which the foot lock has lowered the pelvis."""
+    legs, weight = cast.role.solvers.legs, cast.role.solvers.legs.weight[0]
+    if legs.weight_parameter[0] >= 0:
+        weight = cast.machine.smoothed[:, legs.weight_parameter[0]].clip(0, 1)
+    drop: Floats = cast.solver_memory[:, legs.memory[0] + DROP] * weight * legs.unit[0]
+    return drop
 
 
 @kernel(

@@ -40,9 +40,10 @@ def plant_feet(
         _step_feet(f, m, s, o, mem, keep, row, root, dt)
         weight = f.weight[0] if f.weight_parameter[0] < 0 else s.smoothed[row, f.weight_parameter[0]]
         weight = min(max(weight, 0.0), 1.0)
-        move_pelvis(f, mem.legs, values, row, weight * lower_pelvis(f, mem.legs, keep, row, root, dt))
+        drop = weight * lower_pelvis(f, mem.legs, keep, row, root, dt)
+        move_pelvis(f, mem.legs, values, row, drop)
         for foot in range(f.hip.shape[0]):
-            aim_leg(f, mem.legs, keep, mem.leg_rows, row, foot, root, weight)
+            aim_leg(f, mem.legs, keep, mem.leg_rows, row, foot, root, drop, weight)
     for foot in range(f.hip.shape[0]):
         at = foot * ROWS * LANES
         solve_chain_block(chains, clamps, foot, values, block, mem.leg_rows, at, mem.chain, keep)

@@ -83,7 +83,7 @@ def _editor(
         name,
         seen,
         grant_of(request).name,
-        token.check,
+        token,
         EditKey.of(key, request.method, request.url.path, seen),
     )
 
@@ -152,8 +152,8 @@ def _replaced(new: NewText, versions: MachineVersions, editor: EditRequest, dry:
     tables = MachineText.of(current.version.text).tables if new.tables is None else new.tables
     text, what, author = MachineText(new.text, tables).whole(), "another text", editor.author
     if dry:
-        return versions.checked(current, text, what, author=author, checkpoint=editor.checkpoint)
-    return versions.change(current, text, what, author=author, checkpoint=editor.checkpoint, key=editor.key)
+        return versions.checked(current, text, what, author=author, token=editor.token)
+    return versions.change(current, text, what, author=author, token=editor.token, key=editor.key)
 
 
 @router.patch("/machines/{name}", response_model=EditedMachine | RefusedTrial)

@@ -44,6 +44,7 @@ def _state_view(machine: Machine, row: int, definition: StateDefinition) -> Stat
         duration=float(machine.duration[row]) if has_motion else 0.0,
         outer=definition.composite,
         final=definition.final,
+        framing=definition.framing,
         markers=[MarkerView(name=marker, phase=phase) for marker, phase in machine.markers[row]],
         expressions=[line.text for line in definition.motion.assignments]
         if isinstance(definition.motion, ExpressionMotion)

@@ -72,7 +72,7 @@ async def import_machine(
         async with working_folder(store) as folder:
             await receive(request, folder / "upload")
             async with asynccontextmanager(token_of)(request) as token:
-                made = partial(_made, name, key, folder / "upload", catalogue, token)
+                made = partial(_made, name, key, folder / "upload", registry, token)
                 present = await to_thread.run_sync(made, limiter=limiter.children)
     members = await to_thread.run_sync(registry.versions.current, present)
     view = await to_thread.run_sync(lambda: encoded(MachineView(**machine_members(*members))))
@@ -81,14 +81,16 @@ async def import_machine(
     return view
 
 
-def _made(name: str, key: str, upload: Path, catalogue: Catalogue, token: CancelToken) -> str:
+def _made(name: str, key: str, upload: Path, registry: Registry, token: CancelToken) -> str:
     """Makes the machine of an uploaded zip, unless the same request has made it; returns its name."""
+    catalogue = registry.catalogue
     store = model_store_of(catalogue)
     with upload.open("rb") as file:
         made = MadeKey.of(key, "import", name, hashlib.file_digest(file, "sha256").hexdigest())
     present = made_by(made, store.machine_folders())
     if present is None:
         check_free_machine(name, catalogue, store)
+        registry.versions.forget(name)  # that a server left behind which was killed
         place = NewPlace(name, store, made)
         catalogue.adopt(*made_machines.unpack(place, upload, catalogue, token))
     return present or name

@@ -21,7 +21,7 @@ from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.store.records import MachineVersion
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.entry import Entry
-from statwalk.services.library.measuring import measured
+from statwalk.services.library.measuring import findings_of, measured
 from statwalk.stage.measure.figures import UNITS
 from statwalk.stage.measure.over_budget import over_budget
 from statwalk.web.bounded_json import BoundedRoute
@@ -46,6 +46,7 @@ from statwalk.web.schemas.table import (
 
 router = APIRouter(prefix="/api/machines", tags=["machines"], route_class=BoundedRoute)
 CatalogueDep = Annotated[Catalogue, Depends(catalogue_of)]
+RegistryDep = Annotated[Registry, Depends(registry_of)]
 
 
 def summary(entry: Entry) -> MachineSummary:
@@ -150,29 +151,30 @@ def encoded(view: ResponseModel, headers: Mapping[str, str] | None = None) -> Re
 
 
 @router.get("/{name}", response_model=MachineView)
-def get_machine(name: str, registry: Annotated[Registry, Depends(registry_of)]) -> Response:
+def get_machine(name: str, registry: RegistryDep) -> Response:
     """Returns the newest version of a machine."""
     return encoded(MachineView(**machine_members(*registry.versions.current(name))))
 
 
 @router.get("/{name}/verify")
-def verify_machine(name: str, catalogue: CatalogueDep, token: LongWorkToken) -> FindingsView:
+def verify_machine(name: str, registry: RegistryDep, token: LongWorkToken) -> FindingsView:
     """Returns the verifier's findings: errors and warnings about the tables, and the properties it proved or
     refuted.
     """
-    return FindingsView(findings=finding_views(catalogue.role(name).verify(token.check)))
+    role = registry.catalogue.role(name)
+    return FindingsView(findings=finding_views(findings_of(role, registry.work, token)))
 
 
 @router.get("/{name}/measure")
 def measure_machine(
-    name: str, catalogue: CatalogueDep, token: LongWorkToken, cell: Annotated[str, Query(max_length=200)] = ""
+    name: str, registry: RegistryDep, token: LongWorkToken, cell: Annotated[str, Query(max_length=200)] = ""
 ) -> MeasurementsView:
     """Plays every transition of a machine from ten phases and through interruptions, or one
     (`?cell=WALK/STOP`), and returns what feet, knees, hands and joints do, and what is over the budgets of
     the machine's file.
     """
-    role = catalogue.role(name)
-    rows = measured(role, cell, token.check)
+    role = registry.catalogue.role(name)
+    rows = measured(role, cell, registry.work, token)
     return MeasurementsView(
         units=dict(UNITS),
         budgets={figure: budget.most for figure, budget in role.definition.budgets.items()},

@@ -107,6 +107,7 @@ def make_machine(
         if name is None:
             check_free_machine(check_name(new.name), catalogue, store)
             name = new.name
+            registry.versions.forget(name)  # that a server left behind which was killed
             try:
                 catalogue.adopt(*_make(new, catalogue, place))
             except ContentError as error:
@@ -155,6 +156,7 @@ def _rename(name: str, new: str, registry: Registry, key: MadeKey | None) -> Non
     store = model_store_of(catalogue)
     registry.versions.check_storage()
     sign(catalogue.entry(name).folder, key)
+    registry.versions.copy(name, new)  # before: a server that is killed in between loses none
     folder = store.rename_machine(name, new)
     catalogue.drop(name)
     catalogue.adopt(folder)

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Query, Response
 
-from statwalk.character.staging import Framing
+from statwalk.machine.definition.framing import Framing
 from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.registry import Registry

@@ -21,6 +21,8 @@ class FindingView(ResponseModel):
     """the layer whose table the finding is about; empty: the base, or the whole machine"""
     replay: tuple[tuple[int, str], ...]
     """the counterexample of a refuted property: the inputs as (tick, event), for a new stage at 60 Hz"""
+    ticks: int
+    """after so many ticks of its replay a stage has shown it"""
 
 
 MOST_FINDINGS = 200

@@ -15,6 +15,14 @@ from statwalk.web.schemas.finding import FindingView
 Spans = list[tuple[float, float]]
 
 
+class SpotView(ResponseModel):
+    """Where a trial began on the stage: metres and degrees."""
+
+    x: float
+    z: float
+    heading_deg: float
+
+
 class FigureView(ResponseModel):
     """One figure: its mean over the phases without interruptions, its worst, and where that is; null: never,
     for a response that does not come.
@@ -28,6 +36,8 @@ class FigureView(ResponseModel):
     """the event that interrupted the worst; empty: none"""
     ticks: int
     """after which it came"""
+    place: SpotView
+    """where the trial began that was the worst"""
 
 
 class MeasuredView(ResponseModel):
@@ -104,7 +114,13 @@ def measured_view(measured: Measured) -> MeasuredView:
 def _figure_view(figure: Figure) -> FigureView:
     mean, worst = (value if isfinite(value) else None for value in (figure.mean, figure.worst))
     return FigureView(
-        mean=mean, worst=worst, phase=figure.phase, joint=figure.joint, then=figure.then, ticks=figure.ticks
+        mean=mean,
+        worst=worst,
+        phase=figure.phase,
+        joint=figure.joint,
+        then=figure.then,
+        ticks=figure.ticks,
+        place=SpotView(**figure.place.plain()),
     )
 
 

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 from pydantic import ConfigDict, Field, StringConstraints
 
 from statwalk.machine.definition.cell_definition import Curve, Enter
+from statwalk.machine.definition.framing import Framing
 from statwalk.machine.definition.parameter_definition import Kind
 from statwalk.web.schemas.base import Name, RequestModel
 
@@ -89,6 +90,7 @@ class StateFields(Fields):
     loop: bool | None = None
     speed: float | Name | None = None
     final: bool | None = None
+    framing: Framing | None = None
     resume: bool | None = None
     markers: Phases | None = None
 

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from statwalk.machine.definition.cell_definition import Curve, Enter
+from statwalk.machine.definition.framing import Framing
 from statwalk.machine.definition.parameter_definition import Kind
 from statwalk.web.schemas.base import Place, ResponseModel, Vector
 
@@ -76,6 +77,8 @@ class StateView(ResponseModel):
     duration: float
     outer: str
     final: bool
+    framing: Framing | None
+    """what the viewer's camera shows while an actor is in the state; null: the viewer's own choice"""
     markers: list[MarkerView]
     expressions: list[str]
     """of a motion that expressions drive, in the order in which they run"""

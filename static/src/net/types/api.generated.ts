@@ -2166,6 +2166,8 @@ export interface components {
             then: string;
             /** @description after which it came */
             ticks: number;
+            /** @description where the trial began that was the worst */
+            place: components["schemas"]["SpotView"];
         };
         /** @description A fault of a machine, or a property that is proved or refuted; `line` 0: it has no line in the file. */
         FindingView: {
@@ -2183,6 +2185,8 @@ export interface components {
                 number,
                 string
             ][];
+            /** @description after so many ticks of its replay a stage has shown it */
+            ticks: number;
         };
         /** @description All findings of the verifier about one machine. */
         FindingsView: {
@@ -3557,6 +3561,12 @@ export interface components {
         Speed: {
             speed: number;
         };
+        /** @description Where a trial began on the stage: metres and degrees. */
+        SpotView: {
+            x: number;
+            z: number;
+            heading_deg: number;
+        };
         /** @description What people call a stage; empty: nothing. */
         StageNameBody: {
             name: string;
@@ -3624,6 +3634,7 @@ export interface components {
             loop?: boolean | null;
             speed?: number | string | null;
             final?: boolean | null;
+            framing?: ("whole" | "upper body" | "face" | "wide") | null;
             resume?: boolean | null;
             markers?: {
                 [key: string]: number;
@@ -3648,6 +3659,8 @@ export interface components {
             duration: number;
             outer: string;
             final: boolean;
+            /** @description what the viewer's camera shows while an actor is in the state; null: the viewer's own choice */
+            framing: ("whole" | "upper body" | "face" | "wide") | null;
             markers: components["schemas"]["MarkerView"][];
             /** @description of a motion that expressions drive, in the order in which they run */
             expressions: string[];
@@ -4613,6 +4626,7 @@ export type SolveView = components['schemas']['SolveView'];
 export type SolvedJointView = components['schemas']['SolvedJointView'];
 export type SolverView = components['schemas']['SolverView'];
 export type Speed = components['schemas']['Speed'];
+export type SpotView = components['schemas']['SpotView'];
 export type StageNameBody = components['schemas']['StageNameBody'];
 export type StageView = components['schemas']['StageView'];
 export type StateChangeView = components['schemas']['StateChangeView'];

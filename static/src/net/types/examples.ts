@@ -54,6 +54,7 @@ export function state(members: Partial<StateInfo>): StateInfo {
     duration: 0,
     outer: "",
     final: false,
+    framing: null,
     markers: [],
     expressions: [],
     ...members,
@@ -75,6 +76,7 @@ export function finding(members: Partial<Finding>): Finding {
     event: null,
     layer: "",
     replay: [],
+    ticks: 0,
     ...members,
   };
 }

@@ -1,5 +1,12 @@
+// @vitest-environment happy-dom
 import { describe, expect, it } from "vitest";
-import { pitchOf } from "./sounds";
+import { pitchOf, Sounds } from "./sounds";
+
+it("is silent until somebody asks for sound, and remembers the answer", () => {
+  expect(new Sounds().muted).toBe(true);
+  new Sounds().muted = false;
+  expect(new Sounds().muted).toBe(false);
+});
 
 describe("the pitch of an action", () => {
   it("is the same for the same name", () => expect(pitchOf("collect")).toBe(pitchOf("collect")));

@@ -19,8 +19,9 @@ export function pitchOf(name: string): number {
 export class Sounds {
   private context: AudioContext | null = null;
 
+  /** True until the user asks for sound. */
   get muted(): boolean {
-    return localStorage.getItem(STORED) === "yes";
+    return localStorage.getItem(STORED) !== "no";
   }
 
   set muted(value: boolean) {

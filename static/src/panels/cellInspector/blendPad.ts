@@ -6,6 +6,7 @@ import { nothing, svg, type TemplateResult } from "lit-html";
 import type { StateInfo } from "../../net/protocol";
 import type { App } from "../../view/app";
 import { along, type Axis, axesOf, clamped, type Place, putClip, stepped, valueAt } from "./blendSpace";
+import { weightsAt } from "./blendWeights";
 
 /** Units of the drawing; a blend over one value is a line. */
 const [WIDTH, HEIGHT, LINE_HEIGHT, EDGE] = [300, 200, 72, 24];
@@ -35,6 +36,7 @@ export class BlendPad {
     const { axes, height, state } = this;
     const [across, up] = axes;
     const isDrivable = axes.every(({ parameter }) => parameter !== null);
+    const shares = isDrivable ? weightsAt(state.points, clamped(axes, this.values())) : null;
     return svg`<svg class="blend-pad" viewBox="0 0 ${WIDTH} ${height}" role="group"
       aria-label=${`blend over ${axes.map(({ name }) => name).join(" and ")}`}>
       <rect class="room" x=${EDGE} width=${WIDTH - 2 * EDGE} y=${up ? EDGE : height / 2 - 1}
@@ -42,21 +44,24 @@ export class BlendPad {
       ${isDrivable ? this.ground() : nothing}
       <text class="axis" x=${WIDTH - EDGE} y=${height - 6} text-anchor="end" .textContent=${words(across!)}></text>
       ${up ? svg`<text class="axis" x="4" y="14" .textContent=${words(up)}></text>` : nothing}
-      ${state.clips.map((clip) => this.point(clip))} ${isDrivable ? this.cross() : nothing}
+      ${state.clips.map((clip) => this.point(clip, shares?.[clip]))} ${isDrivable ? this.cross() : nothing}
     </svg>`;
   }
 
-  private point(clip: string): TemplateResult {
+  /** `share`: how much of the blend the clip has, 0…1. */
+  private point(clip: string, share?: number): TemplateResult {
+    const has = share === undefined ? "" : `${(100 * share).toFixed(0)} %`;
     const held = this.drag.value;
     const place = held?.clip === clip ? held.place : (this.state.points[clip] ?? []);
     return svg`<g class="clip" tabindex="0" role="button" data-clip=${clip} transform=${this.at(place)}
-      aria-label=${`${clip}: ${this.told(place)}; arrow keys move it`}
+      aria-label=${`${clip}: ${this.told(place)}${has && `, ${has} of the blend`}; arrow keys move it`}
       @pointerdown=${(press: PointerEvent) => this.take(press, clip, place)}
       @pointermove=${(pointer: PointerEvent) => this.pull(pointer, clip)}
       @pointerup=${this.drop} @pointercancel=${this.drop}
       @keydown=${(press: KeyboardEvent) => this.step(press, clip, place)} @keyup=${this.drop}>
-      <circle r="14" class="reach" /><circle r="6" />
-      <text y="-11" text-anchor=${anchor(along(this.axes[0]!, place[0] ?? 0))} .textContent=${clip}></text>
+      <circle r="14" class="reach" /><circle r="6" /><circle r=${6 * Math.sqrt(share ?? 0)} class="share" />
+      <text y="-11" text-anchor=${anchor(along(this.axes[0]!, place[0] ?? 0))}
+        .textContent=${has ? `${clip} ${has}` : clip}></text>
     </g>`;
   }
 
@@ -69,13 +74,18 @@ export class BlendPad {
   }
 
   private cross(): TemplateResult {
-    const { axes, app } = this;
-    const place = axes.map(({ name }) => app.parameters.get(name));
+    const { axes } = this;
+    const place = this.values();
     return svg`<g class="cross" tabindex="0" role="button" transform=${this.at(clamped(axes, place))}
       aria-label=${`the blend at ${this.told(place)}; arrow keys move it`}
       @keydown=${(press: KeyboardEvent) => this.step(press, null, place)}>
       <path d=${CROSS} />
     </g>`;
+  }
+
+  /** What the actor's parameters are set to. */
+  private values(): number[] {
+    return this.axes.map(({ name }) => this.app.parameters.get(name));
   }
 
   private at(place: Place): string {

@@ -7,7 +7,7 @@ import type { EditingFields } from "../../state/editingFields";
 import { formField } from "../../ui/formField";
 import type { App } from "../../view/app";
 import { alternativesForm, newAlternative } from "./alternativesForm";
-import { blendCurve } from "./blendCurve";
+import { curveChoice } from "./blendCurve";
 import {
   blendField,
   cellOf,
@@ -19,11 +19,6 @@ import {
   setWhen,
   targetText,
 } from "./cellValues";
-
-const CURVES = [
-  ["cubic", "cubic"],
-  ["quintic", "quintic: softer at its end"],
-] as const;
 
 export function cellForm(
   app: App,
@@ -121,7 +116,7 @@ function details(
     cell.alternatives.length
       ? nothing
       : html`${formField(blend, { label: "blend, s", number: true, step: 0.05 })}
-        ${formField(curve, { label: "curve", choices: CURVES })} ${blendCurve(cell.curve, cell.blend)}
+        ${curveChoice(curve, cell.blend)}
         ${formField(enter, { label: "enter at", hint: "0; a phase 0…1, or match", proposals: ["match", "0"] })}
         ${formField(action, { label: "action", hint: "none", proposals: [...actions] })}
         ${newAlternative(fields, layer, place, cell)}`

@@ -7,6 +7,7 @@ import type { EditingFields } from "../../state/editingFields";
 import { numberOrName, numberText } from "../../state/fieldTexts";
 import { formField } from "../../ui/formField";
 import type { App } from "../../view/app";
+import { FRAMINGS } from "../../view/camera/framing";
 import { blendForm, newBlend } from "./blendForm";
 import type { Drag } from "./blendPad";
 import { clipChoice } from "./clipChoice";
@@ -15,6 +16,10 @@ const YES_NO = [
   ["no", "no"],
   ["yes", "yes"],
 ] as const;
+const FRAMING_CHOICES: readonly (readonly [string, string])[] = [
+  ["", "as the viewer chose"],
+  ...FRAMINGS.map((framing) => [framing, framing] as const),
+];
 const yes = (flag: boolean): string => (flag ? "yes" : "no");
 
 /** Reads a phase of a marker; blank takes the marker away. */
@@ -49,6 +54,7 @@ export function stateForm(
   return html`<h2 .textContent=${name}></h2>
     ${formField(own, { label: "name" })} ${info ? motionFields(app, fields, drag, layer, info) : nothing}
     ${info && info.motion !== null ? html`${flag("loop", info.loop, "loops")} ${speedField(app, fields, info, set)}` : nothing}
+    ${info ? framingField(fields, info, set) : nothing}
     ${composite ? flag("resume", composite.resume, "resumes where it was left") : nothing}
     ${outer ? flag("final", isFinal, `ends ${outer}`) : nothing}
     ${info ? initialButton(app, layer, info) : nothing} ${info ? markers(fields, state, info) : nothing}`;
@@ -68,6 +74,17 @@ function speedField(
     hint: "1, or a parameter",
     proposals: numbersOf(machine.info.value),
   });
+}
+
+function framingField(
+  fields: EditingFields,
+  { framing }: StateInfo,
+  set: (members: StateFields) => Operation[],
+): TemplateResult {
+  const field = fields.bind("framing", framing ?? "", (text) =>
+    set({ framing: FRAMINGS.find((known) => known === text) ?? null }),
+  );
+  return formField(field, { label: "framing", hint: "what the camera shows", choices: FRAMING_CHOICES });
 }
 
 /** Returns the names of a machine's number parameters. */

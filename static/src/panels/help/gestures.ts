@@ -23,4 +23,6 @@ export const POINTER: Lines = [
   ["cell", "edit it: STATE, STATE!, -, STATE at end"],
   ["state, twice", "travel there by the fastest events"],
   ["timeline", "drag: the past; click: why?"],
+  ["shift drag", "on the timeline: select a span"],
+  ["wheel", "on the timeline: zoom; with shift: move"],
 ];

@@ -1,6 +1,7 @@
 /** Carries a dropped capture (.bvh, .trc) over to the watched character, and makes a machine that plays it. */
 
 import * as api from "../../net/api";
+import * as machines from "../../net/machines";
 import { nameFor, putCharacter, takenNames } from "../../net/upload";
 import type { CarriedClip } from "../../net/protocol";
 import { BoneForm } from "./boneForm";
@@ -71,7 +72,7 @@ export async function importCapture(file: File, target: string, stage: Stage): P
     character = await freeName(`${target.replace(/\.[0-9a-f]{8}$/, "")}-${file.name}`);
     const { clip, root } = await carry(target, source, character, stage);
     const { mapping } = await api.mapping(character);
-    await api.makeMachine(character, character, mapping, root);
+    await machines.fromCharacter(character, character, mapping, root);
     return { machine: character, state: mapping[clip] ?? "" };
   } catch (error) {
     if (character) await api.removeCharacter(character).catch(() => undefined);

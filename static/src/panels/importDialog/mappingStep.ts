@@ -1,6 +1,7 @@
 /** The last step of an import: which clip is which state, beside the picture of the character. */
 
 import * as api from "../../net/api";
+import * as machines from "../../net/machines";
 import type { Mapping, UploadedCharacter } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import { plural } from "../../ui/amounts";
@@ -78,7 +79,7 @@ export class MappingStep {
     say(this.wrong, "");
     try {
       await this.frames?.apply(this.character.name, this.signal);
-      await api.makeMachine(machine, this.character.name, this.form.states());
+      await machines.fromCharacter(machine, this.character.name, this.form.states());
       await this.made(machine);
     } catch (error) {
       this.blame(error);

@@ -4,6 +4,7 @@
  */
 
 import "./joint.css";
+import { effect, signal } from "@preact/signals-core";
 import * as THREE from "three";
 import type { JointLimit, MachineInfo } from "../../net/protocol";
 import type { App } from "../../view/app";
@@ -11,6 +12,9 @@ import { byId, el, say } from "../../ui/dom";
 import { type Handle, handlesOf, JointHandles } from "../../view/jointHandles";
 import { freedomValues, type Local, valueWords } from "../../view/jointValues";
 import type { LimitMark } from "../../view/limitOverlay";
+import { JointPlot } from "./jointPlot";
+import { JointTrack } from "./jointTrack";
+import { jointWords, turnsOf } from "./pose";
 import { PoseTrial } from "./poseTrial";
 
 /** Pixels from a circle within which a click chooses its joint, and by which a click may move. */
@@ -27,6 +31,9 @@ export function freedomWords(freedom: JointLimit["freedoms"][number], value: num
 class JointPanel {
   private readonly handles: JointHandles;
   private readonly label = el("div", { class: "joint-value", hidden: true });
+  private readonly line = el("p", { class: "joint-line" });
+  private readonly track = new JointTrack();
+  private readonly plot = new JointPlot(this.track);
   private down: [number, number] | null = null;
 
   constructor(
@@ -41,10 +48,27 @@ class JointPanel {
       (handle, values) => this.move(handle, values),
     );
     canvas.after(this.label);
+    host.append(this.line, this.tools(), this.plot.box);
     canvas.addEventListener("pointerdown", (event) => {
       this.down = event.button === 0 && !this.handles.busy ? [event.clientX, event.clientY] : null;
     });
     canvas.addEventListener("pointerup", (event) => this.click(event));
+  }
+
+  /** Makes the buttons that plot the joint's turns and draw its path. */
+  private tools(): HTMLElement {
+    const { traced, joint } = this.app.view.watched;
+    const isPlotted = signal(false);
+    const plot = el("button", { type: "button", title: "its turns from its parent, over time" }, "plot");
+    plot.addEventListener("click", () => (isPlotted.value = !isPlotted.value));
+    isPlotted.subscribe((on) => plot.setAttribute("aria-pressed", String(on)));
+    effect(() => void this.plot.show(isPlotted.value && joint.value !== ""));
+    const path = el("button", { type: "button", title: "draw the line through its latest places" }, "path");
+    path.addEventListener("click", () => (traced.value = traced.value === joint.value ? "" : joint.value));
+    effect(() => path.setAttribute("aria-pressed", String(!!joint.value && traced.value === joint.value)));
+    const tools = el("div", { class: "joint-tools" }, plot, path);
+    joint.subscribe((name) => (tools.hidden = !name));
+    return tools;
   }
 
   /** Whether handles move the chosen joint. */
@@ -53,7 +77,9 @@ class JointPanel {
   }
 
   /** Follows the pose; called once per drawn frame. */
-  update(): void {
+  update(now: number): void {
+    this.record();
+    this.plot.update(now, this.app.stage.rate);
     const machine = this.app.machine.info.value;
     const marks = this.app.view.watched.marks();
     const wanted = marks.flatMap((mark) => this.wanted(mark, machine));
@@ -62,6 +88,15 @@ class JointPanel {
       handle.parameters.map(({ name }, k) => [name, values[k]!] as const),
     );
     this.tell(marks, new Map([...values, ...this.handles.held()]), machine);
+  }
+
+  /** Notes the turns of the picked joint. */
+  private record(): void {
+    const { view } = this.app;
+    const actor = view.watched.model;
+    const joint = actor?.cast.names.indexOf(view.watched.joint.value) ?? -1;
+    const local = actor?.local(joint);
+    if (local) this.track.add(`${actor!.id} ${joint}`, view.posed, turnsOf(local.quaternion));
   }
 
   private wanted(
@@ -87,11 +122,13 @@ class JointPanel {
     this.host.hidden = !chosen && !mark;
     if (this.host.hidden) return this.hideLabel();
     const words = mark ? this.words(mark.limit, mark.local, held, machine) : ["no limits"];
+    const actor = this.app.view.watched.model;
+    const pose = actor && chosen ? jointWords(actor, actor.cast.names.indexOf(chosen)) : [];
     const name = `${chosen || mark!.limit.joint}${mark?.limit.symbol ? ` · ${mark.limit.symbol}` : ""}`;
-    const parts = [name, ...words];
-    if (this.host.children.length !== parts.length)
-      this.host.replaceChildren(...parts.map((_, k) => el(k ? "span" : "strong")));
-    parts.forEach((part, k) => say(this.host.children[k]!, part));
+    const parts = [name, ...words, ...pose];
+    if (this.line.children.length !== parts.length)
+      this.line.replaceChildren(...parts.map((_, k) => el(k ? "span" : "strong")));
+    parts.forEach((part, k) => say(this.line.children[k]!, part));
     this.follow(words);
   }
 
@@ -172,8 +209,8 @@ class JointPanel {
 export function jointPanel(host: HTMLElement, app: App): void {
   const joint = new JointPanel(host, app);
   const trial = new PoseTrial(byId("trial"), app);
-  app.frame.on(() => {
-    joint.update();
+  app.frame.on(({ now }) => {
+    joint.update(now);
     trial.update(joint.hasHandles);
   });
 }

@@ -27,6 +27,15 @@ const options = (choices: readonly Choice[], chosen: string): TemplateResult[] =
       ></option>`,
   );
 
+const MOVES = ["ArrowDown", "ArrowUp", "Home", "End", "PageDown", "PageUp"];
+
+/** A key that would choose another machine at once opens the list, where Enter chooses and Escape does not. */
+function openList(press: KeyboardEvent): void {
+  if (!MOVES.includes(press.key)) return;
+  press.preventDefault();
+  (press.currentTarget as HTMLSelectElement).showPicker();
+}
+
 function machineChoice({ library, selection }: App): TemplateResult {
   const machines = library.machines.value
     .filter(({ scene }) => !scene)
@@ -49,6 +58,7 @@ function machineChoice({ library, selection }: App): TemplateResult {
     title="machine"
     ?hidden=${!machines.length && !scenes.length}
     @change=${choose}
+    @keydown=${openList}
   >
     <optgroup label="machines">${options(machines, chosen)}</optgroup>
     ${scenes.length ? html`<optgroup label="scenes">${options(scenes, chosen)}</optgroup>` : null}

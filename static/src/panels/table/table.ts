@@ -224,11 +224,15 @@ export class Table {
     const { scrollLeft, clientWidth } = this.host;
     const [left, right] = [cell.offsetLeft - stays, cell.offsetLeft + cell.offsetWidth];
     if (cell.tagName === "TH" || left < scrollLeft) this.host.scrollLeft = Math.max(0, left);
-    else if (right > scrollLeft + clientWidth)
-      this.host.scrollLeft = firstFrom(
-        heads.map((head) => head.offsetLeft - stays),
-        Math.min(left, right - clientWidth),
-      );
+    else if (right > scrollLeft + clientWidth) {
+      const starts = heads.map((head) => head.offsetLeft - stays);
+      const start = firstFrom(starts, Math.min(left, right - clientWidth));
+      // Without room after the last column the table could not be scrolled so far.
+      const last = heads.at(-1)!;
+      const missing = start + clientWidth - (last.offsetLeft + last.offsetWidth);
+      this.table.style.paddingRight = `${Math.max(0, missing)}px`;
+      this.host.scrollLeft = start;
+    }
   }
 
   private judge(verdict: Verdict): void {
@@ -242,7 +246,9 @@ export class Table {
     if (verdict.verdict === "taken") {
       this.table.querySelector(".last")?.classList.remove("last");
       cell.classList.add("last");
-      if (!this.host.contains(document.activeElement)) this.revealSideways(cell);
+      // A motion that only begins again moves nothing.
+      const isLoop = verdict.event === "END" && !verdict.to;
+      if (!isLoop && !this.host.contains(document.activeElement)) this.revealSideways(cell);
     }
     flash(cell, verdict.verdict);
   }

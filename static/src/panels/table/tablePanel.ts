@@ -19,8 +19,10 @@ export function tablePanel(_host: HTMLElement, app: App): void {
     table.go({ state, event, layer: app.machine.info.value?.layers[layer]?.name ?? "" });
     if (text !== null) editor.propose(table.cell(state, event), text);
   });
-  byId("verdict").addEventListener("click", () => {
+  const why = (): void => {
     const { tick } = byId("verdict").dataset;
     if (tick) app.inspection.why.value = Number(tick);
-  });
+  };
+  byId("verdict").addEventListener("click", why);
+  app.commands.add({ keys: ["w"], words: "why: the newest event", act: why });
 }

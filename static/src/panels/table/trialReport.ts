@@ -37,7 +37,7 @@ export function fineWords(before: readonly Finding[], now: readonly Finding[]): 
 /** Returns the findings of a refusal; without any, one with the server's words. */
 function reasons({ kind, words, findings }: Answer): readonly Finding[] {
   if (findings.length) return findings;
-  const nowhere = { line: 0, layer: "", state: null, event: null, replay: [] };
+  const nowhere = { line: 0, layer: "", state: null, event: null, replay: [], ticks: 0 };
   return [{ kind, severity: "error", message: words, ...nowhere }];
 }
 

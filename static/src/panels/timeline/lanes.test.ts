@@ -1,16 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { place, spanOf, stateColour, tickAt, upTo } from "./lanes";
-
-describe("spanOf", () => {
-  it.each([
-    ["all of it", 0, 600, null, null, { from: 0, to: 600 }],
-    ["the last of it", 0, 9000, 7200, null, { from: 1800, to: 9000 }],
-    ["what one looks at is within", 0, 9000, 7200, 100, { from: 100, to: 9000 }],
-    ["never nothing", 5, 5, null, null, { from: 5, to: 6 }],
-  ])("%s", (_, first, head, window, looking, expected) =>
-    expect(spanOf(first, head, window, looking)).toEqual(expected),
-  );
-});
+import { place, stateColour, tickAt, upTo } from "./lanes";
 
 describe("place", () => {
   it("puts the ends at the ends", () => {

@@ -2,19 +2,8 @@
 
 import type { ActionMark, BlendSpan, EventMark } from "../../state/eventLog";
 import type { Run } from "../../state/history";
+import type { Span } from "../../state/timelineWindow";
 import { ACTION_HEIGHT, BLEND_HEIGHT, EVENT_HEIGHT, type LayerRows, STATE_HEIGHT } from "./laneRows";
-
-export interface Span {
-  from: number;
-  to: number;
-}
-
-/** Returns the shown part of the history: all, or the last `window` ticks, extended to the tick `looking`. */
-export function spanOf(first: number, head: number, window: number | null, looking: number | null): Span {
-  const newest = Math.max(head, first + 1);
-  const from = window === null ? first : Math.max(first, newest - window);
-  return { from: looking === null ? from : Math.min(from, looking), to: newest };
-}
 
 /** Returns the x of `tick` in a lane of `width` pixels. */
 export function place(tick: number, { from, to }: Span, width: number): number {
@@ -164,6 +153,21 @@ export function drawActions(
     pen.fillStyle = ink.quiet;
     pen.fillText(name, x + 7, middle + 0.5);
   });
+}
+
+/** Draws a selected span over the lanes. */
+export function drawSelection(
+  { pen, span, width }: LaneCanvas,
+  { from, to }: Span,
+  height: number,
+  colour: string,
+): void {
+  const [left, right] = [place(from, span, width), place(to, span, width)];
+  pen.fillStyle = colour;
+  pen.globalAlpha = 0.22;
+  pen.fillRect(left, 0, right - left, height);
+  pen.globalAlpha = 1;
+  for (const x of [left, right]) pen.fillRect(x - 0.5, 0, 1, height);
 }
 
 /** Draws the line of the shown tick with its grip. */

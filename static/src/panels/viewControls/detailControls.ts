@@ -3,6 +3,7 @@
 import type { Crowd } from "../../view/crowd";
 import type { StageView } from "../../view/stageView";
 import { el, say } from "../../ui/dom";
+import { controlLine } from "../../ui/popover";
 
 /** 4079 triangles, 0.0075 metres -> `4,079 triangles, off by 7.5 mm`. */
 export function detailWords(triangles: number, error_m: number): string {
@@ -22,7 +23,9 @@ export function detailControls(stageView: StageView): HTMLElement {
   const slider = el("input", { type: "range", min: "0", step: "1", "aria-label": "detail", title });
   const bySize = el("button", { type: "button", title: "as coarse as the size on screen allows" }, "by size");
   const words = el("output", { class: "detail-words" });
-  const group = el("div", { class: "group detail", hidden: true }, slider, bySize, words);
+  const line = controlLine("detail", slider, bySize, words);
+  line.classList.add("detail");
+  line.hidden = true;
   slider.addEventListener("input", () => (byHand.value = Number(slider.max) - Number(slider.value)));
   bySize.addEventListener(
     "click",
@@ -37,11 +40,11 @@ export function detailControls(stageView: StageView): HTMLElement {
     const key = `${crowd?.model.url} ${level}`;
     if (key === shown) return;
     shown = key;
-    group.hidden = !levels.length;
+    line.hidden = !levels.length;
     if (!crowd || !levels.length) return;
     slider.max = String(levels.length);
     slider.value = String(levels.length - level);
     say(words, detailWords(trianglesOf(crowd, level), levels[level - 1]?.error_m ?? 0));
   });
-  return group;
+  return line;
 }

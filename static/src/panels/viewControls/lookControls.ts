@@ -1,22 +1,10 @@
 /** Chooses how skin and tetrahedra are painted: materials, weights of a bone, normals; wire, texture. */
 
 import { el } from "../../ui/dom";
-import type { Signal } from "@preact/signals-core";
+import { controlLine } from "../../ui/popover";
+import { choice } from "./choice";
 import { PAINTS, SOLIDS } from "../../view/looks";
 import type { StageView } from "../../view/stageView";
-
-function choice<Name extends string>(
-  label: string,
-  title: string,
-  names: readonly Name[],
-  chosen: Signal<Name>,
-): HTMLSelectElement {
-  const options = names.map((name) => el("option", { value: name }, name));
-  const select = el("select", { "aria-label": label, title }, ...options);
-  select.addEventListener("change", () => (chosen.value = select.value as Name));
-  chosen.subscribe((name) => (select.value = name));
-  return select;
-}
 
 /** Makes the choice of the bone whose weights are shown; a click on a joint chooses, too. */
 function boneChoice(stageView: StageView): HTMLSelectElement {
@@ -42,5 +30,9 @@ export function lookControls(stageView: StageView): HTMLElement[] {
   const solids = choice("tetrahedra", "how the tetrahedra are drawn", SOLIDS, solid);
   stageView.modes.subscribe(({ tetra }) => (solids.hidden = !tetra));
   const paints = choice("what the skin shows", "what the skin shows", PAINTS, paint);
-  return [paints, boneChoice(stageView), solids];
+  return [
+    controlLine("skin shows", paints),
+    controlLine("weights of", boneChoice(stageView)),
+    controlLine("tetrahedra", solids),
+  ];
 }

@@ -15,7 +15,7 @@ export function proofControls({ on, difference }: SkinProof): [HTMLButtonElement
   const title =
     "compares the vertices that your GPU poses with the server's, of the watched actor in every frame";
   const button = el("button", { type: "button", title }, "prove");
-  const words = el("output", { class: "group proof", hidden: true });
+  const words = el("output", { class: "group said", hidden: true });
   button.addEventListener("click", () => (on.value = !on.value));
   on.subscribe((proving) => {
     button.setAttribute("aria-pressed", String(proving));

@@ -5,10 +5,12 @@ import type { Skinning } from "../../net/protocol";
 import type { Command } from "../../state/commands";
 import type { App } from "../../view/app";
 import type { Modes, StageView } from "../../view/stageView";
-import { FRAMINGS, type Framing } from "../../view/framing";
 import { el } from "../../ui/dom";
-import { icon } from "../../ui/icons";
+import { controlLine, popover } from "../../ui/popover";
+import { cameraButtons, cameraCommands, cameraControls } from "./cameraControls";
 import { detailControls } from "./detailControls";
+import { foldInto } from "./foldInto";
+import { hiddenNote } from "./hiddenNote";
 import { lookControls } from "./lookControls";
 import { proofControls } from "./proofControls";
 
@@ -45,9 +47,7 @@ function viewCommands({ view, frames }: App): Command[] {
     words: `show ${name}`,
     act: () => toggleMode(view, name),
   });
-  const { turning } = view.watched;
   return [
-    { keys: ["f"], words: "frame the character", act: () => view.watched.frame() },
     mode("skin", "1"),
     mode("wire", "2"),
     mode("bones", "3", "b"),
@@ -55,7 +55,6 @@ function viewCommands({ view, frames }: App): Command[] {
     mode("limits", "5"),
     { keys: ["t"], words: "wire, smooth skin", act: () => wireOrSkin(view) },
     { keys: ["m"], words: "full screen", act: () => void toggleFullScreen() },
-    { keys: ["r"], words: "turntable", act: () => (turning.value = !turning.value) },
     {
       keys: ["g"],
       words: "pose stream, glb stream",
@@ -64,32 +63,11 @@ function viewCommands({ view, frames }: App): Command[] {
   ];
 }
 
-/** Makes the button that turns the view around the character. */
-function turntable(stageView: StageView): HTMLButtonElement {
-  const made = el(
-    "button",
-    { type: "button", title: "the view turns around the character (R)" },
-    "turntable",
-  );
-  made.addEventListener("click", () => (stageView.watched.turning.value = !stageView.watched.turning.value));
-  stageView.watched.turning.subscribe((turning) => made.setAttribute("aria-pressed", String(turning)));
-  return made;
-}
-
 function modeButton(stageView: StageView, [mode, key, title]: (typeof MODES)[number]): HTMLButtonElement {
   const made = el("button", { type: "button", title: `${title} (${key})` }, mode);
   made.addEventListener("click", () => toggleMode(stageView, mode));
   stageView.modes.subscribe((modes) => made.setAttribute("aria-pressed", String(modes[mode])));
   return made;
-}
-
-/** Makes the choice of how much the camera shows. */
-function framingChoice(stageView: StageView): HTMLSelectElement {
-  const options = FRAMINGS.map((framing) => el("option", { value: framing }, framing));
-  const select = el("select", { "aria-label": "framing", title: "how much the camera shows" }, ...options);
-  select.addEventListener("change", () => (stageView.watched.framing.value = select.value as Framing));
-  stageView.watched.framing.subscribe((framing) => (select.value = framing));
-  return select;
 }
 
 const WAYS: [Skinning | "", string][] = [
@@ -124,53 +102,59 @@ function pathChoice(stageView: StageView): HTMLSelectElement {
   select.addEventListener("focus", fill);
   select.addEventListener("change", () => (stageView.watched.traced.value = select.value));
   stageView.watched.ready.subscribe(fill);
+  stageView.watched.traced.subscribe(fill);
   return select;
 }
 
-/** Fills the foot of the stage view with buttons. */
-export function viewControlsPanel(host: HTMLElement, app: App): void {
-  const stageView = app.view;
-  stageView.scene.leaveRoomFor(host);
-  app.commands.add(...viewCommands(app));
-  const skin = el(
-    "div",
-    { class: "group", role: "group", "aria-label": "what is drawn" },
-    ...MODES.map((mode) => modeButton(stageView, mode)),
-  );
+/** Makes the button that shows light and background. */
+function pictureButton({ inspection: { isSceneShown } }: App): HTMLButtonElement {
+  const made = el("button", { type: "button", title: "light and background (V)" }, "picture");
+  made.addEventListener("click", () => (isSceneShown.value = !isSceneShown.value));
+  isSceneShown.subscribe((shown) => made.setAttribute("aria-expanded", String(shown)));
+  return made;
+}
+
+/** Makes the choice of the stream. */
+function streamChoice({ frames }: App): HTMLElement {
   const streams = (["pose", "glb"] as const).map((kind) => {
     const title =
       kind === "pose"
         ? "the browser skins: local transforms are streamed"
         : "the server skins: each message is a complete GLB";
     const made = el("button", { type: "button", title: `${title} (G)` }, kind);
-    made.addEventListener("click", () => app.frames.stream(kind));
-    app.frames.kind.subscribe((frames) => made.setAttribute("aria-pressed", String(frames === kind)));
+    made.addEventListener("click", () => frames.stream(kind));
+    frames.kind.subscribe((shown) => made.setAttribute("aria-pressed", String(shown === kind)));
     return made;
   });
-  const frame = el(
-    "button",
-    {
-      type: "button",
-      class: "square",
-      "aria-label": "frame the character",
-      title: "frame the character (F)",
-    },
-    icon("frame"),
-  );
-  frame.addEventListener("click", () => stageView.watched.frame());
-  const stream = el("div", { class: "group choice", role: "group", "aria-label": "stream" }, ...streams);
-  const staging = el(
+  return el("div", { class: "group choice", role: "group", "aria-label": "stream" }, ...streams);
+}
+
+/** Fills the foot of the stage view with one row of buttons. */
+export function viewControlsPanel(host: HTMLElement, app: App): void {
+  const stageView = app.view;
+  stageView.scene.leaveRoomFor(host);
+  app.commands.add(...cameraCommands(stageView), ...viewCommands(app));
+  const drawn = el(
     "div",
-    { class: "group staging" },
-    skinningChoice(app),
-    pathChoice(stageView),
-    framingChoice(stageView),
-    turntable(stageView),
-    frame,
+    { class: "group", role: "group", "aria-label": "what is drawn" },
+    ...MODES.map((mode) => modeButton(stageView, mode)),
   );
-  const looks = el("div", { class: "group staging" }, ...lookControls(stageView));
   const [prove, difference] = proofControls(stageView.proof);
-  staging.append(prove);
-  const detail = detailControls(stageView);
-  host.append(skin, looks, detail, el("span", { class: "space" }), stream, staging, difference);
+  const picture = pictureButton(app);
+  const [look, looks] = popover(
+    "look",
+    "how the character is drawn",
+    ...lookControls(stageView),
+    controlLine("skinning", skinningChoice(app)),
+    controlLine("path", pathChoice(stageView)),
+    detailControls(stageView),
+    el("div", { class: "group" }, prove, picture),
+  );
+  picture.addEventListener("click", () => looks.hidePopover());
+  const [camera, cameras] = popover("camera", "camera and framing", ...cameraControls(stageView));
+  const more = el("div", { class: "group" }, look, camera, ...cameraButtons(stageView));
+  const stream = streamChoice(app);
+  const said = el("div", { class: "over-row" }, hiddenNote(stageView), difference);
+  host.append(drawn, more, el("span", { class: "space" }), stream, looks, cameras, said);
+  foldInto(looks, host, [stream, drawn]);
 }

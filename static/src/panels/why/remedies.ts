@@ -30,9 +30,10 @@ export class Remedies {
     });
   }
 
-  /** Sets the tick and asks again, if an event is chosen. */
-  about(tick: number): void {
+  /** Sets the tick and asks again, if an event is chosen; `lost`: the event that was dropped in the tick. */
+  about(tick: number, lost?: string): void {
     this.tick = tick;
+    this.event.value = lost ?? this.event.value;
     this.answer.replaceChildren();
     if (this.event.value) void this.ask();
   }

@@ -67,9 +67,11 @@ class WhyPanel {
     this.tick = tick;
     if (this.host.hidden) this.appear();
     say(this.title, `why, in tick ${tick}`);
-    this.remedies.about(Math.max(1, tick));
     const answer = await actors.why(this.app.stage.id, actor, tick).catch(reasonOf);
     if (request !== this.requests) return;
+    const lost =
+      typeof answer === "string" ? null : answer.events.find(({ verdict }) => verdict === "dropped");
+    this.remedies.about(Math.max(1, tick), lost?.event);
     if (typeof answer === "string") this.events.replaceChildren(el("p", {}, answer));
     else this.show(answer);
   }

@@ -37,6 +37,8 @@ def test_the_files_of_a_data_folder_are_in_it_and_no_others(tmp_path: Path) -> N
         "names/robot.json": b"{}",
         "machines/robot/machine.yaml": b"x",
         "machines/robot/my walk (1).bvh": b"y",
+        "machines/robot/takes/one/walk.bvh": b"u",
+        "machines/robot/.keys": b"z",
     }
     for name, data in (kept | {"lock": b"1", "tmp/half": b"", "notes.txt": b"mine"}).items():
         (tmp_path / "data" / name).parent.mkdir(parents=True, exist_ok=True)
@@ -65,7 +67,16 @@ def test_a_folder_with_data_is_left_alone(tmp_path: Path, catalogue: Catalogue) 
 
 
 @pytest.mark.parametrize(
-    "name", ["../escaped.txt", "/etc/escaped", "machines/../../x", "notes.txt", "names/a/b.json"]
+    "name",
+    [
+        "../escaped.txt",
+        "/etc/escaped",
+        "machines/../../x",
+        "machines/robot/../../x",
+        "machines/robot/a/.hidden",
+        "notes.txt",
+        "names/a/b.json",
+    ],
 )
 def test_nothing_else_is_unpacked(tmp_path: Path, name: str) -> None:
     with zipfile.ZipFile(tmp_path / "backup.zip", "w") as archive:

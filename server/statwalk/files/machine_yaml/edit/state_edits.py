@@ -77,7 +77,9 @@ class AddState(EditOperation):
 
 @dataclass(frozen=True)
 class SetState(EditOperation):
-    """Changes `motion`, `loop`, `speed`, `final`, `resume` or `markers` of a state; None removes one."""
+    """Changes `motion`, `loop`, `speed`, `framing`, `final`, `resume` or `markers` of a state; None removes
+    one.
+    """
 
     state: str
     fields: Mapping[str, Value | None]

@@ -18,10 +18,12 @@ PRIVATE = "access.json"
 """has hashes of tokens: readable by its owner only"""
 MEMBER = re.compile(
     rf"{re.escape(FILE_NAME)}|{re.escape(PRIVATE)}|characters/[0-9a-f]{{64}}\.(?:glb|npz)"
-    r"|names/[A-Za-z0-9_-]{1,64}\.json|machines/[A-Za-z0-9_-]{1,64}/[^./\\:\x00-\x1f][^/\\:\x00-\x1f]{0,199}"
+    r"|names/[A-Za-z0-9_-]{1,64}\.json"
+    r"|machines/[A-Za-z0-9_-]{1,64}/(?:\.keys|[^./\\:\x00-\x1f][^/\\:\x00-\x1f]{0,199}"
+    r"(?:/[^./\\:\x00-\x1f][^/\\:\x00-\x1f]{0,199}){0,9})"
 )
 """the files of a data folder, by path; nothing else goes into a backup or comes out of one. Tables and
-captures have names that people gave them
+captures have names that people gave them; `.keys` says which requests made a machine (`library/made_keys`)
 """
 
 

@@ -160,7 +160,7 @@ def _write_again(log: Path) -> None:
     except FileNotFoundError:
         return
     except OSError as error:
-        raise StorageError.of(error, str(log)) from None
+        raise StorageError.of(error, "the log of the database") from None
 
 
 def _check_format(connection: sqlite3.Connection, path: Path) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
@@ -22,6 +21,7 @@ from statwalk.services.hosting.store.records import (
     stage_row,
 )
 from statwalk.services.hosting.store.writer import Statement, Writer
+from statwalk.services.library.role_reference import model_digest
 from statwalk.stage.clock import Clock
 from statwalk.stage.history.log import Log
 from statwalk.stage.stage import Stage
@@ -37,11 +37,6 @@ SNAPSHOT_TICKS = 960
 """ticks between the snapshots on the disk: a stage comes back by playing at most these and a second again.
 16 times the ticks between those in memory: a power of two, so that the disk has all old ones too
 """
-
-
-def model_digest(role: Role) -> bytes:
-    """Returns a hash of the model that a role plays: with another model it would be another motion."""
-    return hashlib.sha256(role.character.model_glb).digest()
 
 
 class KeptStage:

@@ -134,30 +134,25 @@ class Store:
         )
         self.flush()
 
-    def rename_versions(self, machine: str, new: str, versions: Iterable[MachineVersion]) -> None:
-        """Keeps the versions of a machine under another name, and waits until that is durable.
+    def copy_versions(self, new: str, versions: Iterable[MachineVersion]) -> None:
+        """Keeps the versions of a machine under another name too, in place of what that name had, and waits
+        until that is durable.
 
         :raises StorageError: when the disk refuses.
         """
         rows = [version_row(new, version) for version in versions]
-        self.writer.put(
-            [
-                Statement("DELETE FROM versions WHERE machine = ?", [(machine,), (new,)]),
-                Statement(FORGET_KEYS, [(machine_keys(machine),), (machine_keys(new),)]),
-                Statement("INSERT INTO versions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows),
-            ]
-        )
+        self.drop_versions(new, Statement("INSERT INTO versions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows))
         self.flush()
+
+    def drop_versions(self, machine: str, *then: Statement) -> None:
+        """Forgets the versions of a machine; `then` goes into the same commit."""
+        forget = Statement("DELETE FROM versions WHERE machine = ?", [(machine,)])
+        self.writer.put([forget, Statement(FORGET_KEYS, [(machine_keys(machine),)]), *then])
 
     def forget_versions(self, machine: str) -> None:
         """Forgets the versions of a machine, and waits until that is durable.
 
         :raises StorageError: when the disk refuses.
         """
-        self.writer.put(
-            [
-                Statement("DELETE FROM versions WHERE machine = ?", [(machine,)]),
-                Statement(FORGET_KEYS, [(machine_keys(machine),)]),
-            ]
-        )
+        self.drop_versions(machine)
         self.flush()

@@ -155,15 +155,16 @@ class Writer:
             log.error("the disk refuses to write %s: %s", self.path, error)
         self._committer.distrust()
         with self._changed:
-            self.trouble = (
-                _storage_error(error) if isinstance(error, sqlite3.Error) else StorageError(str(error))
-            )
+            self.trouble = _storage_error(error)
             self._changed.notify_all()
 
 
-def _storage_error(error: sqlite3.Error) -> StorageError:
-    is_full = getattr(error, "sqlite_errorcode", 0) in FULL_CODES
-    if is_full:
+def _storage_error(error: sqlite3.Error | StatwalkError) -> StorageError:
+    if isinstance(error, StorageError):
+        return error
+    if isinstance(error, StatwalkError):
+        return StorageError(str(error))
+    if getattr(error, "sqlite_errorcode", 0) in FULL_CODES:
         return StorageError(
             "the disk is full, and nothing can be kept; make room, and it goes on by itself", is_full=True
         )

@@ -1,11 +1,13 @@
 import * as THREE from "three";
 import { expect, test } from "vitest";
-import { framed } from "./framing";
+import { framed, withHeadroom } from "./framing";
 
 const box = new THREE.Box3(new THREE.Vector3(-0.5, 0, -0.3), new THREE.Vector3(0.5, 2, 0.3));
 
-test("the whole character is its box", () => {
-  expect(framed(box, "whole")).toEqual(box);
+test("the whole character has room above its head to jump, as high as the walker does", () => {
+  const { min, max } = withHeadroom(framed(box, "whole"));
+  expect(min).toEqual(box.min);
+  expect([max.x, max.y, max.z]).toEqual([0.5, 2.32, 0.3]);
 });
 
 test("upper body and face end at the top of the head", () => {

@@ -1,0 +1,46 @@
+"""The cameras: each looks from where its name says and goes with the character; what covers it fades."""
+
+from collections.abc import Callable
+
+import httpx
+from browser.conftest import Server, controls, mean_colour, until
+from playwright.sync_api import Page
+
+AWAY = """(([x, y, z], [a, b, c]) => [x - a, y - b, z - c].map(m => m / Math.hypot(x - a, y - b, z - c)))(
+    __viewer.camera().position, __viewer.camera().target)"""
+IN_PICTURE = """(([x, y], { left, right, top, bottom }) => x > left && x < right && y > top && y < bottom)(
+    Object.values(__viewer.places())[0], document.querySelector('#stage-view').getBoundingClientRect())"""
+BEHIND_THE_WALL = "2.6,1.4,8,0,0.9,0"
+"""the camera's place and target, metres from the walker: a wall is between them, not the door"""
+
+
+def test_each_camera_looks_from_its_side(viewer: Page) -> None:
+    """Front, side and top; a free camera stays and loses the character, the next one finds it again."""
+    for key, axis in (("7", 2), ("8", 0), ("9", 1)):
+        viewer.keyboard.press(key)
+        until(viewer, f"{AWAY}[{axis}] > 0.99")
+    camera = controls(viewer, "camera").get_by_label("camera", exact=True)
+    camera.select_option("side")
+    until(viewer, f"{AWAY}[0] > 0.99")
+    viewer.keyboard.press("0")
+    stood = viewer.evaluate("__viewer.camera()")
+    viewer.keyboard.down("ArrowUp")
+    until(viewer, f"!{IN_PICTURE}")
+    assert viewer.evaluate("__viewer.camera()") == stood
+    viewer.keyboard.press("6")
+    until(viewer, IN_PICTURE)
+    viewer.keyboard.up("ArrowUp")
+    assert camera.input_value() == "follow"
+
+
+def test_a_wall_before_the_character_fades(server: Server, opened: Callable[[str], Page]) -> None:
+    """The wall of the playground's door is beige; where it covers the walker, the shirt is seen."""
+    made = httpx.post(f"{server.url}/api/stages", json={"scene": "playground"}, timeout=60).raise_for_status()
+    address = f"{server.url}/?stage={made.json()['id']}&camera={BEHIND_THE_WALL}"
+    page = opened(f"{address}&actor=1")
+    until(page, "__viewer.camera().position[2] === 8")
+    x, y = page.evaluate("__viewer.circle('Upperback')")
+    red, _, blue, _ = mean_colour(
+        page, page.screenshot(clip={"x": x - 4, "y": y - 4, "width": 8, "height": 8})
+    )
+    assert red > 2.2 * blue

@@ -1,0 +1,78 @@
+"""The timeline: zoomed and panned by wheel and keys, folded; a span is selected, looped and saved."""
+
+import json
+import struct
+from collections.abc import Callable
+from pathlib import Path
+
+import httpx
+from browser.conftest import Server, until
+from playwright.sync_api import Page
+
+LENGTH = "(bar => bar.max - bar.min)(document.querySelector('.scrub'))"
+
+
+def shift_drag(page: Page, begin: float, end: float) -> None:
+    """Drags over the lanes with shift, from one share of their width to another."""
+    box = page.locator("#lanes canvas").bounding_box()
+    assert box is not None
+    y = box["y"] + box["height"] / 2
+    page.keyboard.down("Shift")
+    page.mouse.move(box["x"] + begin * box["width"], y)
+    page.mouse.down()
+    page.mouse.move(box["x"] + end * box["width"], y, steps=4)
+    page.mouse.up()
+    page.keyboard.up("Shift")
+
+
+def test_a_part_of_the_past_is_found_looped_and_saved(
+    server: Server, opened: Callable[[str], Page], tmp_path: Path
+) -> None:
+    walker = {"actors": [{"machine": "faq-walker"}]}  # on a stage of its own, whose past is short
+    made = httpx.post(f"{server.url}/api/stages", json=walker, timeout=60).raise_for_status()
+    page = opened(f"{server.url}/?stage={made.json()['id']}")
+    page.click("[data-event=FORWARD]")
+    until(page, "__viewer.head() > 150")
+    page.keyboard.press("p")
+    page.wait_for_selector("[data-link=paused]")
+    whole = page.evaluate(LENGTH)
+    page.hover("#lanes")
+    page.mouse.wheel(0, -400)
+    until(page, f"{LENGTH} < 0.7 * arg", whole)
+    newest = page.evaluate("document.querySelector('.scrub').max")
+    page.keyboard.press("[")
+    until(page, "Number(document.querySelector('.scrub').max) < arg", int(newest))
+    for _ in range(8):
+        page.keyboard.press("-")
+    until(page, f"{LENGTH} === __viewer.head()")
+    height = page.locator("#lanes").bounding_box()["height"]
+    page.keyboard.press("j")
+    until(page, "document.querySelector('#lanes').getBoundingClientRect().height < arg", height)
+    page.keyboard.press("j")
+    shift_drag(page, 0.25, 0.5)
+    page.get_by_role("button", name="loop").click()
+    begin, end = page.evaluate("[0.25, 0.5].map(part => part * __viewer.head())")
+    for _ in range(2):
+        until(page, "__viewer.looking() > arg", begin + 0.6 * (end - begin))
+        until(page, "__viewer.looking() < arg", begin + 0.4 * (end - begin))
+    assert page.evaluate("__viewer.looking()") >= begin - 5
+    with page.expect_download() as saving:
+        page.get_by_role("link", name="save recording.glb").click()
+    saving.value.save_as(tmp_path / "recording.glb")
+    data = (tmp_path / "recording.glb").read_bytes()
+    (length,) = struct.unpack_from("<I", data, 12)
+    gltf = json.loads(data[20 : 20 + length])
+    times = [gltf["accessors"][sampler["input"]] for sampler in gltf["animations"][0]["samplers"]]
+    assert abs(max(time["max"][0] for time in times) - (end - begin) / 60) < 0.1
+    page.get_by_role("button", name="compare").click()
+    page.get_by_role("button", name="keep this span").click()
+    page.keyboard.press("Escape")
+    shift_drag(page, 0, 0.9)
+    page.get_by_role("button", name="compare").click()
+    page.locator(".span-comparison .differs").first.wait_for()
+    page.keyboard.press("Escape")
+    page.get_by_role("button", name="select nothing").click()
+    page.get_by_label("filter the events of the timeline").wait_for()
+    page.keyboard.press("l")
+    page.keyboard.press("p")
+    page.wait_for_selector("[data-link=live]")
