@@ -115,7 +115,8 @@ export const compareCurves = (body: NewCurves) => ask("post", "/api/curves", {},
 export const machines = () => ask("get", "/api/machines", {});
 export const scenes = () => ask("get", "/api/scenes", {});
 export const machine = (name: string) => ask("get", "/api/machines/{name}", { name });
-export const verify = (name: string) => ask("get", "/api/machines/{name}/verify", { name });
+export const verify = (name: string, signal: AbortSignal) =>
+  ask("get", "/api/machines/{name}/verify", { name }, { signal });
 /** Plays every transition and measures it; takes seconds. */
 export const measure = (name: string) => ask("get", "/api/machines/{name}/measure", { name });
 export const feet = (name: string) => ask("get", "/api/machines/{name}/feet", { name });

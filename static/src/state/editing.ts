@@ -31,6 +31,7 @@ export class Editing {
   /** Emitted with the operations of each edit of the shown machine that is kept. */
   readonly kept = new Event<readonly Operation[]>();
   private checked = "";
+  private checking = new AbortController();
 
   constructor(
     private readonly machine: WatchedMachine,
@@ -52,14 +53,21 @@ export class Editing {
   private async look({ name, version }: MachineInfo): Promise<void> {
     const wanted = `${name} ${version}`;
     if (wanted === this.checked) return;
+    this.abandon();
     this.checked = wanted;
     const [versions, verified] = await Promise.all([
       edits.versions(name).catch(() => []),
-      api.verify(name).catch(() => null),
+      api.verify(name, this.checking.signal).catch(() => null),
     ]);
     if (wanted !== this.checked) return;
     this.versions.value = versions;
     this.findings.value = verified?.findings ?? [];
+  }
+
+  /** Gives up the check that runs: its machine is no longer shown, or is about to go. */
+  abandon(): void {
+    this.checking.abort();
+    this.checking = new AbortController();
   }
 
   /** Plays every transition; adds what is over the machine's budgets to the findings. Returns it in words. */

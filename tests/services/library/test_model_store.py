@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 import tiny_model
 from refusing_files import RefusingFiles
+from statwalk.errors import ContentError
 from statwalk.services.library.model_store import LEFTOVER_SECONDS, ModelStore, UploadedCharacter
 from statwalk.services.library.upload_sandbox import checked_beside
 
@@ -88,6 +89,19 @@ def test_a_damaged_record_is_no_character(store: ModelStore, record: str) -> Non
 @pytest.mark.parametrize("name", ["..", "../names/a", "a.b", "", "a/b", "a\0b"])
 def test_no_name_leads_elsewhere(store: ModelStore, name: str) -> None:
     assert store.find(name) is None
+
+
+def test_what_goes_while_old_files_are_swept_does_not_matter(store: ModelStore) -> None:
+    store.unfinished.mkdir(parents=True)
+    (store.unfinished / "gone").symlink_to("nowhere")  # listed, and not there when it is looked at
+    store.sweep(0)
+
+
+def test_a_model_that_was_deleted_is_told_in_words(store: ModelStore) -> None:
+    kept = keep(store, "a", b"one")
+    store.forget("a")
+    with pytest.raises(ContentError, match="deleted while the server worked on it"):
+        store.character(kept.sha256)
 
 
 def test_an_archive_that_is_gone_or_damaged_is_made_again(store: ModelStore) -> None:

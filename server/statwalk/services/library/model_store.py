@@ -82,9 +82,13 @@ class ModelStore:
     def read_model(self, sha256: str) -> bytes:
         """Returns the model with this hash.
 
+        :raises ContentError: when the model is gone, with the last machine or name that used it.
         :raises StorageError: when the disk holds something else by now.
         """
-        data = self.model(sha256).read_bytes()
+        try:
+            data = self.model(sha256).read_bytes()
+        except FileNotFoundError:
+            raise ContentError(f"the model {sha256[:8]} was deleted while the server worked on it") from None
         if hashlib.sha256(data).hexdigest() != sha256:
             raise StorageError(
                 f"the model {sha256[:8]} in the data folder is damaged; upload it again, or restore a backup"
@@ -211,8 +215,9 @@ class ModelStore:
     def sweep(self, seconds: float = LEFTOVER_SECONDS) -> None:
         """Deletes the unfinished files of a server that was killed, if they are so old."""
         for path in self.unfinished.glob("*"):
-            if time.time() - path.stat().st_mtime >= seconds:
-                shutil.rmtree(path, ignore_errors=True)
+            with suppress(FileNotFoundError):  # a thread or process that works has removed its own
+                if time.time() - path.stat().st_mtime >= seconds:
+                    shutil.rmtree(path, ignore_errors=True)
 
 
 def _read_or_empty(path: Path) -> str:

@@ -152,7 +152,8 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
 }
 
 /** Watches the main stage, and waits until it is there: a machine on a stage can't be renamed or deleted. */
-async function leave({ session, stage, stages }: App): Promise<void> {
+async function leave({ session, stage, stages, editing }: App): Promise<void> {
+  editing.abandon();
   if (stage.id === "main") return;
   session.watch("main");
   await new Promise<void>((done) => {

@@ -1,0 +1,37 @@
+// @vitest-environment happy-dom
+import { signal } from "@preact/signals-core";
+import { beforeEach, expect, test, vi } from "vitest";
+import type { MachineInfo } from "../net/protocol";
+import { Editing } from "./editing";
+import { Event } from "./event";
+import type { WatchedMachine } from "./watchedMachine";
+
+/** The signals of the checks that were asked for, oldest first. */
+let checks: AbortSignal[];
+
+beforeEach(() => {
+  checks = [];
+  vi.stubGlobal("fetch", (url: URL, { signal }: RequestInit) => {
+    if (url.pathname.endsWith("/verify") && signal) checks.push(signal);
+    return new Promise(() => undefined);
+  });
+});
+
+const machine = (name: string): MachineInfo => ({ name, version: 1 }) as MachineInfo;
+const storage = { getItem: () => null, setItem: () => undefined };
+
+function editing(): { editing: Editing; info: { value: MachineInfo | null } } {
+  const info = signal<MachineInfo | null>(machine("old"));
+  return { editing: new Editing({ info } as unknown as WatchedMachine, new Event(), storage), info };
+}
+
+test("the check of a machine ends when another machine is shown", () => {
+  const { info } = editing();
+  info.value = machine("new");
+  expect(checks.map((check) => check.aborted)).toEqual([true, false]);
+});
+
+test("the check of a machine that is about to go is given up", () => {
+  editing().editing.abandon();
+  expect(checks.map((check) => check.aborted)).toEqual([true]);
+});
