@@ -6,7 +6,6 @@ import argparse
 import re
 import shlex
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,6 +13,7 @@ import captures
 import httpx
 import pytest
 import tiny_model
+from command_line import statwalk
 from paths import ROOT
 from serving import PATIENCE, serving, wait_for
 from statwalk.web.app import create_app
@@ -78,9 +78,11 @@ def shell(line: str, address: str, folder: Path) -> None:
     program, *arguments = shlex.split(line, comments=True)
     if program == "curl":
         curl(arguments, address, folder)
+    elif program == "statwalk":
+        ended = statwalk(*arguments, cwd=folder)
+        assert ended.returncode == 0, ended.stderr
     else:
-        command = [sys.executable, "-m", "statwalk.cli"] if program == "statwalk" else [program]
-        subprocess.run([*command, *arguments], cwd=folder, check=True, capture_output=True, timeout=200)
+        subprocess.run([program, *arguments], cwd=folder, check=True, capture_output=True, timeout=200)
 
 
 def test_the_whole_readme_runs_as_printed(

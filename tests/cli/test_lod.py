@@ -1,19 +1,17 @@
 """`statwalk lod`: finds and stores levels of detail, writes coarser models, and refuses in one line."""
 
 import re
-import subprocess
-import sys
 from pathlib import Path
 
+import command_line
 import pytest
 import statwalk
 from rig_shapes import cylinder, mesh
 from statwalk.character.character import Character
 
 
-def run(*arguments: object) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "statwalk.cli", "lod", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=110)
+def run(*arguments: object) -> command_line.Ended:
+    return command_line.statwalk("lod", *arguments)
 
 
 def vertices(character: Character) -> int:

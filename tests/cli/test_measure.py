@@ -1,18 +1,12 @@
 """`statwalk measure`: what it prints, and its exit status."""
 
-import os
-import subprocess
-import sys
-
 import orjson
+from command_line import statwalk
 from paths import MACHINES
 
 
 def run(*arguments, columns=240):
-    command = [sys.executable, "-m", "statwalk.cli", "measure", *map(str, arguments)]
-    return subprocess.run(
-        command, capture_output=True, text=True, env={**os.environ, "COLUMNS": str(columns)}
-    )
+    return statwalk("measure", *arguments, columns=columns)
 
 
 def with_budgets(tmp_path, budgets):

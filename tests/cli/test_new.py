@@ -1,19 +1,9 @@
 """`statwalk new`: a folder that verifies and plays."""
 
-import os
-import subprocess
-import sys
-
+from command_line import statwalk
 from paths import GLTF, MACHINES, needs_assets
 
 WALKER = MACHINES / "faq-walker" / "walker.glb"
-
-
-def statwalk(*arguments, cwd):
-    command = [sys.executable, "-m", "statwalk.cli", *map(str, arguments)]
-    return subprocess.run(
-        command, capture_output=True, text=True, cwd=cwd, env={**os.environ, "COLUMNS": "200"}
-    )
 
 
 @needs_assets

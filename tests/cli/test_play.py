@@ -1,15 +1,11 @@
 """`statwalk play` from the user's side: what changed when, and a hash that the same inputs always give."""
 
-import subprocess
-import sys
-
 import pytest
+from command_line import Ended, statwalk
 
 
-def play(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "statwalk.cli", "play", *arguments], capture_output=True, text=True
-    )
+def play(*arguments: str) -> Ended:
+    return statwalk("play", *arguments)
 
 
 def test_the_states_that_the_events_lead_through() -> None:

@@ -1,16 +1,14 @@
 """`statwalk rig`: a mesh becomes a model with a skin, and what cannot be rigged is refused in one line."""
 
-import subprocess
-import sys
 from pathlib import Path
 
+import command_line
 import statwalk
 from rig_shapes import cylinder, human, mesh
 
 
-def run(*arguments: object) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "statwalk.cli", "rig", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=110)
+def run(*arguments: object) -> command_line.Ended:
+    return command_line.statwalk("rig", *arguments)
 
 
 def test_a_figure_gets_a_human_skeleton(tmp_path: Path) -> None:

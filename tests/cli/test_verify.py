@@ -1,17 +1,13 @@
 """`statwalk verify`: what it prints, and its exit status."""
 
-import os
-import subprocess
-import sys
-
 import orjson
 import pytest
+from command_line import statwalk
 from paths import MACHINES
 
 
 def run(*arguments):
-    command = [sys.executable, "-m", "statwalk.cli", "verify", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, env={**os.environ, "COLUMNS": "200"})
+    return statwalk("verify", *arguments)
 
 
 def test_errors_are_printed_and_make_status_1():

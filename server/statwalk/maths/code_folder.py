@@ -17,6 +17,7 @@ import shutil
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from contextlib import suppress
 from functools import cache
 from importlib.metadata import version
@@ -32,6 +33,7 @@ MAKES_CODE = re.compile(
 IMPORT = re.compile(
     r"^\s*(?:from (statwalk[\w.]*) import (\([^)]*\)|.*)|import (statwalk[\w.]*))", re.MULTILINE
 )
+NAME = re.compile(r"\w+")
 
 
 @cache
@@ -65,24 +67,26 @@ def compiled_sources(package: Path) -> list[Path]:
     """Returns the files of a package with compiled code and all files that they import from the package, as a
     kernel contains the constants that it reads.
     """
-    texts = {path: path.read_text(encoding="utf-8") for path in sorted(package.rglob("*.py"))}
-    sources, waiting = set(), [path for path, text in texts.items() if MAKES_CODE.search(text)]
+    paths = {_module(path.relative_to(package.parent)): path for path in package.rglob("*.py")}
+    texts = {name: path.read_text(encoding="utf-8") for name, path in paths.items()}
+    sources, waiting = set(), [name for name, text in texts.items() if MAKES_CODE.search(text)]
     while waiting:
-        path = waiting.pop()
-        if path not in sources:
-            sources.add(path)
-            waiting.extend(imported for imported in _imported(package, texts[path]) if imported in texts)
-    return sorted(sources)
+        name = waiting.pop()
+        if name not in sources:
+            sources.add(name)
+            waiting.extend(imported for imported in _imported(texts[name]) if imported in texts)
+    return sorted(paths[name] for name in sources)
 
 
-def _imported(package: Path, text: str) -> set[Path]:
-    paths = set()
+def _module(path: Path) -> str:
+    return ".".join(path.with_suffix("").parts).removesuffix(".__init__")
+
+
+def _imported(text: str) -> Iterator[str]:
+    """The names that a module imports from the package: some are modules, some are names in modules."""
     for module, names, whole in IMPORT.findall(text):
-        modules = [whole] if whole else [module, *(f"{module}.{name}" for name in re.findall(r"\w+", names))]
-        for name in modules:
-            path = package.parent.joinpath(*name.split("."))
-            paths |= {path.with_suffix(".py"), path / "__init__.py"}
-    return paths
+        yield whole or module
+        yield from (f"{module}.{name}" for name in NAME.findall(names))
 
 
 def processor() -> tuple[str, str]:

@@ -3,6 +3,7 @@
 import { Commands } from "./commands";
 import { Editing } from "./editing";
 import { Event } from "./event";
+import { Folds } from "./folds";
 import { Frames } from "./frames";
 import { Ghost } from "./ghost";
 import { Inspection } from "./inspection";
@@ -45,6 +46,7 @@ export function makeState() {
   const stage = new WatchedStage();
   const selection = new Selection(stage);
   const machine = new WatchedMachine(selection, notices);
+  const folds = new Folds(machine);
   const past = new Past(stage, selection, machine);
   const playback = new Playback(stage, line.send);
   const frames = new Frames(line, stage, selection, past, playback);
@@ -73,6 +75,7 @@ export function makeState() {
     stage,
     selection,
     machine,
+    folds,
     past,
     playback,
     frames,

@@ -1,13 +1,15 @@
 /** Makes the SVG elements of states and arrows. */
 
-import type { StateInfo } from "../../net/protocol";
 import { svg } from "../../ui/dom";
+import type { GraphNode } from "./content";
 import { type Label, labelText } from "./labels";
 import { type Arrow, type Box, STATE_HEIGHT, pointAt, shortName, svgPath } from "./shapes";
 
 const ROUND = 8;
 /** Radius of the dot from which an arrow is drawn. */
 const DOT = 5;
+/** How far the box behind that of a folded sub-machine stands out. */
+const STACK = 4;
 
 export function arrowHead(): SVGElement {
   const tip = svg("path", { d: "M0 0L8 4L0 8Z" });
@@ -22,26 +24,28 @@ export function arrowHead(): SVGElement {
   return svg("defs", {}, svg("marker", { id: "arrow", class: "tip", orient: "auto", ...size }, tip));
 }
 
-/** Draws a state with its rim and dot, from which arrows are drawn. */
-export function drawState({ name, width }: Box, info: StateInfo, initial: boolean): SVGGElement {
-  const facts = info.motion
-    ? `${info.motion}, ${info.duration.toFixed(2)} s${info.loop ? ", loops" : ""}`
-    : "no motion";
+/** Draws a state with its rim and dot, from which arrows are drawn; or a folded sub-machine. */
+export function drawState({ name, width }: Box, { facts, inner }: GraphNode, initial: boolean): SVGGElement {
+  const isFolded = inner.length > 0;
+  const kind = isFolded ? "folded sub-machine" : "state";
+  const help = isFolded ? "double click: unfold" : "double click: go there; drag its rim: a new arrow";
   const shape = { x: -width / 2, y: -STATE_HEIGHT / 2, width, height: STATE_HEIGHT, rx: ROUND };
+  const behind = { ...shape, x: shape.x + STACK, y: shape.y + STACK };
   return svg(
     "g",
     {
-      class: initial ? "state initial" : "state",
+      class: ["state", initial ? "initial" : "", isFolded ? "folded" : ""].filter(Boolean).join(" "),
       "data-state": name,
       role: "button",
       tabindex: -1,
-      "aria-label": initial ? `state ${name}, the first` : `state ${name}`,
+      "aria-label": initial ? `${kind} ${name}, the first` : `${kind} ${name}`,
     },
-    svg("title", {}, `${name}: ${facts}; double click: go there; drag its rim: a new arrow`),
+    svg("title", {}, `${name}: ${facts}; ${help}`),
+    isFolded ? svg("rect", { class: "box behind", ...behind }) : null,
     svg("rect", { class: "box", ...shape }),
     svg("text", { y: 4, "text-anchor": "middle" }, shortName(name)),
-    svg("rect", { class: "rim", ...shape }),
-    svg("circle", { class: "rim dot", cx: width / 2, r: DOT }),
+    isFolded ? null : svg("rect", { class: "rim", ...shape }),
+    isFolded ? null : svg("circle", { class: "rim dot", cx: width / 2, r: DOT }),
   );
 }
 

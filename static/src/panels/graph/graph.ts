@@ -1,6 +1,7 @@
 /** The graph panel: the picture of the state graph, its keys and pointers, and buttons that zoom. */
 
 import "./graph.css";
+import { effect } from "@preact/signals-core";
 import { el, say } from "../../ui/dom";
 import type { App } from "../../view/app";
 import { GRAPH_KEYS, GraphKeys } from "./graphKeys";
@@ -26,15 +27,26 @@ export function graphPanel(host: HTMLElement, app: App): void {
     button("+", "zoom in", () => graph.camera.zoomBy(ZOOM)),
     button("fit", "fit the graph", () => graph.fit()),
     button("delete", "delete the selected arrow", () => void deleteSelected(app)),
+    button("fold", "fold all sub-machines", () => app.folds.toggleAll()),
   ];
   host.append(el("div", { class: "graph-buttons group" }, ...buttons), note);
   app.inspection.selected.subscribe((selected) => (buttons[3]!.hidden = selected?.event == null));
+  effect(() => showFolding(buttons[4]!, app.folds));
+  app.commands.add({ keys: [], words: "fold or unfold all sub-machines", act: () => app.folds.toggleAll() });
 }
 
 function button(words: string, title: string, act: () => void): HTMLButtonElement {
   const made = el("button", { type: "button", "aria-label": title, title }, words);
   made.addEventListener("click", act);
   return made;
+}
+
+function showFolding(shown: HTMLButtonElement, { all, names }: App["folds"]): void {
+  const isFolded = names.value.size > 0;
+  shown.hidden = all.value.length === 0;
+  shown.textContent = isFolded ? "unfold" : "fold";
+  shown.title = isFolded ? "unfold all sub-machines" : "fold all sub-machines";
+  shown.setAttribute("aria-label", shown.title);
 }
 
 async function deleteSelected(app: App): Promise<void> {

@@ -13,7 +13,8 @@ export async function keepPlace({ editing, machine }: App, state: string, places
   const [info, layer] = [machine.info.value, machine.layerInfo];
   if (!info || !layer) return false;
   const known = filed(info, layer);
-  const moved = [...places].filter(([name]) => name === state || !known.has(name));
+  const states = new Set(layer.states.map(({ name }) => name));
+  const moved = [...places].filter(([name]) => states.has(name) && (name === state || !known.has(name)));
   const positions = Object.fromEntries(
     moved.map(([name, { x, y }]): [string, number[]] => [name, [Math.round(x), Math.round(y)]]),
   );

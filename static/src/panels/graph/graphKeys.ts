@@ -19,7 +19,7 @@ const ARROWS: Record<string, readonly [number, number]> = {
 /** In words, for the help and for screen readers. */
 export const GRAPH_KEYS =
   "arrow keys: to the next state; N, P: its arrows; Enter: open; A: a new arrow; Delete: the arrow's cell; " +
-  "T: travel; Shift and arrow keys: move the state; + − 0: zoom, fit";
+  "T: travel, or unfold; Shift and arrow keys: move the state; + − 0: zoom, fit";
 
 export class GraphKeys {
   /** The state from which a new arrow begins, or null. */
@@ -72,9 +72,17 @@ export class GraphKeys {
     else if (ARROWS[key]) this.go(state, key);
     else if (key === "Enter" && this.from !== null) this.finish(this.from, state);
     else if (key === "Enter" || key === " ") this.graph.select(state);
+    else if (this.graph.isFolded(state)) return this.actOnFolded(key, state);
     else if (key.toLowerCase() === "a") this.start(state);
     else if (key.toLowerCase() === "t") void this.app.travel.go(state);
     else return false;
+    return true;
+  }
+
+  /** A folded sub-machine can't be travelled to, and begins no arrow; T unfolds it. */
+  private actOnFolded(key: string, name: string): boolean {
+    if (key.toLowerCase() !== "t") return false;
+    this.graph.unfold(name);
     return true;
   }
 
@@ -89,8 +97,8 @@ export class GraphKeys {
   }
 
   private go(state: string, key: string): void {
-    const layer = this.app.machine.layerInfo;
-    const next = stateTowards(state, key, [...this.graph.picture.placed], layer?.edges ?? []);
+    const { picture } = this.graph;
+    const next = stateTowards(state, key, [...picture.placed], picture.drawnEdges);
     if (next === null) return;
     this.graph.focus(next);
     const place = this.graph.places.get(next);
@@ -140,7 +148,7 @@ export class GraphKeys {
 
   private shift(state: string, [x, y]: readonly [number, number]): void {
     const place = this.graph.places.get(state);
-    if (!place || this.graph.isPart) return;
+    if (!place || this.graph.isPart || this.graph.isFolded(state)) return;
     this.graph.move(state, { x: place.x + x * STEP, y: place.y + y * STEP });
     this.keepLater(state);
   }

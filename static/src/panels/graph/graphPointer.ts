@@ -36,19 +36,21 @@ export class GraphPointer {
     else this.graph.select(null);
   }
 
-  /** Travels to a state on double click or right click, in the base layer only. */
+  /** Travels to a state on double click or right click, in the base layer only; unfolds a sub-machine. */
   private travel(click: Event): void {
     const state = stateOf(click.target);
-    if (state === null || this.app.selection.layer.value !== 0) return;
+    if (state === null) return;
+    if (this.graph.isFolded(state)) this.graph.unfold(state);
+    else if (this.app.selection.layer.value === 0) void this.app.travel.go(state);
+    else return;
     click.preventDefault();
-    void this.app.travel.go(state);
   }
 
   private begin(target: Element, start: Point): Drag | null {
     const state = stateOf(target);
     if (state === null) return null;
     if (target.matches(".rim")) return this.drawing(state);
-    return this.graph.isPart ? null : this.moving(state, start);
+    return this.graph.isPart || this.graph.isFolded(state) ? null : this.moving(state, start);
   }
 
   private moving(state: string, start: Point): Drag {

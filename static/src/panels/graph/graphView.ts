@@ -4,16 +4,25 @@ import { effect } from "@preact/signals-core";
 import type { LayerInfo, MachineInfo, Verdict } from "../../net/protocol";
 import type { App } from "../../view/app";
 import { Camera } from "./camera";
+import { type Content, folded, partOf, withFolded } from "./content";
 import { keepPlace } from "./graphEdits";
 import { LayerPlaces } from "./layerPlaces";
 import type { Places } from "./layout";
-import { statesToDraw } from "./neighbours";
+import { Picture } from "./picture";
 import { placeStates } from "./places";
-import { type Content, Picture } from "./picture";
 import { type Point, rectOf } from "./shapes";
 
 /** Milliseconds without a zoom after which labels look for new places. */
 const SETTLED_MS = 120;
+
+interface Drawn {
+  machine: MachineInfo;
+  layer: LayerInfo;
+  /** What stands for each state. */
+  shown: ReadonlyMap<string, string>;
+  /** The state around which a part is drawn; "": all is drawn. */
+  around: string;
+}
 
 export class GraphView {
   readonly picture = new Picture();
@@ -21,7 +30,7 @@ export class GraphView {
   /** Where the drawn states stand. */
   places: Places = new Map();
   private readonly layerPlaces = new LayerPlaces();
-  private drawn: { machine: MachineInfo; layer: LayerInfo; around: string } | null = null;
+  private drawn: Drawn | null = null;
   private lit = "";
   private settling: ReturnType<typeof setTimeout> | undefined;
 
@@ -48,10 +57,24 @@ export class GraphView {
     if (bounds) this.camera.fit(bounds);
   }
 
-  select(state: string | null, event: string | null = null): void {
-    const layer = this.app.machine.layerInfo?.name;
+  /** Selects a state, or the arrow of an event; of the arrows that leave a folded sub-machine the first. */
+  select(name: string | null, event: string | null = null): void {
+    const layer = this.app.machine.layerInfo;
+    const leaves = layer?.edges.find(
+      ({ from, events }) => this.standIn(from) === name && event !== null && events.includes(event),
+    );
+    const state = leaves?.from ?? name;
     this.app.inspection.selected.value =
-      state === null || layer === undefined ? null : { layer, state, event };
+      state === null || !layer ? null : { layer: layer.name, state, event };
+  }
+
+  isFolded(name: string): boolean {
+    return this.app.folds.names.value.has(name);
+  }
+
+  /** Unfolds a sub-machine. */
+  unfold(name: string): void {
+    this.app.folds.fold([name], false);
   }
 
   /** Lights a state's arrows; "": none. */
@@ -97,11 +120,7 @@ export class GraphView {
 
   /** Draws another machine with the next frame, when all panels have their size; an edit at once. */
   private changed(): void {
-    const [machine, layer, live] = [
-      this.app.machine.info.value,
-      this.app.machine.layerInfo,
-      this.app.selection.shownState,
-    ];
+    const [machine, layer, live] = [this.app.machine.info.value, this.app.machine.layerInfo, this.live];
     const known = machine?.name === this.drawn?.machine.name && layer?.name === this.drawn?.layer.name;
     if (known || !live) this.draw();
     else requestAnimationFrame(() => this.draw());
@@ -109,27 +128,40 @@ export class GraphView {
 
   private draw(): void {
     const [machine, layer] = [this.app.machine.info.value, this.app.machine.layerInfo];
-    const live = this.app.selection.shownState;
+    const { live } = this;
     if (!machine || !layer || !this.aspect) return;
-    const names = statesToDraw(
-      layer.states.map(({ name }) => name),
-      layer.edges,
-      live,
-    );
-    const around = names.length < layer.states.length ? live : "";
+    const shown = this.app.folds.shown.value;
+    const all = folded(layer, shown);
+    const content = partOf(all, live);
+    const around = content.nodes.length < all.nodes.length ? live : "";
     const { drawn } = this;
-    if (drawn?.machine === machine && drawn.layer === layer && drawn.around === around) return;
-    this.drawn = { machine, layer, around };
-    this.note(around ? `${names.length} of ${layer.states.length} states` : "");
-    const content = part(layer, names);
+    const isSame = drawn?.machine === machine && drawn.layer === layer && drawn.shown === shown;
+    if (isSame && drawn.around === around) return;
+    this.drawn = { machine, layer, shown, around };
+    this.note(around ? `${content.nodes.length} of ${all.nodes.length} states` : "");
     const isHere = drawn?.layer.name === layer.name && drawn.machine.name === machine.name;
     // An edit moves nothing, and a whole layout takes long.
     const kept: Places = isHere && drawn.around === around ? this.places : new Map<string, Point>();
     this.places = around
-      ? placeStates(names, content.edges, kept, this.aspect)
-      : this.layerPlaces.of(machine, layer, this.aspect);
+      ? placeStates(
+          content.nodes.map(({ name }) => name),
+          content.edges,
+          kept,
+          this.aspect,
+        )
+      : withFolded(this.layerPlaces.of(machine, layer, this.aspect), content.nodes);
     this.show(content);
     if (!isHere || around || this.camera.fitted) this.fit();
+    this.mark();
+  }
+
+  private standIn(state: string): string {
+    return this.app.folds.shown.value.get(state) ?? state;
+  }
+
+  /** What stands for the live state. */
+  private get live(): string {
+    return this.standIn(this.app.selection.shownState);
   }
 
   private show(content: Content): void {
@@ -141,7 +173,7 @@ export class GraphView {
   }
 
   private mark(): void {
-    const live = this.app.selection.shownState;
+    const { live } = this;
     const selected = this.app.inspection.selected.value;
     const layer = this.app.machine.layerInfo;
     const isHere = selected !== null && selected.layer === layer?.name;
@@ -151,7 +183,9 @@ export class GraphView {
     this.picture.mark({
       live,
       lit: this.lit,
-      selected: isHere ? { ...selected, to: arrow?.to ?? "" } : null,
+      selected: isHere
+        ? { state: this.standIn(selected.state), event: selected.event, to: this.standIn(arrow?.to ?? "") }
+        : null,
     });
   }
 
@@ -168,15 +202,6 @@ export class GraphView {
 
   private fire({ verdict, event, layer, from, to }: Verdict): void {
     if (verdict === "taken" && from && layer === this.app.selection.layer.value)
-      this.picture.fire(from, to || from, event);
+      this.picture.fire(this.standIn(from), this.standIn(to || from), event);
   }
-}
-
-function part({ states, edges, initial }: LayerInfo, names: readonly string[]): Content {
-  const shown = new Set(names);
-  return {
-    states: states.filter(({ name }) => shown.has(name)),
-    edges: edges.filter(({ from, to }) => shown.has(from) && shown.has(to)),
-    initial,
-  };
 }

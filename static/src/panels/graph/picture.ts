@@ -1,8 +1,8 @@
 /** Draws the graph: states, arrows with their labels; marks what is live, selected, and what is pointed at. */
 
-import type { Edge, StateInfo } from "../../net/protocol";
 import { flash, svg } from "../../ui/dom";
 import { leadArrows } from "./arrows";
+import type { Content } from "./content";
 import { arrowHead, bendArrow, drawArrow, drawState, placeState, writeLabel } from "./drawing";
 import { placeLabels } from "./labels";
 import type { Places } from "./layout";
@@ -13,13 +13,6 @@ import { type Arrow, type Box, type Point, type Rect, around, pointAt, rectOf, s
 const LETTERS = 11;
 /** Above it only the arrows of live, selected and pointed at states are drawn. */
 const MOST_ARROWS = 400;
-
-/** What is drawn: one layer, or a part of it. */
-export interface Content {
-  states: readonly StateInfo[];
-  edges: readonly Edge[];
-  initial: string;
-}
 
 /** What stands out. */
 export interface Marks {
@@ -37,7 +30,7 @@ export class Picture {
   private readonly arrowGroup = svg("g");
   private readonly stateGroup = svg("g");
   private readonly ghost = svg("path", { class: "line ghost", hidden: true });
-  private content: Content = { states: [], edges: [], initial: "" };
+  private content: Content = { nodes: [], edges: [], initial: "" };
   private boxes = new Map<string, Box>();
   private arrows: Arrow[] = [];
   private readonly states = new Map<string, SVGGElement>();
@@ -53,17 +46,17 @@ export class Picture {
   show(content: Content, places: Places): void {
     this.content = content;
     this.boxes = new Map(
-      content.states.map(({ name }) => [name, { name, ...places.get(name)!, width: stateWidth(name) }]),
+      content.nodes.map(({ name }) => [name, { name, ...places.get(name)!, width: stateWidth(name) }]),
     );
     this.states.clear();
-    for (const info of content.states) {
-      const box = this.boxes.get(info.name)!;
-      const group = drawState(box, info, info.name === content.initial);
+    for (const node of content.nodes) {
+      const box = this.boxes.get(node.name)!;
+      const group = drawState(box, node, node.name === content.initial);
       placeState(group, box);
-      this.states.set(info.name, group);
+      this.states.set(node.name, group);
     }
     this.stateGroup.replaceChildren(...this.states.values());
-    this.canvas.classList.toggle("dense", isDense(content.states.length, content.edges.length));
+    this.canvas.classList.toggle("dense", isDense(content.nodes.length, content.edges.length));
     this.drawArrows();
     this.mark(this.marks);
   }
@@ -150,6 +143,10 @@ export class Picture {
 
   box(name: string): Box | undefined {
     return this.boxes.get(name);
+  }
+
+  get drawnEdges(): Content["edges"] {
+    return this.content.edges;
   }
 
   get placed(): Iterable<Box> {

@@ -1,6 +1,7 @@
 /** Draws the table: cells, rows, and the head of each sub-machine. */
 
 import type { Cell, LayerInfo, StateInfo } from "../../net/protocol";
+import { around } from "../../state/folds";
 import { el, svg } from "../../ui/dom";
 import { cellSentence, glance, isDefault } from "./cellText";
 import type { Line } from "./tableBody";
@@ -127,31 +128,69 @@ export function drawHead(shown: readonly string[]): HTMLTableRowElement {
   );
 }
 
-/** Returns the lines of a layer's states; states of a sub-machine come under its name. */
+/** What the lines of a table need beside the layer. */
+export interface Lines {
+  /** What stands for each state: itself, or a folded sub-machine. */
+  shown: ReadonlyMap<string, string>;
+  fold: (name: string, isFolded: boolean) => void;
+  /** Travels to a state; null: not in this layer. */
+  goTo: ((state: string) => void) | null;
+}
+
+/** Returns the lines of a layer's states; states of a sub-machine come under its name, unless it is folded. */
 export function linesOf(
-  { table, states: all }: LayerInfo,
+  layer: LayerInfo,
   states: readonly StateInfo[],
-  shown: readonly string[],
-  goTo: ((state: string) => void) | null,
+  events: readonly string[],
+  { shown, fold, goTo }: Lines,
 ): Line[] {
-  const known = new Set(all.map((state) => state.name));
-  const row = (state: StateInfo): Line => ({
-    state: state.name,
-    draw: () =>
-      el(
-        "tr",
-        {},
-        drawState(state, goTo),
-        ...shown.map((event) => drawCell(state, event, table[state.name]?.[event], known)),
-      ),
-  });
-  const head = (outer: string): Line => ({
-    state: "",
-    draw: () => el("tr", { class: "outer" }, el("th", { colspan: shown.length + 1 }, el("span", {}, outer))),
-  });
-  return states.flatMap((state, i) =>
-    state.outer && state.outer !== states[i - 1]?.outer ? [head(state.outer), row(state)] : [row(state)],
-  );
+  const known = new Set(layer.states.map((state) => state.name));
+  const lines: Line[] = [];
+  let before: string[] = [];
+  for (const state of states) {
+    const name = shown.get(state.name) ?? state.name;
+    const isFolded = name !== state.name;
+    const heads = [...(isFolded ? [name] : []), ...around(layer, name)].reverse();
+    const added = heads.filter((outer, depth) => outer !== before[depth]);
+    lines.push(...added.map((outer) => headLine(layer, outer, outer === name, events.length + 1, fold)));
+    if (!isFolded) lines.push(rowLine(layer, state, events, known, goTo));
+    before = heads;
+  }
+  return lines;
+}
+
+function rowLine(
+  { table }: LayerInfo,
+  state: StateInfo,
+  events: readonly string[],
+  known: ReadonlySet<string>,
+  goTo: Lines["goTo"],
+): Line {
+  const cells = (): HTMLElement[] =>
+    events.map((event) => drawCell(state, event, table[state.name]?.[event], known));
+  return { name: state.name, isState: true, draw: () => el("tr", {}, drawState(state, goTo), ...cells()) };
+}
+
+/** The head of a sub-machine: a button that folds it. */
+function headLine(
+  { states }: LayerInfo,
+  outer: string,
+  isFolded: boolean,
+  columns: number,
+  fold: Lines["fold"],
+): Line {
+  const inner = states.filter(({ name }) => name.startsWith(`${outer}.`)).length;
+  const words = isFolded ? `${outer}, ${inner} ${inner === 1 ? "state" : "states"}` : outer;
+  const draw = (): HTMLTableRowElement => {
+    const button = el(
+      "button",
+      { type: "button", class: "fold", "aria-expanded": String(!isFolded), "data-fold": outer },
+      words,
+    );
+    button.addEventListener("click", () => fold(outer, !isFolded));
+    return el("tr", { class: "outer" }, el("th", { colspan: columns }, button));
+  };
+  return { name: isFolded ? outer : "", isState: false, draw };
 }
 
 /** Returns the number of letters of the longest text in each column: rows that come do not widen it. */

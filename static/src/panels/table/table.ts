@@ -10,7 +10,8 @@ import type { App } from "../../view/app";
 import { el, flash, say } from "../../ui/dom";
 import { columnLetters, columns, drawHead, linesOf } from "./drawTable";
 import { headMenu } from "./headMenu";
-import { firstFrom, moved } from "./gridMoves";
+import { moved } from "./gridMoves";
+import { reveal, revealSideways } from "./reveal";
 import { TableBody } from "./tableBody";
 import { Filter } from "./filter";
 import { verdictLine } from "./verdictLine";
@@ -42,6 +43,7 @@ export class Table {
     this.filter.text.subscribe(() => this.draw());
     app.machine.info.subscribe(() => this.draw());
     app.selection.layer.subscribe(() => this.draw());
+    app.folds.names.subscribe(() => this.draw());
     app.selection.layerStates.subscribe(() => this.mark());
     app.session.verdicts.on((verdict) => this.judge(verdict));
     // After the table: its menu looks for the drawn head.
@@ -65,13 +67,14 @@ export class Table {
     if (states.length > MANY_ROWS) this.keepWidths(layer);
     this.table.setAttribute("aria-rowcount", String(states.length + 1));
     this.table.tHead!.replaceChildren(this.head);
-    const isLive = (state: string): boolean => state !== "" && state === this.app.selection.shownState;
+    const { shown } = this.app.folds;
+    const fold = (name: string, isFolded: boolean): void => this.fold(name, isFolded);
     this.body.fill(
-      linesOf(layer, states, events, goTo).map(({ state, draw }) => ({
-        state,
+      linesOf(layer, states, events, { shown: shown.value, fold, goTo }).map((line) => ({
+        ...line,
         draw: () => {
-          const row = draw();
-          row.toggleAttribute("aria-current", isLive(state));
+          const row = line.draw();
+          row.toggleAttribute("aria-current", line.name !== "" && line.name === this.live);
           return row;
         },
       })),
@@ -96,6 +99,20 @@ export class Table {
     (this.head.cells[0] as HTMLElement).style.minWidth = `${longest}ch`;
   }
 
+  /** What stands for the live state. */
+  private get live(): string {
+    const { shownState } = this.app.selection;
+    return this.app.folds.shown.value.get(shownState) ?? shownState;
+  }
+
+  /** Folds a sub-machine or unfolds it; the keyboard's focus stays on its name. */
+  private fold(name: string, isFolded: boolean): void {
+    this.app.folds.fold([name], isFolded);
+    this.table
+      .querySelector<HTMLElement>(`[data-fold="${CSS.escape(name)}"]`)
+      ?.focus({ preventScroll: true });
+  }
+
   /** Shows the cell of a finding, or its row. */
   go({ state, event, layer }: Pick<Finding, "state" | "event" | "layer">): void {
     const index =
@@ -104,15 +121,16 @@ export class Table {
     if (state) this.unfilter(state, event);
     const row = state ? this.body.row(state) : null;
     if (!row || !state) return;
-    this.reveal(row);
+    reveal(this.host, row);
     const cell = event ? this.cell(state, event) : null;
-    if (cell) this.revealSideways(cell);
+    if (cell) this.sideways(cell);
     flash(cell ?? row, "shown");
     this.focus(cell);
   }
 
-  /** Gives the filter up if it hides what shall be shown. */
+  /** Unfolds what hides the state, and gives the filter up if that hides what shall be shown. */
   private unfilter(state: string, event: string | null): void {
+    this.app.folds.reveal(state);
     const isShown = this.body.states.includes(state) && (event === null || this.shown.includes(event));
     if (!isShown) this.filter.clear();
   }
@@ -182,8 +200,8 @@ export class Table {
     const to = spot && (spot.row ? this.body.row(states[spot.row - 1]!) : this.head);
     const next = to?.cells[spot!.column];
     if (!next) return false;
-    this.reveal(next.parentElement!);
-    this.revealSideways(next);
+    reveal(this.host, next.parentElement!);
+    this.sideways(next);
     this.focus(next.hasAttribute("tabindex") ? next : null);
     return true;
   }
@@ -202,37 +220,15 @@ export class Table {
   }
 
   private mark(): void {
-    const live = this.app.selection.shownState;
+    const { live } = this;
     // While you work in the table it does not scroll by itself.
     const row = this.host.contains(document.activeElement) ? null : this.body.row(live);
     for (const [name, drawn] of this.body.rows()) drawn.toggleAttribute("aria-current", name === live);
-    if (row) this.reveal(row);
+    if (row) reveal(this.host, row);
   }
 
-  /** Scrolls the table, not the page, as little as needed. */
-  private reveal(row: HTMLElement): void {
-    const [top, bottom] = [row.offsetTop - 32, row.offsetTop + row.offsetHeight];
-    if (top < this.host.scrollTop) this.host.scrollTop = top;
-    else if (bottom > this.host.scrollTop + this.host.clientHeight)
-      this.host.scrollTop = bottom - this.host.clientHeight;
-  }
-
-  /** Scrolls sideways until the cell is visible, and no column is cut by the fixed first one. */
-  private revealSideways(cell: HTMLElement): void {
-    const [fixed, ...heads] = [...this.head.cells];
-    const stays = fixed?.offsetWidth ?? 0;
-    const { scrollLeft, clientWidth } = this.host;
-    const [left, right] = [cell.offsetLeft - stays, cell.offsetLeft + cell.offsetWidth];
-    if (cell.tagName === "TH" || left < scrollLeft) this.host.scrollLeft = Math.max(0, left);
-    else if (right > scrollLeft + clientWidth) {
-      const starts = heads.map((head) => head.offsetLeft - stays);
-      const start = firstFrom(starts, Math.min(left, right - clientWidth));
-      // Without room after the last column the table could not be scrolled so far.
-      const last = heads.at(-1)!;
-      const missing = start + clientWidth - (last.offsetLeft + last.offsetWidth);
-      this.table.style.paddingRight = `${Math.max(0, missing)}px`;
-      this.host.scrollLeft = start;
-    }
+  private sideways(cell: HTMLElement): void {
+    revealSideways({ host: this.host, table: this.table, heads: [...this.head.cells] }, cell);
   }
 
   private judge(verdict: Verdict): void {
@@ -248,7 +244,7 @@ export class Table {
       cell.classList.add("last");
       // A motion that only begins again moves nothing.
       const isLoop = verdict.event === "END" && !verdict.to;
-      if (!isLoop && !this.host.contains(document.activeElement)) this.revealSideways(cell);
+      if (!isLoop && !this.host.contains(document.activeElement)) this.sideways(cell);
     }
     flash(cell, verdict.verdict);
   }

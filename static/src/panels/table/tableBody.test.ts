@@ -16,7 +16,7 @@ beforeEach(() => {
   body = new TableBody(host);
   host.append(el("table", {}, body.element));
   const states = Array.from({ length: 300 }, (_, i) => `S${i}`);
-  body.fill(states.map((state) => ({ state, draw: () => row(state) })));
+  body.fill(states.map((state) => ({ name: state, isState: true, draw: () => row(state) })));
 });
 
 function scroll(line: number): void {

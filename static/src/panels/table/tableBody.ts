@@ -5,8 +5,10 @@ import { drawnLines, gaps } from "./rowWindow";
 
 /** A line of the table: the row of a state, or the head of a sub-machine. */
 export interface Line {
-  /** "": a head, which is no state. */
-  state: string;
+  /** The state, or the folded sub-machine; "": the head of an unfolded one. */
+  name: string;
+  /** Whether it is the row of a state. */
+  isState: boolean;
   draw: () => HTMLTableRowElement;
 }
 
@@ -30,7 +32,7 @@ export class TableBody {
   /** Takes other lines in place of all. */
   fill(lines: readonly Line[]): void {
     this.lines = lines;
-    this.places = new Map(lines.flatMap(({ state }, i) => (state ? [[state, i] as const] : [])));
+    this.places = new Map(lines.flatMap(({ name }, i) => (name ? [[name, i] as const] : [])));
     this.drawn = new Map();
     this.asked = -1;
     this.element.replaceChildren();
@@ -39,12 +41,14 @@ export class TableBody {
 
   /** The states of the rows, from the top. */
   get states(): string[] {
-    return [...this.places.keys()];
+    return this.lines.filter(({ isState }) => isState).map(({ name }) => name);
   }
 
-  /** Returns the row of a state, and draws it if it is out of sight; null: the table does not have it. */
-  row(state: string): HTMLTableRowElement | null {
-    const line = this.places.get(state);
+  /** Returns the row of a state or the line of a folded sub-machine, and draws it if it is out of sight; null: the
+   * table does not have it.
+   */
+  row(name: string): HTMLTableRowElement | null {
+    const line = this.places.get(name);
     if (line === undefined) return null;
     if (!this.drawn.has(line)) {
       this.asked = line;
@@ -53,9 +57,9 @@ export class TableBody {
     return this.drawn.get(line) ?? null;
   }
 
-  /** The rows of states that are drawn. */
+  /** The rows of states and the lines of folded sub-machines that are drawn. */
   *rows(): Iterable<[string, HTMLTableRowElement]> {
-    for (const [line, row] of this.drawn) if (this.lines[line]!.state) yield [this.lines[line]!.state, row];
+    for (const [line, row] of this.drawn) if (this.lines[line]!.name) yield [this.lines[line]!.name, row];
   }
 
   /** Draws what is in sight now. A row that stays keeps its element, and with it the focus. */
