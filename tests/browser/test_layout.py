@@ -1,7 +1,9 @@
 """What fits on pages of several sizes, and what a click must not move."""
 
+from collections.abc import Callable
+
 import pytest
-from browser.conftest import until
+from browser.conftest import Server, until
 from playwright.sync_api import Page
 
 LAST_ROW_IS_SEEN = """(() => {
@@ -34,6 +36,17 @@ def test_a_phone_scrolls_no_page_sideways(viewer: Page, width: int, height: int)
     viewer.set_viewport_size({"width": width, "height": height})
     until(viewer, "innerWidth === arg", width)
     assert viewer.evaluate("document.documentElement.scrollWidth") == width
+
+
+@pytest.mark.parametrize(("width", "height"), [(390, 844), (320, 640)])
+def test_a_phone_shows_live_and_whole_events_of_a_machine_with_layers(
+    server: Server, opened: Callable[[str], Page], width: int, height: int
+) -> None:
+    page = opened(f"{server.url}?machine=walker-layers")
+    page.set_viewport_size({"width": width, "height": height})
+    until(page, "document.querySelector('.live-button').getBoundingClientRect().right <= innerWidth")
+    assert page.locator("#events").bounding_box()["height"] >= 60
+    assert page.locator(".lanes-window").bounding_box()["height"] <= 118
 
 
 def test_nothing_of_the_header_is_cut(viewer: Page) -> None:

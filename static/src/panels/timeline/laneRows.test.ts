@@ -22,6 +22,12 @@ describe("laneRows", () => {
     expect(folded.actions).not.toBeNull();
   });
 
+  it("makes each layer at least so high, folded or not", () => {
+    const { layers, height } = laneRows([true, false], false, 60);
+    expect(layers[1]!.state - layers[0]!.state).toBe(60);
+    expect(height - layers[1]!.state).toBe(60);
+  });
+
   it("puts actions below everything", () => {
     const { actions, height, layers } = laneRows([false, false], true);
     expect([actions! > layers[1]!.events, height > actions!]).toEqual([true, true]);

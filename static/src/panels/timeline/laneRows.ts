@@ -29,12 +29,15 @@ const LAYER_HEIGHT = STATE_HEIGHT + BLEND_HEIGHT + EVENT_HEIGHT + 3;
 export const layersOf = (cast: { layers: readonly string[] } | null | undefined): readonly string[] =>
   cast?.layers.length ? cast.layers : ["base"];
 
-/** Places the lanes of the layers that are folded or not: a folded one shows states alone, and if all are, no actions. */
-export function laneRows(folded: readonly boolean[], hasActions: boolean): LaneRows {
+/**
+ * Places the lanes of the layers that are folded or not: a folded one shows states alone, and if all are, no actions.
+ * A layer is at least `least` high.
+ */
+export function laneRows(folded: readonly boolean[], hasActions: boolean, least = 0): LaneRows {
   let bottom = RULER_HEIGHT;
   const layers = folded.map((isFolded) => {
     const state = bottom;
-    bottom += isFolded ? STATE_HEIGHT + FOLDED_GAP : LAYER_HEIGHT;
+    bottom += Math.max(least, isFolded ? STATE_HEIGHT + FOLDED_GAP : LAYER_HEIGHT);
     return { state, blend: state + STATE_HEIGHT, events: state + STATE_HEIGHT + BLEND_HEIGHT };
   });
   const isShown = hasActions && folded.includes(false);

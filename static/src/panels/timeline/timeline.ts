@@ -30,6 +30,9 @@ const [FAST_MS, SLOW_MS] = [33, 100];
 const SNAP_PIXELS = 7;
 /** A lane's name begins above it by so many pixels. */
 const NAME_ABOVE = 3;
+/** The least height of a lane whose name a finger touches. */
+const FINGER = 44;
+const TOUCH = window.matchMedia("(pointer: coarse)");
 /** A pointer that moves farther scrubs; it does not click. */
 const CLICK_PIXELS = 4;
 
@@ -147,7 +150,8 @@ class Timeline {
     const actions = this.wanted(app.past.events.actionsBetween(actor, app.stage.first, app.stage.head));
     const layers = layersOf(app.selection.cast);
     const isFolded = layers.map((name) => folded.value.has(name));
-    const rows = laneRows(isFolded, actions.length > 0);
+    const isTouched = layers.length > 1 && TOUCH.matches;
+    const rows = laneRows(isFolded, actions.length > 0, isTouched ? FINGER : 0);
     this.form(layers, rows);
     const sheet: LaneCanvas = { pen, span, width, ink: this.ink };
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
