@@ -26,18 +26,26 @@ def judged(solver, count=None, **options):
     for number, case in enumerate(cases()):
         if count is not None and len(case["chain_names"]) != count:
             continue
-        figure, names = character(case["asset"]), case["chain_names"]
-        clip = case["clip"]
-        pose = figure.bind_pose if clip < 0 else list(figure.clips.values())[clip].sample(case["t"])
-        answer = figure.solve(pose, names, case["target"], solver, **options)
-        faults += [
-            f"case {number} ({case['kind']}): {fault}" for fault in _faults(case, figure, pose, answer)
-        ]
-        most[case["kind"]] = max(most.get(case["kind"], 0), int(answer.iterations))
+        solved = answer(case, solver, **options)
+        faults += [f"case {number} ({case['kind']}): {fault}" for fault in _faults(case, solved)]
+        most[case["kind"]] = max(most.get(case["kind"], 0), int(solved.iterations))
     return faults, most
 
 
-def _faults(case, figure, pose, answer):
+def answer(case, solver, **options):
+    """Solves one case."""
+    figure = character(case["asset"])
+    return figure.solve(_pose(case, figure), case["chain_names"], case["target"], solver, **options)
+
+
+def _pose(case, figure):
+    clip = case["clip"]
+    return figure.bind_pose if clip < 0 else list(figure.clips.values())[clip].sample(case["t"])
+
+
+def _faults(case, answer):
+    figure = character(case["asset"])
+    pose = _pose(case, figure)
     rows = [figure.skeleton.index(name) for name in case["chain_names"]]
     places = figure.world(answer.pose)[rows, :3, 3].astype(float)
     error = np.linalg.norm(places[-1] - case["target"])

@@ -60,11 +60,11 @@ def test_out_of_reach_it_points_at_the_target(times):
     start = points(POSES)[:, 1]
     whole = WHOLE[:, None]
     after = points(solved(POSES, start + AIM * whole * times, "force", iterations=MOST_STEPS)[0])
-    np.testing.assert_allclose((after[:, -1] - start) / whole, AIM, atol=0.02)
+    np.testing.assert_allclose((after[:, -1] - start) / whole, AIM, atol=5e-4)
 
 
 @needs_assets
 def test_all_cases():
-    faults, most = ik_cases.judged("force", iterations=MOST_STEPS)
+    faults, most = ik_cases.judged("force")
     assert faults == []
     print(most)

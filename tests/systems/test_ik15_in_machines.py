@@ -20,11 +20,12 @@ def test_a_hand_comes_to_a_point_on_the_stage(solver):
     stage, actor = standing(f"reach: {{solver: {solver}, chain: {ARM}, target: grip}}")
     stage.set(actor, "grip", GRIP)
     stage.step(90)
-    np.testing.assert_allclose(joint(actor, "Right.hand"), GRIP, atol=3e-4)
+    np.testing.assert_allclose(joint(actor, "Right.hand"), GRIP, atol=1e-4)
     assert actor.reached["reach"].distance == pytest.approx(
         np.linalg.norm(joint(actor, "Right.hand") - GRIP), abs=3e-5
     )
     assert actor.reached["reach"].weight == 1
+    assert actor.reached["reach"].reached
 
 
 def test_a_point_in_model_space_goes_with_the_actor():

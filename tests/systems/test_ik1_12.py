@@ -228,14 +228,32 @@ def test_wrong_expressions_are_errors(lines, what):
         ({"tolerance": "low"}, "tolerance: 'low' is no number from 0 to 1"),
         ({"known": [{"upper": {}}]}, "known: known values are written {bone: {quantity: value}}"),
         ({"known": None}, "known: known values are written"),
-        ({"bones": ["upper"]}, "bones: the bones of a skeleton table or a character are needed, not list"),
-        ({"expressions": "upper.length = 7"}, "expressions: a list of lines is needed, not 'upper"),
-        ({"expressions": [3]}, r"expressions: a list of lines is needed, not \[3\]"),
+        (
+            {"bones": ["upper"]},
+            "bones: .*direction}}, the bones of a skeleton table or a character are needed, not list",
+        ),
+        ({"bones": {"a": [5]}}, r"bones.a: a bone has parent, length, direction, not \[5\]"),
+        ({"bones": {"a": {"long": 5}}}, "bones.a: a bone has parent, length, direction, not {'long': 5}"),
+        ({"bones": {"a": {"length": "5 m"}}}, "bones.a.length: a number is needed, not '5 m'"),
+        ({"bones": {"a": {"length": -5}}}, "bones.a: a length is 0 or more, not -5"),
+        ({"bones": {"a": {"direction": (0, 1)}}}, r"bones.a.direction: 3 numbers are needed, not \(0, 1\)"),
+        ({"bones": {"a": {"parent": "b"}}}, "bones.a: no bone is called 'b'"),
+        ({"expressions": 3}, "expressions: a text or a list of lines is needed, not 3"),
+        ({"expressions": [3]}, r"expressions: a text or a list of lines is needed, not \[3\]"),
     ],
 )
 def test_what_is_no_question_is_refused_in_words(asked, what):
     with pytest.raises(ContentError, match=what):
         deduce(**{"bones": ARM, "known": {}} | asked)
+
+
+def test_bones_of_ones_own_are_rows_in_any_order_and_expressions_a_text():
+    fore = {"parent": "upper", "length": 5, "direction": (0, -2, 0)}
+    rows = {"fore": fore, "upper": {"length": 5, "direction": [0, -1, 0]}}
+    known = {"upper": {"SP": [0, 0, 0]}, "fore": {"EP": [0, -8, 0], "bend": [0, 0, 1]}}
+    found = deduce(rows, known, "half = 0.5 * fore.rotate_x\n# a right triangle: 3, 4, 5")
+    np.testing.assert_allclose(found["upper"]["EP"].value, [0, -4, 3], atol=1e-12)
+    assert float(found.variables["half"].value) == pytest.approx(np.degrees(np.arctan2(3, 4)))
 
 
 def test_what_was_found_prints_on_one_line():

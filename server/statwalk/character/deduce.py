@@ -16,13 +16,10 @@ from typing import Any
 
 import numpy as np
 
-from statwalk.character.character import Character
+from statwalk.character.bone_sets import Source, bone_set_of
 from statwalk.errors import ContentError
-from statwalk.maths import vector
 from statwalk.maths.arrays import Floats
 from statwalk.maths.formula.assignments import AssignmentError, read_assignments
-from statwalk.rig.bones import Bones
-from statwalk.rig.skeleton import Skeleton
 from statwalk.solve.bone_expressions import channel_of
 from statwalk.solve.bone_values import SHAPES, BoneSet, BoneValue, BoneValues
 from statwalk.solve.given_values import Known, given_values
@@ -50,19 +47,23 @@ class Deduction:
 
 
 def deduce(
-    bones: Bones | Character | BoneSet,
+    bones: Source,
     known: Known,
-    expressions: Sequence[str] | Sequence[tuple[int, str]] = (),
+    expressions: str | Sequence[str] | Sequence[tuple[int, str]] = (),
     tolerance: float = TOLERANCE,
 ) -> Deduction:
     """Returns everything that follows from `known` by the twelve rules and the expressions.
+
+    `bones`: the bones of a skeleton table, a character, whose joints are bones, or your own:
+    {name: {"parent": name, "length": number, "direction": (3,)}}, each of the three may be missing.
 
     Known quantities by bone: RA (3,) radians, RM (3, 3), SP EP TR (3,), DIR (3,), LEN (), each after any
     leading axes of frames; the data `path` (2, 3), two points of a motion path, and `bend` (3,), the
     direction in which the joint at the bone's start bends. LEN, DIR and TR come from the bones where they are
     not given; None makes them unknown. Points are in the space and the unit of the bones.
 
-    `expressions`: lines such as `hand.rotate_z = -0.5 * forearm.rotate_z`, or lines with their numbers.
+    `expressions`: a text or a list of lines such as `hand.rotate_z = -0.5 * forearm.rotate_z`, or lines with
+    their numbers.
     `tolerance`: how far apart two values of one quantity may be, as a part of the longest bone.
 
     :raises UnknownNameError: when a bone, quantity or channel does not exist.
@@ -70,7 +71,7 @@ def deduce(
     """
     if not (isinstance(tolerance, Real) and 0 <= tolerance <= 1):
         raise ContentError(f"{tolerance!r:.40} is no number from 0 to 1", place="tolerance")
-    bone_set = bones if isinstance(bones, BoneSet) else bone_set_of(bones)
+    bone_set = bone_set_of(bones)
     state = given_values(bone_set, known)
     numbered = _numbered(expressions)
 
@@ -89,9 +90,10 @@ def deduce(
 
 
 def _numbered(lines: Any) -> list[tuple[int, str]]:
-    is_list = isinstance(lines, Sequence) and not isinstance(lines, str)
-    if not is_list or not all(isinstance(line, str | tuple) for line in lines):
-        raise ContentError(f"a list of lines is needed, not {lines!r:.40}", place="expressions")
+    if isinstance(lines, str):
+        lines = lines.split("\n")
+    if not isinstance(lines, Sequence) or not all(isinstance(line, str | tuple) for line in lines):
+        raise ContentError(f"a text or a list of lines is needed, not {lines!r:.40}", place="expressions")
     return [line if isinstance(line, tuple) else (k, line) for k, line in enumerate(lines, 1)]
 
 
@@ -109,43 +111,6 @@ def _answer(state: BoneValues, variables: Mapping[str, BoneValue]) -> Deduction:
     }
     unknown = tuple((name, quantity) for name in names for quantity in SHAPES if quantity not in values[name])
     return Deduction(state.bones, MappingProxyType(values), unknown, MappingProxyType(dict(variables)))
-
-
-def bone_set(skeleton: Skeleton, length: Floats, direction: Floats) -> BoneSet:
-    """Returns bones with lengths (J,) and directions (J, 3) of any length; NaN: not known."""
-    return BoneSet(
-        skeleton.names, skeleton.parent, length, vector.unit(direction), np.zeros((len(length), 3))
-    )
-
-
-def bone_set_of(source: Bones | Character) -> BoneSet:
-    """Returns the bones of a skeleton table, or of a character's joints in their pose at rest: a joint's bone
-    ends at its first child that has an offset, and the TR of its other children starts there.
-
-    :raises ContentError: when the source is neither.
-    """
-    if isinstance(source, Bones):
-        skeleton = source.skeleton
-        return bone_set(skeleton, source.length, source.direction)
-    if not isinstance(source, Character):
-        raise ContentError(
-            f"the bones of a skeleton table or a character are needed, not {type(source).__name__}",
-            place="bones",
-        )
-    return _joint_bones(source)
-
-
-def _joint_bones(character: Character) -> BoneSet:
-    parent = character.skeleton.parent
-    offset = np.asarray(character.bind_pose.translation, np.float64)
-    first = np.full(len(parent), -1)
-    for joint in range(len(parent) - 1, -1, -1):
-        if parent[joint] >= 0 and offset[joint].any():
-            first[parent[joint]] = joint
-    attachment = np.where((first >= 0)[:, None], offset[first], 0)
-    length = vector.length(attachment)
-    moved = offset - np.where((parent >= 0)[:, None], attachment[parent], 0)
-    return BoneSet(character.skeleton.names, parent, length, vector.unit(attachment), moved)
 
 
 def sketch(found: Deduction) -> Floats:

@@ -23,7 +23,14 @@ from statwalk.maths.columns import locked
 from statwalk.motion.layers import Mask
 from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.model_buffer import JointList
-from statwalk.solve.chains import DEFAULT_ITERATIONS, NO_POLE, POLE_DIRECTION, POLE_POINT, Chain
+from statwalk.solve.chains import (
+    DEFAULT_ITERATIONS,
+    FORCE_IN_A_TICK,
+    NO_POLE,
+    POLE_DIRECTION,
+    POLE_POINT,
+    Chain,
+)
 from statwalk.solve.reach_tables import OF_SOLVER, ReachTables
 
 NONE = (-1, -1, -1)
@@ -65,12 +72,16 @@ def _chain(character: Character, machine: Machine, written: SolverDefinition) ->
         middle=middle,
         softening=written.softening,
         tolerance=written.tolerance,
-        iterations=written.iterations or DEFAULT_ITERATIONS[written.solver],
+        iterations=written.iterations or _iterations_in_a_tick(written.solver),
         pole_kind=_pole_kind(machine, written),
         forward=(x, y, z),
         is_moored=is_moored,
         is_carried=written.solver == "force",
     )
+
+
+def _iterations_in_a_tick(solver: str) -> int:
+    return FORCE_IN_A_TICK if solver == "force" else DEFAULT_ITERATIONS[solver]
 
 
 def _carried(chain: Chain) -> int:

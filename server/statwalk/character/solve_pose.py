@@ -43,7 +43,7 @@ class SolverOptions:
     solver       two-bone, ccd, fabrik, force or look-at
     softening    metres before full stretch from which the chain eases, 0…1e6; 0 does not ease
     tolerance    metres from the target at which the target counts as reached and iterations stop, above 0
-    iterations   at most, 1…10,000; None: two-bone, ccd and fabrik 16, force 64, look-at 8
+    iterations   at most, 1…10,000; None: two-bone 16, ccd 256, fabrik 512, force 2,000, look-at 8
     sensitivity  by joint, 0 (stays) … 1 (turns as much as the solver wants); 1 for joints that are left out;
                  not for two-bone
     forward      look-at: the line of sight in the frame of the last joint; any length but 0

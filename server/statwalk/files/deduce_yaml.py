@@ -22,7 +22,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from statwalk.character.deduce import Deduction, bone_set, bone_set_of, deduce
+from statwalk.character.bone_sets import bone_set, bone_set_of
+from statwalk.character.deduce import Deduction, deduce
 from statwalk.errors import ContentError, TextError, UnknownNameError
 from statwalk.files.faq.skeleton_text import SHIPPED, shipped_skeleton
 from statwalk.files.yaml.yaml_text import Node, parse

@@ -46,13 +46,13 @@ def solve_force(
     active = where_below(zero, active, where_below(tolerance, best, one, zero), zero)
     iterations, last, per_length = zero, of(FAR), one / most(whole, of(1e-12))
     gain = spread(chains.gain, number) / of(float(count - 1))
-    pulled, is_far = _pulled(goal, whole, scratch)
-    now = length(minus(pulled, place_joints(scratch, count, LOCAL)))
+    pulled, mark, is_far = _pulled(goal, whole, scratch)
+    now = length(minus(mark, place_joints(scratch, count, LOCAL)))
     best = either(is_far, now, best)
     for _ in range(chains.iterations[number]):
         if not any_above(active, zero):
             break
-        distance = length(minus(pulled, _step(chains, clamps, number, pulled, gain, per_length, scratch)))
+        distance = length(minus(mark, _step(chains, clamps, number, pulled, gain, per_length, scratch)))
         note_cuts(chains, number, active, scratch)
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
@@ -92,13 +92,15 @@ def _step(chains: Any, clamps: Any, number: int, goal: Any, gain: Any, per_lengt
 @inlined
 def _pulled(goal: Any, whole: Any, scratch: Any) -> Any:
     """Where the force pulls to: to half a length beyond full stretch for a target there or out of reach, so
-    that the chain becomes straight; and 1 in lanes with such a target, else 0.
+    that the chain becomes straight; the point nearest to the target within reach, from which the end's
+    distance counts; and 1 in lanes with a target at full stretch or out of reach, else 0.
     """
     start, zero, one = load3(scratch, OFFSET), broadcast(ZERO), broadcast(ONE)
     aim = minus(goal, start)
     far = most(length(aim), of(1e-12))
     is_far = where_below(whole * of(1 - 1e-4), far, one, zero)
-    return added(start, aim, either(is_far, whole * of(1.5) / far, one)), is_far
+    pulled = added(start, aim, either(is_far, whole * of(1.5) / far, one))
+    return pulled, added(start, aim, least(whole / far, one)), is_far
 
 
 @inlined

@@ -43,11 +43,12 @@ def distance_left(r: Any, chains: Any, smoothed: Any, joints: Any, row: int, k: 
     x, y, z = _target(r, smoothed, row, k, root)
     a, b, c = _joint(joints, row, r.end[k])
     x, y, z = x - a, y - b, z - c
-    square, along = x * x + y * y + z * z, 0.0
     if r.cone[k, 0] > -1.0:
         a, b, c = _sight(chains, joints, row, r.end[k], r.first_chain[0] + k)
-        along = max((x * a + y * b + z * c) / math.sqrt(max(a * a + b * b + c * c, 1e-12)), 0.0)
-    return math.sqrt(max(square - along * along, 0.0))
+        if x * a + y * b + z * c > 0.0:  # else the target is behind
+            size = math.sqrt(max(a * a + b * b + c * c, 1e-12))
+            x, y, z = (y * c - z * b) / size, (z * a - x * c) / size, (x * b - y * a) / size
+    return math.sqrt(x * x + y * y + z * z)
 
 
 @inlined

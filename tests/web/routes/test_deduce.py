@@ -61,6 +61,8 @@ async def test_expressions_take_part(client: httpx.AsyncClient) -> None:
     known = {"upper": {"RA_deg": [0.0, 0.0, 90.0]}}
     _, fore = (await ask(client, bones=BONES, known=known, expressions=lines)).json()["bones"]
     assert fore["values"]["RA_deg"]["value"] == pytest.approx([0, 0, -45])
+    as_text = await ask(client, bones=BONES, known=known, expressions="\n".join(lines))
+    assert as_text.json()["bones"][1] == fore
 
 
 @pytest.mark.parametrize(

@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Annotated, Any
 
 import numpy as np
 from fastapi import APIRouter, Depends
 
-from statwalk.character.deduce import Deduction, bone_set, bone_set_of, deduce, sketch
+from statwalk.character.bone_sets import bone_set_of
+from statwalk.character.deduce import Deduction, deduce, sketch
 from statwalk.errors import ContentError, UnknownNameError
 from statwalk.files.deduce_yaml import ANGLES, read_deduce
 from statwalk.files.faq.skeleton_text import SHIPPED, shipped_skeleton
-from statwalk.rig.skeleton import Skeleton
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.solve.bone_values import BoneSet, BoneValue
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import catalogue_of
 from statwalk.web.errors import Problem
 from statwalk.web.schemas.deduction import (
-    BoneBody,
     DeducedBoneView,
     DeductionView,
     FoundView,
@@ -63,15 +61,7 @@ def _bones(body: NewDeduction, catalogue: Catalogue) -> BoneSet:
         if body.skeleton not in names:
             raise UnknownNameError("skeleton", body.skeleton, names)
         return bone_set_of(shipped_skeleton(body.skeleton))
-    return _own_bones(body.bones or {})
-
-
-def _own_bones(rows: Mapping[str, BoneBody]) -> BoneSet:
-    places = [f"bones.{name}" for name in rows]
-    skeleton, order = Skeleton.sorted(list(rows), [row.parent for row in rows.values()], places)
-    length = np.array([np.nan if row.length is None else row.length for row in rows.values()])
-    direction = np.array([row.direction or (np.nan,) * 3 for row in rows.values()], np.float64)
-    return bone_set(skeleton, length[order], direction[order])
+    return bone_set_of({name: row.model_dump() for name, row in (body.bones or {}).items()})
 
 
 def _known(values: KnownBody) -> dict[str, Any]:

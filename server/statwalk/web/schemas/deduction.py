@@ -53,9 +53,11 @@ class NewDeduction(RequestModel):
     """takes the bones of a skeleton that statwalk ships: `mammal` or `hand`"""
     bones: Annotated[dict[Name, BoneBody], Field(min_length=1, max_length=1000)] | None = None
     known: Annotated[dict[Name, KnownBody], Field(max_length=1000)] = Field(default_factory=dict)
-    expressions: Annotated[
-        list[Annotated[str, StringConstraints(max_length=1000)]], Field(max_length=1024)
-    ] = Field(default_factory=list)
+    expressions: (
+        Annotated[str, StringConstraints(max_length=1 << 17)]
+        | Annotated[list[Annotated[str, StringConstraints(max_length=1000)]], Field(max_length=1024)]
+    ) = Field(default_factory=list)
+    """a text, or a list of its lines"""
 
 
 class FoundView(ResponseModel):
