@@ -22,14 +22,21 @@ _LIMBS = {  # in the order in which names are taken: a `shoulder` is the upper a
     "Foot": "foot ankle",
     "Toes": "toes toe toebase ball toe0 toe1 football",
     "UpperArm": "upperarm uparm uarm armupper shldr humerus arm shoulder",
-    "LowerArm": "lowerarm lowarm forearm farm armlower elbow",
+    "LowerArm": "lowerarm lowarm forearm farm armlower elbow radius",
     "Hand": "wrist hand palm palm2 fist handbase",
     "Shoulder": "clavicle collar shoulder",
 }
+_LIMB_WORDS = frozenset(" ".join(_LIMBS.values()).split())
 _CHAINED = ("LowerLeg", "Foot", "Toes", "LowerArm", "Hand")
 """bones that hang on their parent; in some rigs only the feet do not"""
 _FINGERS = {"Thumb": "thumb", "Index": "index", "Middle": "middle", "Ring": "ring", "Little": "pinky little"}
-_MIDDLE = {"Hips": "hips hip pelvis cog", "Head": "head spine006 spine6", "Neck": "neck neck1 neck01"}
+_SEGMENTS = {"": 1, "proximal": 1, "intermediate": 2, "distal": 3}
+_THUMB_OF_VRM_1 = {"metacarpal": 1, "proximal": 2, "distal": 3}
+_MIDDLE = {
+    "Hips": "hips hip pelvis cog",
+    "Head": "head spine006 spine6",
+    "Neck": "neck neck1 neck01 lowerneck spine004",
+}
 _SIDE_WORDS = {"l": "Left", "left": "Left", "r": "Right", "right": "Right"}
 _PREFIXES = ("mixamorig", "def", "org", "bip", "bip01", "bip001", "jbip", "j", "valvebiped", "b", "c")
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
@@ -66,7 +73,10 @@ def body_bones(skeleton: Skeleton, chosen: Mapping[str, str] | None = None) -> d
     """
     found = _by_name(skeleton)
     _find_hips(skeleton, found)
-    found |= _spine(skeleton, found)
+    spine = _spine(skeleton, found)
+    if found.get("Neck") in spine.values():  # `spine.004` is Rigify's neck, and the back of others
+        del found["Neck"]
+    found |= spine
     for bone, joint in (chosen or {}).items():
         if bone not in BODY_BONES:
             raise ContentError(str(UnknownNameError("bone", bone, BODY_BONES)))
@@ -88,13 +98,21 @@ def words_of(name: str) -> tuple[str, list[str]]:
     return _SIDE_WORDS[sides[0]] if len(set(sides)) == 1 else "", rest
 
 
+def _side_and_name(name: str) -> tuple[str, str]:
+    """Returns the side and the other words of a joint's name, as one; CMU's `lfemur` begins with its side."""
+    side, words = words_of(name)
+    plain = "".join(words)
+    if not side and plain[:1] in ("l", "r") and plain[1:] in _LIMB_WORDS:
+        return _SIDE_WORDS[plain[0]], plain[1:]
+    return side, plain
+
+
 def _by_name(skeleton: Skeleton) -> dict[str, int]:
     """Returns the joints that have one of the known names, the better-known name first."""
     named: dict[tuple[str, str], int] = {}
     for joint, name in enumerate(skeleton.names):
-        side, words = words_of(name)
         if name not in skeleton.muscle_bones:
-            named.setdefault((side, "".join(words)), joint)
+            named.setdefault(_side_and_name(name), joint)
     found: dict[str, int] = {}
     taken: set[int] = set()
 
@@ -117,8 +135,9 @@ def _by_name(skeleton: Skeleton) -> dict[str, int]:
 def _fingers(named: Mapping[tuple[str, str], int]) -> dict[str, int]:
     """Returns the joints of fingers: `LeftHandIndex1`, `index_01_l`, `Index2.L`, `leftIndexProximal`."""
     found: dict[str, int] = {}
-    segments = {"": 1, "proximal": 1, "intermediate": 2, "distal": 3}
     for (side, name), joint in named.items():
+        has_metacarpal = name.startswith("thumb") and (side, "thumbmetacarpal") in named
+        segments = _THUMB_OF_VRM_1 if has_metacarpal else _SEGMENTS
         match = re.fullmatch(r"(?:hand|f)?(thumb|index|middle|ring|pinky|little)([a-z]*)0*([1-3]?)", name)
         if side and match and match[2] in segments:
             finger = next(bone for bone, names in _FINGERS.items() if match[1] in names.split())
