@@ -112,6 +112,48 @@ def test_rotations_through_the_keys_meet_them(tmp_path):
     np.testing.assert_allclose(met, np.radians(ANGLES / 2)[:, None] * [0, 0, 1], atol=2e-6)
 
 
+def test_a_weight_draws_a_growing_bone_too(tmp_path):
+    lengths = 1 + PLACES[:, :1]
+    text = file_text("#length", lengths, WEIGHTS)
+    character = from_text(tmp_path, BONE, move=(text, "interpolation: nurbs"))
+    poses = character.clip("move").sample(MOMENTS)
+    tip = poses.translation[:, character.skeleton.index("Arm.end"), 0]
+    np.testing.assert_allclose(tip, scipys(lengths, WEIGHTS)[:, 0], atol=1e-6)
+
+
+HAND = BONE + "Hand Arm 1 1 0 0\n"
+
+
+def test_each_bone_and_property_may_have_a_curve_of_its_own(tmp_path):
+    text = file_text("#translate", PLACES, WEIGHTS)
+    rows = text.split("\n")
+    text = "\n".join(
+        row if row.startswith("#time") else f"{row}\n{row.replace(' Arm', ' Hand')}" for row in rows
+    )
+    bones = "bones: {Hand: linear, Arm: {rotation: slerp, translation: nurbs}}"
+    character = from_text(tmp_path, HAND, move=(text, f"interpolation: {{translation: hold, {bones}}}"))
+    poses = character.clip("move").sample(MOMENTS)
+    arm, hand = (poses.translation[:, character.skeleton.index(bone)] for bone in ("Arm", "Hand"))
+    np.testing.assert_allclose(arm, scipys(PLACES, WEIGHTS), atol=1e-6)
+    straight = np.stack([np.interp(MOMENTS, TIMES, axis) for axis in PLACES.T], -1)
+    np.testing.assert_allclose(hand - [2, 0, 0], straight, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("how", "words"),
+    [
+        ("{bones: {Arn: nurbs}}", "bone.*'Arn'; did you mean Arm"),
+        ("{bones: {Arm: nurb}}", "interpolation.*'nurb'"),
+        ("{bones: {Arm: {turn: nurbs}}}", "turn"),
+        ("{bones: nurbs}", "mapping|keys|names"),
+    ],
+)
+def test_a_wrong_interpolation_is_refused_with_its_line(tmp_path, how, words):
+    with pytest.raises(ContentError, match=words) as error:
+        from_text(tmp_path, BONE, move=(file_text("#translate", PLACES, WEIGHTS), f"interpolation: {how}"))
+    assert error.value.place == "line 4"
+
+
 def test_a_closed_curve_is_scipys_periodic_spline():
     keys = np.concatenate([PLACES[:-1], PLACES[:1]])
     clip = Clip("ring", (Channel(0, "translation", TIMES, keys, "NURBS_THROUGH"),), 3.5, rest(1), loop=True)

@@ -5,7 +5,7 @@
     scale: 0.08                   # metres per unit of the files
     clips:
       walk: {keys: walk.txt, interpolation: slerp, loop: true}
-      wave: {keys: wave.txt, interpolation: {rotation: nurbs, translation: linear}}
+      wave: {keys: wave.txt, interpolation: {rotation: nurbs, bones: {Hand: slerp}}}
     expressions: |                # what moves with what, whichever machine plays it
       Wheel.rotate_z = -2 * Crank.rotate_z
     skinning: dual-quaternion     # or linear (the default), rigid, parts
@@ -41,6 +41,7 @@ from statwalk.files.faq.skeleton_text import SHIPPED, read_skeleton, read_text
 from statwalk.files.gltf import write
 from statwalk.files.gltf.add_parts import model_with_parts
 from statwalk.files.gltf.carried import with_carried
+from statwalk.files.interpolations_part import read_interpolations
 from statwalk.files.joint_limits import joint_limits, table_limits
 from statwalk.files.model_character import model_of, with_made_clips
 from statwalk.files.muscle_bones import muscle_bones
@@ -49,9 +50,6 @@ from statwalk.files.yaml.yaml_text import Node, parse
 from statwalk.machine.definition.limit_definition import LimitDefinition
 from statwalk.maths.clamp_table import JointLimit
 from statwalk.motion.clip import Clip
-from statwalk.motion.keys.channel import Path as Property
-from statwalk.motion.keys.channel_table import PATHS
-from statwalk.motion.keys.interpolations import INTERPOLATIONS
 from statwalk.rig.bones import Bones
 from statwalk.rig.skeleton import Skeleton
 from statwalk.skin.skinning import Skinning, skinning_of
@@ -202,23 +200,10 @@ def _frames(node: Node, bones: Bones, folder: Path) -> tuple[KeyFrame, ...]:
 def _clip(name: str, node: Node, form: ClipForm, frames: Sequence[KeyFrame]) -> Clip:
     entries = node.entries(*_CLIP_KEYS)
     loop = "loop" in entries and entries["loop"].truth()
+    how = read_interpolations(entries.get("interpolation"), form.bones.skeleton.names)
     try:
-        clip = clip_of(name, form, frames, _interpolations(entries.get("interpolation")), loop)
+        clip = clip_of(name, form, frames, how, loop)
         clip.tracks  # noqa: B018 - refuses a B-spline that cannot pass through its keys here, not in a tick
     except ContentError as error:
         raise node.refuse(f"clip {name}: {error.message}") from None
     return clip
-
-
-def _interpolations(node: Node | None) -> dict[Property, str]:
-    """Returns the interpolation of each property: one name for all, or a name for some of them."""
-    if node is None or node.is_mapping:
-        entries = node.entries(*PATHS) if node is not None else {}
-        return {path: _interpolation(entries[path]) if path in entries else "slerp" for path in PATHS}
-    return dict.fromkeys(PATHS, _interpolation(node))
-
-
-def _interpolation(node: Node) -> str:
-    if node.text() not in INTERPOLATIONS:
-        raise node.unknown("interpolation", node.text(), INTERPOLATIONS)
-    return node.text()

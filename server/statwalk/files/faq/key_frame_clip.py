@@ -6,7 +6,7 @@ KF3, KF4, KF5, KF6, KF7.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -16,12 +16,27 @@ from statwalk.maths import quat, vector
 from statwalk.maths.arrays import Floats
 from statwalk.maths.pose import Pose
 from statwalk.motion.clip import Clip
-from statwalk.motion.keys.channel import Channel, Path
+from statwalk.motion.keys.channel import WEIGHT_RANGE, Channel, Path
 from statwalk.motion.keys.interpolations import TimedKeys, channel_of, rotation_channel
 from statwalk.rig.bones import Bones
 
-Interpolations = Mapping[Path, str]
+ByPath = Mapping[Path, str]
 """the name of the interpolation of each property"""
+
+
+@dataclass(frozen=True)
+class Interpolations:
+    """How keys are interpolated: each property, and what differs in single bones."""
+
+    everywhere: ByPath
+    bones: Mapping[str, ByPath] = field(default_factory=dict)
+
+    def of(self, bone: str, path: Path) -> str:
+        """Returns the name of the interpolation of a bone's property."""
+        return self.bones.get(bone, {}).get(path, self.everywhere[path])
+
+
+_NO_KEYS = TimedKeys(np.zeros(0), np.zeros((0, 3)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,19 +82,12 @@ def clip_of(name: str, form: ClipForm, frames: Sequence[KeyFrame], how: Interpol
     channels: list[Channel] = []
     for bone, bone_name in enumerate(form.bones.skeleton.names):
         keys = [(frame.time, frame.bones[bone_name]) for frame in frames if bone_name in frame.bones]
-        channels += _rotation(bone, keys, how["rotation"])
-        channels += _translation(
-            form,
-            bone,
-            keys,
-            _lengths(form, int(form.bones.skeleton.parent[bone]), frames),
-            how["translation"],
-        )
-        channels += _scale(bone, keys, how["scale"])
+        channels += _rotation(bone, keys, how.of(bone_name, "rotation"))
+        parent = int(form.bones.skeleton.parent[bone])
+        channels += _translation(form, bone, _offsets(form, keys), _lengths(form, parent, frames), how)
+        channels += _scale(bone, keys, how.of(bone_name, "scale"))
         if bone in form.ends:
-            channels += _translation(
-                form, form.ends[bone], [], _lengths(form, bone, frames), how["translation"]
-            )
+            channels += _translation(form, form.ends[bone], _NO_KEYS, _lengths(form, bone, frames), how)
     return Clip(name, tuple(channels), frames[-1].time, form.rest, loop=loop)
 
 
@@ -108,54 +116,57 @@ def _quaternion(key: BoneKey) -> Floats:
     return quat.from_matrix(key.matrix[:, :3] / vector.length(key.matrix[:, :3].T))
 
 
-def _lengths(form: ClipForm, bone: int, frames: Sequence[KeyFrame]) -> TimedKeys:
-    """Returns the times and lengths (K,), in metres, of the keys of a bone's length."""
-    name = form.bones.skeleton.names[bone] if bone >= 0 else ""
-    length_keys = [
-        (frame.time, key.length)
-        for frame in frames
-        if (key := frame.bones.get(name)) is not None and key.length is not None
-    ]
+def _offsets(form: ClipForm, keys: Sequence[tuple[float, BoneKey]]) -> TimedKeys:
+    """Returns the keys (K, 3) of a bone's own translation, in metres."""
+    moved = [(time, key) for time, key in keys if key.translate is not None or key.matrix is not None]
     return TimedKeys(
-        np.array([time for time, _ in length_keys]),
-        np.array([length for _, length in length_keys]) * form.scale,
+        np.array([time for time, _ in moved]),
+        np.array([_offset(key) for _, key in moved]) * form.scale,
+        np.array([key.weight for _, key in moved]),
     )
 
 
+def _lengths(form: ClipForm, bone: int, frames: Sequence[KeyFrame]) -> TimedKeys:
+    """Returns the keys (K,) of a bone's length, in metres."""
+    name = form.bones.skeleton.names[bone] if bone >= 0 else ""
+    keys = [
+        (frame.time, key.length, key.weight)
+        for frame in frames
+        if (key := frame.bones.get(name)) is not None and key.length is not None
+    ]
+    times, lengths, weights = np.array(keys, np.float64).reshape(-1, 3).T
+    return TimedKeys(times, lengths * form.scale, weights)
+
+
 def _translation(
-    form: ClipForm,
-    joint: int,
-    keys: Sequence[tuple[float, BoneKey]],
-    parent_length: TimedKeys,
-    interpolation: str,
+    form: ClipForm, joint: int, own: TimedKeys, parent_length: TimedKeys, how: Interpolations
 ) -> list[Channel]:
     """Builds the translation channel of a joint: its parent's direction times its parent's length, plus its
-    own translation.
+    own translation. A joint that only its parent's length moves is interpolated as the parent is.
     """
-    offset_keys = [
-        (time, _offset(key)) for time, key in keys if key.translate is not None or key.matrix is not None
-    ]
-    times = np.union1d(np.array([time for time, _ in offset_keys]), parent_length.times)
+    times = np.union1d(own.times, parent_length.times)
     if not len(times):
         return []
+    parent = next((bone for bone, end in form.ends.items() if end == joint), None)
+    parent = int(form.bones.skeleton.parent[joint]) if parent is None else parent
     positions: Floats = np.broadcast_to(form.rest.translation[joint].astype(np.float64), (len(times), 3))
     if len(parent_length.times):
-        parent = next((bone for bone, end in form.ends.items() if end == joint), None)
-        parent_bone = int(form.bones.skeleton.parent[joint]) if parent is None else parent
-        positions = (
-            form.bones.direction[parent_bone]
-            * np.interp(times, parent_length.times, parent_length.values)[:, None]
-        )
-    if offset_keys:
-        own_times, own_offsets = (
-            np.array([time for time, _ in offset_keys]),
-            np.array([offset for _, offset in offset_keys]) * form.scale,
-        )
-        positions = positions + np.stack(
-            [np.interp(times, own_times, own_offsets[:, axis]) for axis in range(3)], -1
-        )
-    weights = np.interp(times, [time for time, _ in keys], [key.weight for _, key in keys]) if keys else None
-    return [channel_of(joint, "translation", TimedKeys(times, positions, weights), interpolation)]
+        lengths = np.interp(times, parent_length.times, parent_length.values)
+        positions = form.bones.direction[parent] * lengths[:, None]
+    if len(own.times):
+        positions = positions + np.stack([np.interp(times, own.times, axis) for axis in own.values.T], -1)
+    weights = np.clip(_weights_at(times, own) * _weights_at(times, parent_length), *WEIGHT_RANGE)
+    bone = form.bones.skeleton.names[joint if len(own.times) else parent]
+    return [
+        channel_of(joint, "translation", TimedKeys(times, positions, weights), how.of(bone, "translation"))
+    ]
+
+
+def _weights_at(times: Floats, keys: TimedKeys) -> Floats:
+    weights = keys.weights
+    return (
+        np.ones(len(times)) if weights is None or not len(weights) else np.interp(times, keys.times, weights)
+    )
 
 
 def _offset(key: BoneKey) -> Floats:
