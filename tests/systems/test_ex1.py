@@ -106,6 +106,23 @@ def test_a_channel_that_is_read_is_the_channel_of_the_motion():
     assert shift(actor, "gear_a")[1] == pytest.approx(2 * 18 + 1)
 
 
+@pytest.mark.parametrize("actors", [1, 18])
+def test_the_report_has_what_the_tick_set_though_limits_change_what_was_read(actors):
+    text = machine(
+        ["gear_a.rotate_z = 80", "rack_c.trans_y = 0.5 * gear_b.trans_x", "half = gear_a.rotate_z"]
+    )
+    text += "joints:\n  gear_a: {type: revolute, axis: [0, 0, 1], angle_deg: [-45, 45]}\n"
+    text += "limits: {gear_b: {translation: [[-3, 0, 0], [-2, 0, 0]]}}\n"
+    stage, role = statwalk.Stage(), Role.build("box", GEARBOX.character, read_machine(text))
+    everyone = [stage.add(role) for _ in range(actors)]
+    stage.step(3)
+    actor = everyone[-1]
+    assert (angles(actor, "gear_a")[2], shift(actor, "gear_b")[0]) == pytest.approx((45, 18 - 2), abs=1e-4)
+    assert shift(actor, "rack_c")[1] == pytest.approx(9)
+    assert actor.channels == {"gear_a.rotate_z": 80, "rack_c.trans_y": 9}
+    assert actor.variables == {"half": 80}
+
+
 def test_a_new_actor_shows_its_expressions_at_once():
     stage = statwalk.Stage(seed=1)
     stage.step(5)

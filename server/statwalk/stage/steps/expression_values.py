@@ -1,5 +1,7 @@
-"""The values that expressions set (EX1), computed from the shown poses when they are read: a
-tick keeps none of them.
+"""The values that expressions set (EX1), computed when they are read: a tick keeps none of them.
+
+They follow from the poses of the motions, as in the tick, and not from the shown poses, which limits, springs
+and solvers have changed since.
 """
 
 from __future__ import annotations
@@ -16,6 +18,7 @@ from statwalk.maths.packed import ADDRESSES, opened
 from statwalk.maths.simd.pose_layout import place_of
 from statwalk.solve.express import evaluate_group
 from statwalk.stage.state.cast import Cast
+from statwalk.stage.steps.sample import motion_poses
 
 _poses = opened(POSES)
 
@@ -31,7 +34,8 @@ def expression_values(cast: Cast, rows: Ints, tick: int, dt: float) -> Floats:
         clock, work = np.array([tick, tick * dt]), np.zeros(program.values + program.deepest)
         poses, smoothed = cast.role.packed.poses.argument, cast.machine.smoothed
         wanted = np.asarray(rows, np.int32)
-        _evaluate(poses, smoothed, cast.shown.values, wanted, slots, clock, work, program.values, out)
+        moved = motion_poses(cast).values
+        _evaluate(poses, smoothed, moved, wanted, slots, clock, work, program.values, out)
     return out
 
 
@@ -40,12 +44,12 @@ def expression_values(cast: Cast, rows: Ints, tick: int, dt: float) -> Floats:
     write(types.float64, 1), types.int64, write(types.float64, 2),
 )  # fmt: skip
 def _evaluate(
-    poses: Any, smoothed: Any, shown: Any, rows: Any, slots: Any, clock: Any, work: Any, count: int, out: Any
+    poses: Any, smoothed: Any, moved: Any, rows: Any, slots: Any, clock: Any, work: Any, count: int, out: Any
 ) -> None:
     """Writes the slots of some actors; `work`: `count` values, then the stack."""
     x, values, stack = _poses(poses).expressions, work[:count], work[count:]
     for place in range(rows.shape[0]):
         block, lane = place_of(rows[place])
-        evaluate_group(x, 0, smoothed, rows[place], clock[0], clock[1], values, stack, shown, block, lane)
+        evaluate_group(x, 0, smoothed, rows[place], clock[0], clock[1], values, stack, moved, block, lane)
         for number in range(slots.shape[0]):
             out[place, number] = values[slots[number]]

@@ -57,6 +57,11 @@ def blended_poses(cast: Cast, clock: Clock) -> PoseBuffer:
     return _sampled(cast.role, cast.machine, cast.offsets, 0.0, False, clock)
 
 
+def motion_poses(cast: Cast) -> PoseBuffer:
+    """Returns the poses of this tick after blending, before expressions and all that follows."""
+    return _sampled(cast.role, cast.machine, cast.offsets, 0.0, False, None)
+
+
 def _sampled(
     role: Role,
     state: MachineState,
