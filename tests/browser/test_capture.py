@@ -46,6 +46,32 @@ def test_the_dialog_asks_for_bones_without_known_names(own: Callable[[], set[str
     assert {name for name in own() if "odd" in name} == {"machines/walker-odd", "characters/walker-odd"}
 
 
+def test_what_does_not_move_is_said_and_may_be_mapped(own: Callable[[], set[str]], viewer: Page) -> None:
+    names = {"LeftArm": "bone_q", "LeftForeArm": "bone_r", "LeftHand": "bone_s"}
+    drop(viewer, "arms.bvh", captures.walk(names).encode())
+    until(viewer, PLAYS, "ARMS")
+    said = viewer.locator("#notices p", has_text="carried over")
+    said.filter(has_text="The capture does not move Left.shoulder, Left.upperarm").wait_for()
+    said.filter(has_text="Nothing takes the motion of bone_q, bone_r, bone_s").wait_for()
+    said.get_by_role("button", name="change…").click()
+    dialog = viewer.get_by_role("dialog")
+    dialog.get_by_text("arms, spine, head and fingers").click()
+    for bone, joint in (("upper arm", "bone_q"), ("lower arm", "bone_r"), ("hand", "bone_s")):
+        dialog.get_by_label(f"left {bone}: joint of the capture", exact=True).fill(joint)
+    dialog.get_by_label("add positions to the offsets of joints").check()
+    dialog.get_by_label("low-pass filter, Hz").fill("6")
+    with (
+        viewer.expect_request(lambda request: request.url.endswith("/clips")) as asked,
+        viewer.expect_request(lambda request: "position=add" in request.url),
+    ):
+        dialog.get_by_role("button", name="Carry it over").click()
+    wanted = {"LeftUpperArm": "bone_q", "LeftLowerArm": "bone_r", "LeftHand": "bone_s"}
+    body = asked.value.post_data_json
+    assert (body["bones"], body["low_pass"], body["spikes"]) == (wanted, 6, False)
+    until(viewer, "__viewer.ready && new URL(location).searchParams.get('machine') === 'walker-arms-2'")
+    viewer.locator("#notices p", has_text="carried over").filter(has_not_text="bone_q").wait_for()
+
+
 @pytest.mark.parametrize(("name", "said"), [("a.bvh", "line 1"), ("b.trc", "line 1")])
 def test_a_broken_capture_says_why_and_changes_nothing(
     own: Callable[[], set[str]], viewer: Page, allowed: list[str], name: str, said: str

@@ -43,6 +43,12 @@ function bodyOf(request: XMLHttpRequest): unknown {
   }
 }
 
+/** How the server reads a file: frames of an .md2, positions of a .bvh. */
+export interface HowToRead {
+  inbetween?: "linear" | "switched";
+  position?: "replace" | "add";
+}
+
 /**
  * Sends `file` as character `name`; `progress` gets the share sent, 0…1. Rejects with the server's reason.
  */
@@ -51,13 +57,14 @@ export function putCharacter(
   file: Blob,
   progress: (share: number) => void,
   signal: AbortSignal,
-  inbetween: "linear" | "switched" = "linear",
+  how: HowToRead = {},
 ): Promise<UploadedCharacter> {
   return new Promise((resolve, reject) => {
     // fetch reports no progress of an upload.
     const request = new XMLHttpRequest();
-    const query = inbetween === "linear" ? "" : `?inbetween=${inbetween}`;
-    request.open("PUT", new URL(`api/characters/${encodeURIComponent(name)}${query}`, document.baseURI));
+    const address = new URL(`api/characters/${encodeURIComponent(name)}`, document.baseURI);
+    address.search = new URLSearchParams({ ...how }).toString();
+    request.open("PUT", address);
     request.setRequestHeader("content-type", "application/octet-stream");
     request.upload.addEventListener("progress", ({ loaded, total }) => progress(total ? loaded / total : 0));
     request.upload.addEventListener("load", () => progress(1));

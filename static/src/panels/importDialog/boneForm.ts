@@ -35,11 +35,19 @@ export class BoneForm {
       el("span", {}, target.title),
     );
     const rows = source.bones.needed.map((bone) => this.row(bone, source, target));
+    const others = source.bones.known.filter((bone) => !source.bones.needed.includes(bone));
+    const more = el(
+      "details",
+      { class: "more-bones" },
+      el("summary", {}, "arms, spine, head and fingers"),
+      ...others.map((bone) => this.row(bone, source, target)),
+    );
     this.element = el(
       "div",
       { class: "map" },
       head,
       ...rows,
+      more,
       this.list("joints-source", source),
       this.list("joints-target", target),
     );
@@ -69,18 +77,19 @@ export class BoneForm {
       placeholder: "none",
       "aria-label": `${wordsOf(bone)}: ${skeleton.title}`,
     });
-    input.value = skeleton.bones.bones[bone] ?? "";
+    input.defaultValue = skeleton.bones.bones[bone] ?? "";
     this.inputs[key].set(bone, input);
     return input;
   }
 
-  /** Returns the joints that differ from what the names told. */
+  /** Returns the joints that differ from what the names told; "": the bone has none. */
   chosen(): Record<"bones" | "target_bones", Record<string, string>> {
     const of = (key: "bones" | "target_bones"): Record<string, string> =>
       Object.fromEntries(
         [...this.inputs[key]]
-          .map(([bone, input]) => [bone, input.value.trim()] as const)
-          .filter(([, joint]) => joint),
+          .map(([bone, input]) => [bone, input.value.trim(), input.defaultValue] as const)
+          .filter(([, joint, told]) => joint !== told)
+          .map(([bone, joint]) => [bone, joint]),
       );
     return { bones: of("bones"), target_bones: of("target_bones") };
   }

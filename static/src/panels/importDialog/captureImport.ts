@@ -1,23 +1,28 @@
-/** Carries a dropped capture (.bvh, .trc) over to the watched character, and makes a machine that plays it. */
+/** Carries a dropped capture (.bvh, .trc) over to a character, and makes a machine that plays it. */
 
 import * as api from "../../net/api";
 import * as machines from "../../net/machines";
 import { nameFor, putCharacter, takenNames } from "../../net/upload";
 import type { CarriedClip } from "../../net/protocol";
 import { BoneForm } from "./boneForm";
+import { sorted } from "./carriedText";
+import { ReadingForm } from "./readingForm";
 
 /** What the dialog offers to an import. */
 export interface Stage {
   progress: (share: number) => void;
   signal: AbortSignal;
-  /** Shows the form in the dialog; resolves when it is sent. */
-  ask: (form: BoneForm, why: string) => Promise<void>;
+  /** Asks in any case, with these words; else only if the names of joints do not tell enough. */
+  why?: string;
+  /** Shows the forms in the dialog; resolves when they are sent. */
+  ask: (why: string, ...forms: HTMLElement[]) => Promise<void>;
 }
 
 /** What a capture has become. */
 export interface Carried {
   machine: string;
   state: string;
+  report: CarriedClip;
 }
 
 export const isCapture = (file: File): boolean => /\.(bvh|trc)$/i.test(file.name);
@@ -33,7 +38,13 @@ async function freeName(file: string): Promise<string> {
 }
 
 /** Carries the clip over; asks for the joints of bones whose names tell nothing. */
-async function carry(target: string, source: string, character: string, stage: Stage): Promise<CarriedClip> {
+async function carry(
+  file: File,
+  target: string,
+  source: string,
+  character: string,
+  stage: Stage,
+): Promise<CarriedClip> {
   const [bones, joints, targetBones, targetJoints] = await Promise.all([
     api.bones(source),
     api.character(source),
@@ -48,11 +59,15 @@ async function carry(target: string, source: string, character: string, stage: S
       joints: targetJoints.joints.map(({ name }) => name),
     },
   );
-  let why = form.open ? "The names of some joints do not tell which bones they are. Which are they?" : "";
+  const reading = new ReadingForm(file);
+  let why = stage.why ?? "";
+  if (form.open) why ||= "The names of some joints do not tell which bones they are. Which are they?";
   for (;;) {
-    if (why) await stage.ask(form, why);
+    if (why) await stage.ask(why, form.element, reading.element);
+    await reading.apply(source, stage.signal);
     try {
-      return await api.carryClip(target, { source, character, ...form.chosen() });
+      const wish = { source, character, ...form.chosen(), ...reading.filter() };
+      return sorted(await api.carryClip(target, wish), bones, targetBones);
     } catch (error) {
       if (!lacksBones(error)) throw error;
       why = error.message;
@@ -70,10 +85,10 @@ export async function importCapture(file: File, target: string, stage: Stage): P
   let character = "";
   try {
     character = await freeName(`${target.replace(/\.[0-9a-f]{8}$/, "")}-${file.name}`);
-    const { clip, root } = await carry(target, source, character, stage);
+    const report = await carry(file, target, source, character, stage);
     const { mapping } = await api.mapping(character);
-    await machines.fromCharacter(character, character, mapping, root);
-    return { machine: character, state: mapping[clip] ?? "" };
+    await machines.fromCharacter(character, character, mapping, report.root);
+    return { machine: character, state: mapping[report.clip] ?? "", report };
   } catch (error) {
     if (character) await api.removeCharacter(character).catch(() => undefined);
     throw error;

@@ -23,6 +23,7 @@ export class FrameSwitch {
 
   /** Uploads the character again if its frames shall be switched. */
   async apply(character: string, signal: AbortSignal): Promise<void> {
-    if (this.box.checked) await putCharacter(character, this.file, () => undefined, signal, "switched");
+    if (this.box.checked)
+      await putCharacter(character, this.file, () => undefined, signal, { inbetween: "switched" });
   }
 }

@@ -9,7 +9,7 @@ import { size } from "../../ui/amounts";
 import { el, say } from "../../ui/dom";
 import type { Quality } from "../../view/quality";
 import { importCapture, isCapture } from "./captureImport";
-import type { BoneForm } from "./boneForm";
+import { carriedText } from "./carriedText";
 import { FrameSwitch } from "./frameSwitch";
 import { MODELS, oneFile, PARTS } from "./modelFiles";
 import { chosenFiles, type LocalFile } from "./localFiles";
@@ -21,6 +21,9 @@ const ACCEPT = [...MODELS, ...PARTS, "model/gltf-binary", "application/zip"].joi
 
 /** The server closes the connection on a larger file, which a page cannot tell from a lost connection. */
 const MOST_BYTES = 64 * 2 ** 20;
+
+/** Of joints, in a sentence beside the character. */
+const NAMES = 4;
 
 export class ImportDialog {
   private readonly dialog = el("dialog", { class: "import", "aria-labelledby": "import-title" });
@@ -38,11 +41,12 @@ export class ImportDialog {
   private look: Look | null = null;
 
   /**
-   * `made` gets the name of the new machine, and the state that it shall play; `watched` returns the watched
-   * character.
+   * `made` gets the name of the new machine, and the state that it shall play; `carried` what is to be said
+   * about a capture, and what asks how else to carry it over; `watched` returns the watched character.
    */
   constructor(
     private readonly made: (machine: string, state?: string) => Promise<void>,
+    private readonly carried: (text: string, again: () => void) => void,
     private readonly watched: () => string | null,
     private readonly quality: Quality,
   ) {
@@ -82,27 +86,35 @@ export class ImportDialog {
       this.refuse("Drop a motion on a character: no character is shown yet.");
       return;
     }
+    await this.carry(file, target);
+  }
+
+  /** `why` asks first which joints are which bones. */
+  private async carry(file: File, target: string, why?: string): Promise<void> {
     const cancel = (this.cancel = new AbortController());
     const stage = {
       progress: this.showProgress(file),
       signal: cancel.signal,
-      ask: (form: BoneForm, why: string) => this.askForBones(form, why, cancel.signal),
+      ask: (said: string, ...forms: HTMLElement[]) => this.askForBones(said, forms, cancel.signal),
+      ...(why === undefined ? {} : { why }),
     };
     try {
-      const { machine, state } = await importCapture(file, target, stage);
+      const { machine, state, report } = await importCapture(file, target, stage);
       this.dialog.close();
       await this.made(machine, state);
+      const all = carriedText(report, Infinity);
+      this.carried(carriedText(report, NAMES), () => void this.carry(file, target, all));
     } catch (error) {
       if (!cancel.signal.aborted) this.refuse(error);
     }
   }
 
   /** Shows which joint is which bone; resolves when the form is sent, rejects when the dialog is closed. */
-  private askForBones(form: BoneForm, why: string, signal: AbortSignal): Promise<void> {
+  private askForBones(why: string, forms: readonly HTMLElement[], signal: AbortSignal): Promise<void> {
     return new Promise((resolve, reject) => {
       const go = el("button", { type: "submit", class: "primary" }, "Carry it over");
       const foot = el("div", { class: "import-foot" }, el("span", { class: "space" }), go);
-      const all = el("form", { class: "import-form", novalidate: true }, form.element, foot);
+      const all = el("form", { class: "import-form", novalidate: true }, ...forms, foot);
       all.addEventListener("submit", (submit) => {
         submit.preventDefault();
         go.disabled = true;

@@ -23,6 +23,7 @@ export function importPanel(host: HTMLElement, app: App): void {
   };
   const dialog = new ImportDialog(
     made,
+    (text, act) => app.notices.emit({ text, words: "change…", act }),
     () => app.machine.info.value?.character ?? null,
     app.view.scene.quality,
   );
