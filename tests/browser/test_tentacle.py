@@ -79,15 +79,30 @@ def test_b_r_and_t_change_the_view_alone(server: Server, tentacle: Page) -> None
     assert actor(server, tentacle)["parameters"]["target"] == [0.85, 0.85, 0.2]
 
 
-def test_the_tip_travels_to_a_dragged_target(server: Server, tentacle: Page) -> None:
+def by_mouse(page: Page, places: list[tuple[float, float]]) -> None:
+    page.mouse.move(*places[0])
+    page.mouse.down()
+    for place in places[1:]:
+        page.mouse.move(*place)
+    page.mouse.up()
+
+
+def by_finger(page: Page, places: list[tuple[float, float]]) -> None:
+    session = page.context.new_cdp_session(page)
+    for kind, place in zip(("touchStart", *("touchMove",) * (len(places) - 1)), places, strict=True):
+        points = [{"x": place[0], "y": place[1]}]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+
+
+@pytest.mark.parametrize("drag", [by_mouse, by_finger])
+def test_the_tip_travels_to_a_dragged_target(
+    server: Server, tentacle: Page, drag: Callable[[Page, list[tuple[float, float]]], None]
+) -> None:
     tentacle.keyboard.press("i")
     wait_for(lambda: actor(server, tentacle)["reached"][0]["reached"])
     x, y = tentacle.evaluate(PLACE)
-    tentacle.mouse.move(x, y)
-    tentacle.mouse.down()
-    for step in range(1, 9):
-        tentacle.mouse.move(x - 22 * step, y - 4 * step)
-    tentacle.mouse.up()
+    drag(tentacle, [(x - 22 * step, y - 4 * step) for step in range(9)])
     until(tentacle, f"({PLACE})().every((at, i) => Math.abs(at - arg[i]) < 2)", [x - 176, y - 32])
     wait_for(lambda: actor(server, tentacle)["parameters"]["target"][0] < 0.5)
     wait_for(lambda: actor(server, tentacle)["reached"][0]["reached"])
