@@ -30,6 +30,7 @@ from statwalk.errors import (
     VersionConflictError,
 )
 from statwalk.web.allowed_methods import allowed_methods
+from statwalk.web.field_errors import field_errors
 from statwalk.web.request_log import note_limit
 from statwalk.web.schemas.finding import finding_views
 
@@ -158,18 +159,6 @@ def from_error(error: StatwalkError, path: Mapping[str, Any] = MappingProxyType(
     return Problem(400, str(error))
 
 
-def _field_errors(error: RequestValidationError) -> list[dict[str, str]]:
-    entries = error.errors()[:MOST_ERRORS]
-    return [{"field": field_name(entry["loc"]), "message": entry["msg"]} for entry in entries]
-
-
-def field_name(place: Sequence[str | int]) -> str:
-    """Returns pydantic's place as a dotted name: `body.actors.0.machine` is actors.0.machine; the
-    body is body.
-    """
-    return ".".join(str(part) for part in place[1:]) or str(place[0])
-
-
 def _on_http_error(request: Request, error: Exception) -> Response:
     """Answers a `Problem`, and the router's 404 and 405."""
     if isinstance(error, Problem):
@@ -196,7 +185,8 @@ def _on_domain_error(request: Request, error: Exception) -> Response:
 def _on_invalid(_: Request, error: Exception) -> Response:
     """A request that does not fit its model."""
     assert isinstance(error, RequestValidationError)
-    errors, more = _field_errors(error), len(error.errors()) - MOST_ERRORS
+    every = field_errors(error.errors())
+    errors, more = every[:MOST_ERRORS], len(every) - MOST_ERRORS
     detail = "; ".join(f"{entry['field'][:LONGEST_FIELD]}: {entry['message']}" for entry in errors)
     detail = detail[: LONGEST_DETAIL - 100]  # leaves room for the number of the others
     return answer(members(422, f"{detail}; and {more} more" if more > 0 else detail, errors))

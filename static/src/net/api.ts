@@ -130,6 +130,9 @@ export const formats = (name: string) => ask("get", "/api/characters/{name}/form
 export const mapping = (name: string) => ask("get", "/api/characters/{name}/mapping", { name });
 export const removeCharacter = (name: string) => ask("delete", "/api/characters/{name}", { name });
 export const character = (name: string) => ask("get", "/api/characters/{name}", { name });
+/** Reads how alike left and right move in a clip. */
+export const twinning = (name: string, clip: string) =>
+  ask("get", "/api/characters/{name}/twinning", { name }, { query: { clip } });
 export const bones = (name: string) => ask("get", "/api/characters/{name}/bones", { name });
 /** Carries a clip of another character over to character `name`. */
 export const carryClip = (name: string, body: NewClip) =>

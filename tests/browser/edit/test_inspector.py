@@ -41,6 +41,14 @@ def test_a_condition_makes_an_alternative(own: Server, table: Page) -> None:
     assert ways[1]["to"] == "TLFT"
 
 
+def test_a_state_tells_how_alike_left_and_right_move(table: Page) -> None:
+    """In a walk the arms and the legs are opposite."""
+    inspect(table, "th[data-state=WALK]")
+    table.locator("#cell summary").filter(has_text="left and right").click()
+    legs = table.locator("#cell .twins tr").filter(has_text="Left.upperleg").first
+    assert float(legs.locator("td").first.inner_text()) < 0
+
+
 def test_a_state_has_another_clip_and_name(own: Server, table: Page) -> None:
     """The clip is chosen by its picture; the inspector follows the new name."""
     table.locator("th[data-state=FLY]").focus()

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pydantic import TypeAdapter, ValidationError
 
-from statwalk.web.errors import Problem, field_name
+from statwalk.web.errors import Problem
+from statwalk.web.field_errors import field_errors
 from statwalk.web.schemas.base import Ref
 from statwalk.web.schemas.viewer_messages import ViewerMessage
 
@@ -28,5 +29,6 @@ def read(raw: object) -> ViewerMessage:
     try:
         return MESSAGES.validate_python(raw)
     except ValidationError as error:
-        first = error.errors(include_url=False, include_context=False, include_input=False)[0]
-        raise Problem(422, first["msg"], field=field_name(("message", *first["loc"]))) from None
+        entries = error.errors(include_url=False, include_context=False, include_input=False)
+        first = field_errors([{**entry, "loc": ("message", *entry["loc"])} for entry in entries])[0]
+        raise Problem(422, first["message"], field=first["field"]) from None

@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import type { Clip } from "../../net/protocol";
 import type { BoundField } from "../../state/editingFields";
 import { formField } from "../../ui/formField";
+import { twins } from "./twins";
 
 const PICTURES = 6;
 
@@ -32,7 +33,7 @@ export function clipChoice(
   const choices = [...others, ...clips.map((clip) => [clip.name, words(clip)] as const)];
   const isClip = clips.some(({ name }) => name === field.value);
   return html`${formField(field, { label: "clip", choices })}
-    ${isClip ? strip(character, field.value) : nothing}
+    ${isClip ? html`${strip(character, field.value)} ${twins(character, field.value)}` : nothing}
     <details class="clips">
       <summary>all clips as pictures</summary>
       ${clips.map(
