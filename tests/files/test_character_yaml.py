@@ -60,7 +60,7 @@ def test_a_shipped_skeleton_by_name(tmp_path):
         (
             "wave.txt}",
             "wave.txt, interpolation: b-splin}",
-            r"line 5: clip wave: no interpolation is called 'b-splin'; did you mean b-spline\?",
+            r"line 5: no interpolation is called 'b-splin'; did you mean b-spline\?",
         ),
         (
             "clips:",
