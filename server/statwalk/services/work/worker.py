@@ -57,7 +57,7 @@ class JobInbox:
                     self._cancelled.clear()
                     self.jobs.put(message)
         finally:
-            os._exit(0)  # the socket has ended, so the server has: nobody waits for an answer
+            os._exit(0)  # the server has ended and closed the socket: nobody waits for an answer
 
 
 def outcome(message: bytes, checkpoint: Callable[[], None]) -> Outcome:

@@ -58,7 +58,7 @@ def blended_poses(cast: Cast, clock: Clock) -> PoseBuffer:
 
 
 def motion_poses(cast: Cast) -> PoseBuffer:
-    """Returns the poses of this tick after blending, before expressions and all that follows."""
+    """Returns the poses of this tick as blending leaves them, without expressions, limits and solvers."""
     return _sampled(cast.role, cast.machine, cast.offsets, 0.0, False, None)
 
 

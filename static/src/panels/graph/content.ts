@@ -1,4 +1,4 @@
-/** What of a layer the graph draws: its states and arrows, with a box in place of each folded sub-machine. */
+/** Finds the states and arrows that the graph draws of a layer; one box stands for each folded sub-machine. */
 
 import type { Edge, LayerInfo } from "../../net/protocol";
 import { statesToDraw } from "./neighbours";

@@ -8,8 +8,9 @@ function some(names: readonly string[], most: number): string {
   return names.slice(0, most).join(", ") + (more > 0 ? ` and ${more} more` : "");
 }
 
-/** Puts first what matters most: joints of the character that are bones of a body, joints of the capture that are
- * not known to be one.
+/**
+ * Returns the report with the names that matter most first: joints of the character that are bones of a body, and
+ * joints of the capture that are none.
  */
 export function sorted(report: CarriedClip, capture: Bones, character: Bones): CarriedClip {
   const [ours, theirs] = [capture, character].map(({ bones }) => new Set(Object.values(bones)));

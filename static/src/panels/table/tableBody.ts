@@ -44,7 +44,8 @@ export class TableBody {
     return this.lines.filter(({ isState }) => isState).map(({ name }) => name);
   }
 
-  /** Returns the row of a state or the line of a folded sub-machine, and draws it if it is out of sight; null: the
+  /**
+   * Returns the row of a state or the line of a folded sub-machine, and draws it if it is out of sight; null: the
    * table does not have it.
    */
   row(name: string): HTMLTableRowElement | null {

@@ -1,5 +1,6 @@
 /** What can be done with the selected span: loop it, save it, look at it closely. */
 
+import "./spanBar.css";
 import { signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
 import { reasonOf } from "../../net/reason";
