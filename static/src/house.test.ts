@@ -126,3 +126,23 @@ test("a length of its own is seen", () => {
     "padding: 0 9px;",
   ]);
 });
+
+/** Classes that the styles of more than one panel begin a rule with; those of `ui` and `style` are for all panels. */
+function shared(styles: Record<string, string>): string[] {
+  const owners = new Map<string, Set<string>>();
+  for (const [file, style] of Object.entries(styles)) {
+    const owner = /^\.\/panels\/([^/]+)\//.exec(file)?.[1] ?? "";
+    for (const [, name] of style.matchAll(/^\s*\.([\w-]+)/gm))
+      owners.set(name!, (owners.get(name!) ?? new Set()).add(owner));
+  }
+  return [...owners].flatMap(([name, of]) => (of.size > 1 && !of.has("") ? [name] : []));
+}
+
+test("a class belongs to one panel", () => {
+  expect(shared(STYLES)).toEqual([]);
+});
+
+test("a class of two panels is seen", () => {
+  const styles = { "./panels/a/a.css": ".row {\n}\n.bar b {\n}", "./panels/b/b.css": ".row, .bar {\n}" };
+  expect(shared({ ...styles, "./ui/bar.css": ".bar {\n}" })).toEqual(["row"]);
+});

@@ -24,7 +24,7 @@ export class ReadingForm {
     const isBvh = /\.bvh$/i.test(file.name);
     this.element = el(
       "div",
-      { class: "reading" },
+      { class: "reading-form" },
       isBvh ? el("label", {}, this.added, "add positions to the offsets of joints") : null,
       el("label", {}, this.spikes, "take spikes out"),
       el("label", {}, "low-pass", this.lowPass, "Hz"),
