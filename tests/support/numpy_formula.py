@@ -89,6 +89,12 @@ def _power(base: Floats, exponent: Floats) -> Floats:
     return np.where(is_small, whole, other)
 
 
+def _other_leg(leg: Floats) -> Floats:
+    """√(1 − leg²); 0 beyond ±1."""
+    short = np.clip(leg, -1.0, 1.0)
+    return np.sqrt((1.0 - short) * (1.0 + short))
+
+
 def _chosen(condition: Floats, a: Floats, b: Floats) -> Floats:
     """a where the condition holds, else b."""
     return np.where(condition != 0, a, b)
@@ -127,6 +133,9 @@ APPLY = {
     "clamp": lambda x, a, b: np.minimum(np.maximum(x, a), b),
     "lerp": lambda a, b, f: bounded(a + bounded(bounded(b - a) * f)),
     "if": _chosen,
+    "asin": lambda a: elementary.atan2(a, _other_leg(a)),
+    "acos": lambda a: elementary.atan2(_other_leg(a), a),
+    "atan": lambda a: elementary.atan2(a, np.ones_like(a)),
 }
 
 

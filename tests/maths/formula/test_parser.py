@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 
 import numpy as np
@@ -155,7 +156,22 @@ NAMES = {
     "clamp",
     "lerp",
     "if",
+    "asin",
+    "acos",
+    "atan",
 }
+
+
+@pytest.mark.parametrize("x", [-1.0, -0.999, -0.5, 0.0, 1e-9, 0.3, 1.0])
+def test_angles_from_sines_cosines_and_tangents_are_pythons(x: float) -> None:
+    for name in ("asin", "acos", "atan"):
+        assert value(f"{name}({x})") == pytest.approx(getattr(math, name)(x), rel=1e-14, abs=1e-15)
+
+
+def test_beyond_one_the_angle_is_that_of_one() -> None:
+    assert value("asin(-7) + acos(7)") == -math.pi / 2
+    assert value("acos(-7)") == math.pi
+    assert value("atan(1e300)") == math.pi / 2
 
 
 def test_there_is_no_other_way_to_do_anything() -> None:

@@ -20,7 +20,7 @@ from statwalk.maths.reference import inlined
 (OR, AND, NOT, LESS, AT_MOST, MORE, AT_LEAST, EQUAL, UNEQUAL, PLUS, LESS_BY, TIMES, OVER, MODULO, MINUS) = (
     operation.opcode for operation in OPERATORS.values()
 )
-(MIN, MAX, ABS, FLOOR, CEIL, SIGN, SQRT, SIN, COS, TAN, EXP, LOG, ATAN2, POW, CLAMP, LERP, IF) = (
+(MIN, MAX, ABS, FLOOR, CEIL, SIGN, SQRT, SIN, COS, TAN, EXP, LOG, ATAN2, POW, CLAMP, LERP, IF, ASIN, ACOS, ATAN) = (
     operation.opcode for operation in FUNCTIONS.values()
 )
 _WHOLE_TURN = 2 * math.pi
@@ -43,7 +43,9 @@ def takes(code: int) -> int:
     """Returns the number of operands of an operation."""
     if code in (CLAMP, LERP, IF):
         return 3
-    return 1 if code in (NOT, MINUS, ABS, FLOOR, CEIL, SIGN, SQRT, SIN, COS, TAN, EXP, LOG) else 2
+    if code in (NOT, MINUS, ABS, FLOOR, CEIL, SIGN, SQRT, SIN, COS, TAN, EXP, LOG, ASIN, ACOS, ATAN):
+        return 1
+    return 2
 
 
 @inlined
@@ -67,6 +69,12 @@ def of_one(code: int, a: float) -> float:
         return _power_of_e(a)
     if code == LOG:
         return _logarithm(a)
+    if code == ATAN:
+        return scalar.atan2(a, 1.0)
+    if code == ASIN:
+        return scalar.atan2(a, _other_leg(a))
+    if code == ACOS:
+        return scalar.atan2(_other_leg(a), a)
     return _trigonometric(code, a)
 
 
@@ -124,6 +132,12 @@ def _compared(code: int, a: float, b: float) -> bool:
 @inlined
 def _divided(a: float, b: float) -> float:
     return _bounded(a / b) if b != 0 else 0.0
+
+
+@inlined
+def _other_leg(leg: float) -> float:
+    """The other leg of a right triangle whose longest side is 1; 0 if `leg` is longer."""
+    return math.sqrt((1.0 - leg) * (1.0 + leg)) if abs(leg) < 1.0 else 0.0
 
 
 @inlined
