@@ -3,15 +3,17 @@ tell no bones, a dialog asks.
 """
 
 from collections.abc import Callable
+from pathlib import Path
 
 import captures
 import pytest
 from browser.conftest import until
 from browser.test_import import drop, own
-from paths import ASSETS, needs_assets
+from browser.test_other_character import SHOWN, choose, made
+from paths import ASSETS, GLTF, needs_assets
 from playwright.sync_api import Page
 
-__all__ = ["own"]
+__all__ = ["made", "own"]
 WALK = ASSETS / "bvh" / "cmu_12_01_walk.bvh"
 PLAYS = "__viewer.stage() !== 'main' && __viewer.ready && __viewer.state() === arg"
 MOVED = (
@@ -33,6 +35,22 @@ def test_a_dropped_walk_plays_on_the_walker(own: Callable[[], set[str]], viewer:
         "machines/walker-cmu-walk",
         "characters/walker-cmu-walk",
     }
+
+
+@needs_assets
+def test_the_same_walk_plays_on_a_robot_of_other_size_and_names(
+    own: Callable[[], set[str]], made: Callable[[Path], str], viewer: Page
+) -> None:
+    choose(viewer, made(GLTF / "RobotExpressive.glb"))
+    until(viewer, SHOWN)
+    drop(viewer, "cmu walk.bvh", WALK.read_bytes())
+    until(viewer, PLAYS, "CMU-WALK")
+    start = viewer.evaluate("__viewer.joints()")
+    until(viewer, MOVED, start)
+    joints = viewer.evaluate("__viewer.joints()")
+    assert joints["Head"][1] > joints["Hips"][1] + 1 > joints["Foot.L"][1] + 1.3
+    assert viewer.evaluate("__viewer.pixels().covered") > 0.02
+    assert "machines/RobotExpressive-cmu-walk" in own()
 
 
 def test_the_dialog_asks_for_bones_without_known_names(own: Callable[[], set[str]], viewer: Page) -> None:
