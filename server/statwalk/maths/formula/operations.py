@@ -1,8 +1,8 @@
 """The fixed list of operations of formulas, each defined for all numbers.
 
 Undefined results have a value here: x/0 and x%0 are 0, sqrt below 0 is 0, log of 0 and below is 0, pow
-without a real value is 0, asin and acos beyond ±1 are those of ±1, and results beyond ±1e300 are ±1e300. So no formula raises an error, and no result
-is NaN or infinite. `scalar_operations` computes them.
+without a real value is 0, asin and acos beyond ±1 are those of ±1, and results beyond ±1e300 are ±1e300. So
+no formula raises an error, and no result is NaN or infinite. `scalar_operations` computes them.
 """
 
 from __future__ import annotations
@@ -37,8 +37,8 @@ _ONE = (
 _THREE = ("clamp", "lerp", "if")
 _OPERATORS = ("or", "and", "not", "<", "<=", ">", ">=", "==", "!=", "+", "-", "*", "/", "%", "minus")
 _FUNCTIONS = (
-    *("min", "max", "abs", "floor", "ceil", "sign", "sqrt", "sin", "cos", "tan", "exp", "log", "atan2", "pow"),
-    *("clamp", "lerp", "if", "asin", "acos", "atan"),
+    *("min", "max", "abs", "floor", "ceil", "sign", "sqrt", "sin", "cos", "tan", "exp", "log"),
+    *("atan2", "pow", "clamp", "lerp", "if", "asin", "acos", "atan"),
 )
 
 

@@ -20,9 +20,10 @@ from statwalk.maths.reference import inlined
 (OR, AND, NOT, LESS, AT_MOST, MORE, AT_LEAST, EQUAL, UNEQUAL, PLUS, LESS_BY, TIMES, OVER, MODULO, MINUS) = (
     operation.opcode for operation in OPERATORS.values()
 )
-(MIN, MAX, ABS, FLOOR, CEIL, SIGN, SQRT, SIN, COS, TAN, EXP, LOG, ATAN2, POW, CLAMP, LERP, IF, ASIN, ACOS, ATAN) = (
-    operation.opcode for operation in FUNCTIONS.values()
-)
+(
+    MIN, MAX, ABS, FLOOR, CEIL, SIGN, SQRT, SIN, COS, TAN, EXP, LOG, ATAN2, POW, CLAMP, LERP, IF, ASIN, ACOS,
+    ATAN,
+) = (operation.opcode for operation in FUNCTIONS.values())  # fmt: skip
 _WHOLE_TURN = 2 * math.pi
 
 
@@ -69,13 +70,7 @@ def of_one(code: int, a: float) -> float:
         return _power_of_e(a)
     if code == LOG:
         return _logarithm(a)
-    if code == ATAN:
-        return scalar.atan2(a, 1.0)
-    if code == ASIN:
-        return scalar.atan2(a, _other_leg(a))
-    if code == ACOS:
-        return scalar.atan2(_other_leg(a), a)
-    return _trigonometric(code, a)
+    return _angle(code, a) if code >= ASIN else _trigonometric(code, a)
 
 
 @inlined
@@ -132,6 +127,13 @@ def _compared(code: int, a: float, b: float) -> bool:
 @inlined
 def _divided(a: float, b: float) -> float:
     return _bounded(a / b) if b != 0 else 0.0
+
+
+@inlined
+def _angle(code: int, a: float) -> float:
+    if code == ATAN:
+        return scalar.atan2(a, 1.0)
+    return scalar.atan2(a, _other_leg(a)) if code == ASIN else scalar.atan2(_other_leg(a), a)
 
 
 @inlined
