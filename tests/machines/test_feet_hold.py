@@ -1,5 +1,5 @@
-"""Feet that stay where they stand: faq-walker's transitions, measured with the foot lock and without it, and
-the stairs and the slope of terrain.
+"""Feet that stay where they stand: faq-walker's transitions, measured with the foot lock and without it,
+between walk and run, and on the stairs and the slope of terrain.
 
 The measure of slides and sinks is `stage/measure/slide.py`, which knows nothing of the foot lock: it looks at
 the skin that is shown. The rooms are what was measured, rounded up.
@@ -20,10 +20,17 @@ from statwalk.stage.measure.subject import Subject
 from statwalk.stage.stage import Stage
 
 WALKER, TERRAIN = load_role(MACHINES / "faq-walker"), load_role(MACHINES / "terrain")
+LAYERS = load_role(MACHINES / "walker-layers")
 FREE = Role.build("free", WALKER.character, replace(WALKER.definition, foot_lock=0.0), "Root")
 HELD = {"WALK/STOP": 0.005, "WALK/JUMP": 0.005, "STAT/LEFT": 0.005, "STAT/CROUCH": 0.002}
 HELD |= {"WALK/LEFT": 0.015, "WALK/RIGHT": 0.015, "STWK/STOP": 0.01, "TLFT/STOP": 0.005, "TRGT/LEFT": 0.01}
 """metres: the farthest slide in any contact, from ten phases and through interruptions"""
+ON_STAIRS = {
+    "TRGT/LEFT": {"slide": 0.012, "sink": 0.012, "jump": 1.8, "joint": 2.5},
+    "WALK/STOP": {"slide": 0.006, "sink": 0.008, "jump": 1.8, "joint": 2.0},
+}
+RUNNER = {"STAND/GO": 0.006, "MOVE/STOP": 0.004, "MOVE/HURRY": 0.005, "RUN/STOP": 0.003}
+"""metres: slides of walker-layers; without the foot lock up to 1,209 mm"""
 SINK, KNEE = 0.005, 0.002
 
 
@@ -40,6 +47,19 @@ def test_feet_hold_the_ground_through_a_transition(cell: str) -> None:
     assert figures["slide"].worst <= HELD[cell]
     assert figures["sink"].worst <= SINK
     assert figures["knee"].worst <= KNEE
+
+
+@pytest.mark.parametrize("cell", ON_STAIRS)
+def test_feet_hold_the_stairs_and_the_slope_through_a_transition(cell: str) -> None:
+    figures = measured(TERRAIN, cell).figures
+    assert {name for name, most in ON_STAIRS[cell].items() if figures[name].worst > most} == set()
+
+
+@pytest.mark.parametrize("cell", RUNNER)
+def test_feet_hold_the_ground_between_walk_and_run(cell: str) -> None:
+    figures = measured(LAYERS, cell).figures
+    assert figures["slide"].worst <= RUNNER[cell]
+    assert figures["sink"].worst <= SINK
 
 
 def test_without_the_foot_lock_the_same_feet_slide() -> None:

@@ -93,7 +93,7 @@ def test_a_foot_close_to_a_step_rises_before_it_goes_on() -> None:
     """Its toes are 2 cm before the step: when they are over it, all of the foot is above it."""
     near = (-1.0, HALF + 0.02, 1.0, 2.0, 0.1, 0.0, 0.0)
     _, ways, heights = landed(on(near), 0.9)
-    assert heights[ways > 0.02].min() > 0.08  # its corners are rounded
+    assert heights[ways > 0.02].min() > 0.07  # its corners are rounded
     assert ways[heights < 0.05].max() < 0.015
 
 

@@ -7,6 +7,8 @@ from late_kernel import late_kernel
 from numba import types
 from statwalk.maths.compiling import LONG, write
 from statwalk.maths.reference import by_reference
+from statwalk.solve.foot_aside import way_out
+from statwalk.solve.foot_height import floor_of
 from statwalk.solve.foot_path import along_path, choose_landing, stretch_path
 from statwalk.solve.foot_tables import FEET, TO_X, TO_Z
 from statwalk.solve.footing import height_over, points_supported, slope_under
@@ -35,3 +37,18 @@ def land(feet: Any, foot: int, x: float, z: float, keep: Any, place: Any, path: 
     size = math.sqrt(place[0] * place[0] + place[1] * place[1])
     for part in range(path.shape[0]):
         path[part, 0], path[part, 1] = along_path(keep, 0, 0, part / (path.shape[0] - 1.0), size)
+
+
+@late_kernel(FEET, types.Array(types.float32, 4, "C", readonly=True), write(DOUBLE, 1))
+def aside(feet: Any, legs: Any, out: Any) -> None:
+    """Writes the way out of steps, x and z, of foot 0 of an actor at the origin."""
+    out[0], out[1] = way_out(by_reference(feet), legs, 0, 0, (0.0, 0.0, 0.0, 0.0, 1.0), 0.0, 0.0, 0.0)
+
+
+@late_kernel(
+    FEET, types.Array(types.float32, 4, "C", readonly=True), write(DOUBLE, 2), DOUBLE, returns=DOUBLE
+)
+def raised(feet: Any, legs: Any, keep: Any, level: float) -> Any:
+    """Returns by how much foot 0 of an actor at the origin is at least above its animated one."""
+    f, root = by_reference(feet), (0.0, 0.0, 0.0, 0.0, 1.0)
+    return floor_of(f, legs, keep, 0, 0, 0, (0.0, 0.0, 0.0, 0.0), (0, 0.0, 0.0, 0.0), root, level, 1 / 60)

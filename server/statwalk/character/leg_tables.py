@@ -35,9 +35,10 @@ from statwalk.solve.foot_tables import OF_ACTOR, OF_FOOT, SINCE, FootTables
 
 SOFTENING = 0.02
 """of the length of a leg"""
-SLOPES = 0.25, 1.2
-"""how far the directions lean in which the points of a sole are looked for"""
-ROUND = 8
+SLOPES, ROUND = (0.25, 1.2), 8
+"""how far the directions lean in which the points of a sole are looked for, and how many are all round"""
+SLOPES_ON_GROUND, ROUND_ON_GROUND = (0.25, 1.2, 5.0), 16
+"""the same on uneven ground, where any corner of the sole may come over the edge of a step"""
 
 
 def leg_chain(character: Character, foot: Foot) -> Chain:
@@ -77,7 +78,7 @@ def leg_tables(
     `columns`: the first of the foot lock in the solvers' memory, and the first for uneven ground or -1.
     """
     rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
-    soles = [_sole(character, foot, rest) for foot in feet]
+    soles = [_sole(character, foot, rest, is_uneven=columns[1] >= 0) for foot in feet]
     pelvis = carrier(character.skeleton, [foot.hip for foot in feet])
     pelvis = -1 if pelvis is None else pelvis
     above = int(character.skeleton.parent[pelvis]) if pelvis >= 0 else -1
@@ -140,17 +141,17 @@ def _firsts(counts: Sequence[int]) -> NDArray[np.int32]:
     return np.concatenate([[0], np.cumsum(counts, dtype=np.int64)]).astype(np.int32)
 
 
-def _sole(character: Character, foot: Foot, rest: Floats) -> tuple[Ints, Floats]:
+def _sole(character: Character, foot: Foot, rest: Floats, *, is_uneven: bool) -> tuple[Ints, Floats]:
     """The points of a foot's skin that lie lowest in the pose of rest and in feet that lean to any side:
     their carriers, and where they are in the frames of their carriers.
     """
     skin = bound_points(character, foot.joints)
     skin = skin if skin.count else SkinPoints.of_joints_themselves(foot.joints, len(character.skeleton))
     points = skin.at(rest)
-    angles = np.arange(ROUND) * (2 * np.pi / ROUND)
-    sine, cosine = sincos(angles)
+    slopes, count = (SLOPES_ON_GROUND, ROUND_ON_GROUND) if is_uneven else (SLOPES, ROUND)
+    sine, cosine = sincos(np.arange(count) * (2 * np.pi / count))
     directions = [(0.0, -1.0, 0.0)]
-    directions += [(c * lean, -1.0, s * lean) for lean in SLOPES for s, c in zip(sine, cosine, strict=True)]
+    directions += [(c * lean, -1.0, s * lean) for lean in slopes for s, c in zip(sine, cosine, strict=True)]
     chosen = outermost(points, np.array(directions).T)
     carriers = skin.carriers[chosen]
     return carriers, transform.apply(transform.invert(rest[carriers]), points[chosen])

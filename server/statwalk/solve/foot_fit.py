@@ -21,12 +21,18 @@ from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.pose_layout import place_of
 from statwalk.maths.springs import settled
+from statwalk.solve.foot_aside import way_out
 from statwalk.solve.foot_flight import fly, go_over, is_new, look_ahead, set_off
 from statwalk.solve.foot_path import choose_landing
 from statwalk.solve.foot_points import ankle_of, flat_place, stage_point
 from statwalk.solve.foot_tables import (
+    ASIDE_X,
+    ASIDE_X_RATE,
+    ASIDE_Z,
+    ASIDE_Z_RATE,
     AT_X,
     AT_Z,
+    CLIMB,
     FIT,
     FLIES,
     HEIGHT,
@@ -51,7 +57,6 @@ from statwalk.solve.foot_tables import (
     TO_Z,
     TOOK,
     TURN,
-    Y_RATE,
     X,
     Y,
     Z,
@@ -63,10 +68,10 @@ NEAR, FAR = 0.03, 0.12
 """
 LEAN = 18.0
 """1/s: how eagerly a foot leans to a slope"""
-SETTLE = 14.0
+COME_BACK = 25.0
+"""1/s: how eagerly a foot that a step has kept aside comes back"""
+SETTLE = 17.0
 """1/s: how eagerly a foot comes to another height than it was going to"""
-FASTEST_RISE = 0.6
-"""m/s"""
 
 
 @called
@@ -87,13 +92,22 @@ def fit_foot(
         _begin(f, keep, row, foot, at, here_x, here_z, yaw, landing[0] and landing[4] < 0.0)
     elif keep[row, lock + PLANTED] == STANDING:
         _stand(f, keep, row, foot, at, here_x, here_z, yaw)
-    elif landing[0]:
-        to_x, to_z = (landing[1], landing[2]) if landing[4] >= 0.0 else (own_x, own_z)
-        if is_new(keep, row, at, to_x, to_z):
-            set_off(f, keep, row, foot, at, to_x, to_z, landing[3], landing[4])
-        fly(keep, row, at, here_x, here_z, landing[4], dt)
     else:
-        look_ahead(f, keep, row, foot, at, here_x, here_z, yaw, dt)
+        aside_x, aside_z = keep[row, at + ASIDE_X], keep[row, at + ASIDE_Z]
+        keep[row, at + SHIFT_X] -= aside_x
+        keep[row, at + SHIFT_Z] -= aside_z
+        x_there, z_there = here_x - aside_x, here_z - aside_z
+        if landing[0]:
+            to_x, to_z = (landing[1], landing[2]) if landing[4] >= 0.0 else (own_x, own_z)
+            if is_new(keep, row, at, to_x, to_z):
+                set_off(f, keep, row, foot, at, to_x, to_z, landing[3], landing[4])
+            fly(keep, row, at, x_there, z_there, landing[4], dt)
+        else:
+            look_ahead(f, keep, row, foot, at, x_there, z_there, yaw, dt)
+        if keep[row, lock + PLANTED] == 0.0:
+            _go_aside(f, legs, keep, row, foot, lock, at, root, left, dt)
+        keep[row, at + SHIFT_X] += keep[row, at + ASIDE_X]
+        keep[row, at + SHIFT_Z] += keep[row, at + ASIDE_Z]
     if keep[row, at + PLAN] != STANDS:
         near = _nearness(f, legs, row, foot, root, taken)
         sine, cosine = sincos(yaw)
@@ -109,20 +123,32 @@ def fit_foot(
 
 
 @inlined
-def begin_fit(keep: Any, row: int, at: int) -> None:
-    """A new motion begins in the pose that is shown: its offset takes the fit over."""
-    for number in range(FIT):
-        keep[row, at + TOOK + number] = keep[row, at + number]
+def _go_aside(
+    f: Any, legs: Any, keep: Any, row: int, foot: int, lock: int, at: int, root: Any, left: float, dt: float
+) -> None:  # fmt: skip
+    """Keeps a foot on its way out of the steps that it would be in; where there are none it comes back."""
+    old_x, old_z = keep[row, at + ASIDE_X], keep[row, at + ASIDE_Z]
+    aside_x, rate_x = settled(old_x, keep[row, at + ASIDE_X_RATE], COME_BACK, dt)
+    aside_z, rate_z = settled(old_z, keep[row, at + ASIDE_Z_RATE], COME_BACK, dt)
+    x = keep[row, at + SHIFT_X] - left * keep[row, at + TOOK + SHIFT_X] + keep[row, lock + X] + aside_x
+    z = keep[row, at + SHIFT_Z] - left * keep[row, at + TOOK + SHIFT_Z] + keep[row, lock + Z] + aside_z
+    y = keep[row, at + LIFT] - left * keep[row, at + TOOK + LIFT] + keep[row, lock + Y]
+    u, v = way_out(f, legs, row, foot, root, x, y, z)
+    if u != 0.0 or v != 0.0:
+        aside_x, aside_z = aside_x + u, aside_z + v
+        rate_x, rate_z = (aside_x - old_x) / dt, (aside_z - old_z) / dt
+    keep[row, at + ASIDE_X], keep[row, at + ASIDE_X_RATE] = aside_x, rate_x
+    keep[row, at + ASIDE_Z], keep[row, at + ASIDE_Z_RATE] = aside_z, rate_z
 
 
 @inlined
-def slow_rise(keep: Any, row: int, lock: int, old: float, dt: float) -> None:
-    """Keeps the foot lock from throwing up a foot whose toes touch the front of a step; `old`: by how much it
-    had raised the foot.
-    """
-    most = max(old, 0.0) + FASTEST_RISE * dt
-    if keep[row, lock + Y] > most:
-        keep[row, lock + Y], keep[row, lock + Y_RATE] = most, FASTEST_RISE
+def begin_fit(keep: Any, row: int, at: int) -> None:
+    """A new motion begins in the pose that is shown: its offset takes the fit over, and how fast it moves."""
+    for number in range(FIT):
+        keep[row, at + TOOK + number] = keep[row, at + number]
+    keep[row, at + CLIMB] = keep[row, at + SLIP_RATE] = 0.0
+    keep[row, at + TILT_X_RATE] = keep[row, at + TILT_Z_RATE] = 0.0
+    keep[row, at + ASIDE_X_RATE] = keep[row, at + ASIDE_Z_RATE] = 0.0
 
 
 @inlined

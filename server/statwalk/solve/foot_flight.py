@@ -19,6 +19,7 @@ from statwalk.solve.foot_tables import (
     AIM_Z,
     AT_X,
     AT_Z,
+    CLIMB,
     FLIES,
     FROM_X,
     FROM_Z,
@@ -51,6 +52,8 @@ FASTEST_FALL, SLOWEST_FALL, BRAKES = 2.5, 0.4, 20.0
 """m/s at which a foot on its way is lowered at most; the same where it lands; and how much faster for each
 metre above that (1/s)
 """
+HASTE = 80.0
+"""m/s² with which a foot on its way is raised or lowered at most; what is missing dies out"""
 AHEAD_S = 0.15
 """seconds: a foot whose motion does not say where it lands looks so far ahead"""
 FORGET = 4.0
@@ -84,6 +87,8 @@ def set_off(
     keep[row, at + TO_X] += to_x - keep[row, at + AIM_X]
     keep[row, at + TO_Z] += to_z - keep[row, at + AIM_Z]
     keep[row, at + AIM_X], keep[row, at + AIM_Z] = to_x, to_z
+    if keep[row, at + PLAN] != FLIES:
+        keep[row, at + CLIMB] = 0.0
     keep[row, at + PLAN], keep[row, at + SHIFTED], keep[row, at + PROGRESS] = FLIES, 0.0, 0.0
     keep[row, at + FROM_X], keep[row, at + FROM_Z] = keep[row, at + AT_X], keep[row, at + AT_Z]
     keep[row, at + OLD_X], keep[row, at + OLD_Z] = keep[row, at + SHIFT_X], keep[row, at + SHIFT_Z]
@@ -113,9 +118,20 @@ def fly(keep: Any, row: int, at: int, x: float, z: float, seconds: float, dt: fl
     above = keep[row, at + HEIGHT] - keep[row, at + PATH + PATH_PARTS]
     fall = min(FASTEST_FALL, SLOWEST_FALL + BRAKES * max(above, 0.0))
     height = max(height, keep[row, at + HEIGHT] - fall * dt)
-    keep[row, at + PROGRESS], keep[row, at + HEIGHT] = gone, height
+    keep[row, at + PROGRESS] = gone
+    _climb(keep, row, at, height, dt)
     keep[row, at + SHIFT_X] = shift_x + (share - gone) * u
     keep[row, at + SHIFT_Z] = shift_z + (share - gone) * v
+
+
+@inlined
+def _climb(keep: Any, row: int, at: int, height: float, dt: float) -> None:
+    """Wants the height of the path, without haste."""
+    step, before = height - keep[row, at + HEIGHT], keep[row, at + CLIMB] * dt
+    most = HASTE * dt * dt
+    made = min(max(step, before - most), before + most)
+    keep[row, at + SLIP] += made - step
+    keep[row, at + HEIGHT], keep[row, at + CLIMB] = height, made / dt
 
 
 @inlined

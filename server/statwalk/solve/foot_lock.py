@@ -17,9 +17,9 @@ from typing import Any
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
-from statwalk.maths.springs import settled
+from statwalk.solve.foot_height import LOOK_AHEAD, floor_of, raise_foot
 from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, size_of, speeds_of, stage_point
-from statwalk.solve.foot_return import approach, eagerness, take_rates
+from statwalk.solve.foot_return import WALKING, approach, eagerness, take_rates
 from statwalk.solve.foot_tables import (
     EAGER,
     LEAVING,
@@ -56,16 +56,8 @@ TWIST, FAR_TWIST = 0.15, 0.5
 """radians: if the other foot has stood for a moment; in any case"""
 SHORTEST_STAND, SHORTEST_STEP = 0.05, 0.1
 """seconds"""
-CLEARANCE, PER_METRE, PER_SPEED = 0.06, 0.3, 0.03
-"""metres by which a foot on its way is lifted at most; for each metre from its motion; for each m/s"""
-LEAST_CLEARANCE, NEARLY_THERE = 0.009, 0.004
-"""metres by which a foot on its way is lifted at least, until it is so near to its motion"""
 CLEAR, LONGEST_LEAVE = 0.007, 0.1
 """a released foot keeps its place until it is so high (metres), for so long at most (seconds)"""
-RISE = 24.0
-"""1/s: how eagerly a foot comes to its height"""
-LOOK_AHEAD = 2.0 / RISE
-"""seconds by which a foot comes later to its height, so that it looks so far ahead in a blend"""
 ROLL = 0.001
 """metres by which another point of the sole must be lower, for the foot to roll on to it"""
 
@@ -99,25 +91,27 @@ def step_foot(
     """
     ankle = ankle_of(f, legs, row, foot, root)
     low = lowest_point(f, legs, row, foot, root, keep[row, at + X], keep[row, at + Z])
+    level = keep[row, at + LOWEST_Y] if keep[row, at + SINCE] >= 0.0 else low[2]
     speed, fall = speeds_of(f, legs, keep, row, at, low, root, dt)
     if keep[row, at + SINCE] < 0.0:
         _begin(f, keep, row, at, low, ankle, root, is_down)
     old = keep[row, at + X], keep[row, at + Z], keep[row, at + TURN], keep[row, at + Y]
     keep[row, at + SINCE] += dt
     if keep[row, at + PLANTED] == STANDING and speed > SLOW and fall <= 0.0:
-        _perhaps_go_along(f, keep, row, at, low, root)
+        _perhaps_go_along(f, keep, row, at, low, root, speed)
     if keep[row, at + PLANTED] == LEAVING:
-        _perhaps_leave(f, keep, row, at, low, root)
+        _perhaps_leave(f, keep, row, at, low, root, speed)
     if keep[row, at + PLANTED] >= LEAVING:
         _hold(f, legs, keep, row, at, ankle, root)
         take_rates(keep, row, at, old, dt)
         if keep[row, at + PLANTED] == STANDING:
-            _perhaps_release(keep, row, at, other, is_down)
+            _perhaps_release(keep, row, at, other, is_down, speed)
     else:
-        approach(keep, row, at, old, dt)
+        approach(keep, row, at, old, speed, dt)
     ahead = fall * LOOK_AHEAD if blends else 0.0
     lands = is_down and _must_land(keep, row, at, other, speed)
-    _raise(f, keep, row, at, low, old[3], root, is_down or blends, speed, ahead, lands, dt)
+    floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, level + old[3], dt)
+    raise_foot(keep, row, at, floor, is_down or blends, speed, ahead, lands, dt)
     _perhaps_plant(f, keep, row, at, low, root, is_down, blends, lands, speed)
     if keep[row, at + PLANTED] == STANDING:
         _roll(f, legs, keep, row, at, low, ankle, root)
@@ -133,14 +127,16 @@ def _begin(f: Any, keep: Any, row: int, at: int, low: Any, ankle: Any, root: Any
 
 
 @inlined
-def _perhaps_go_along(f: Any, keep: Any, row: int, at: int, low: Any, root: Any) -> None:
+def _perhaps_go_along(
+    f: Any, keep: Any, row: int, at: int, low: Any, root: Any, speed: float
+) -> None:  # fmt: skip
     """Releases a planted foot that its motion has lifted, before it is held back: a foot that sets off late
     would still be behind when it lands.
     """
     x, z = low[1] + keep[row, at + X], low[3] + keep[row, at + Z]
     if low[2] - ground_at(f.ground, x, z, root[1]) > LIFTED:
         keep[row, at + PLANTED], keep[row, at + SINCE] = 0.0, 0.0
-        keep[row, at + EAGER] = eagerness(keep, row, at)
+        keep[row, at + EAGER] = eagerness(keep, row, at, speed)
 
 
 @inlined
@@ -155,7 +151,9 @@ def _hold(f: Any, legs: Any, keep: Any, row: int, at: int, ankle: Any, root: Any
 
 
 @inlined
-def _perhaps_release(keep: Any, row: int, at: int, other: int, is_down: bool) -> None:
+def _perhaps_release(
+    keep: Any, row: int, at: int, other: int, is_down: bool, speed: float
+) -> None:  # fmt: skip
     """Releases a foot that its motion lifts, that is too far from its motion, or that takes a step."""
     x, z, twist = keep[row, at + X], keep[row, at + Z], abs(keep[row, at + TURN])
     away = math.sqrt(x * x + z * z)
@@ -167,53 +165,29 @@ def _perhaps_release(keep: Any, row: int, at: int, other: int, is_down: bool) ->
         goes = stands and further and (away > STEP or twist > TWIST)
     if goes:
         keep[row, at + PLANTED], keep[row, at + SINCE] = LEAVING, 0.0
-        keep[row, at + EAGER] = eagerness(keep, row, at)
+        keep[row, at + EAGER] = eagerness(keep, row, at, speed)
 
 
 @inlined
-def _perhaps_leave(f: Any, keep: Any, row: int, at: int, low: Any, root: Any) -> None:
+def _perhaps_leave(
+    f: Any, keep: Any, row: int, at: int, low: Any, root: Any, speed: float
+) -> None:  # fmt: skip
     """Lets a released foot go to its motion: once it is clear of the ground, or too far behind."""
     x, z = keep[row, at + X], keep[row, at + Z]
     height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
     away = math.sqrt(x * x + z * z)
-    if height > CLEAR or away > FAR or keep[row, at + SINCE] > LONGEST_LEAVE:
+    clear = height > (CLEAR if speed < WALKING else LIFTED)
+    if clear or away > FAR or keep[row, at + SINCE] > LONGEST_LEAVE:
         keep[row, at + PLANTED] = 0.0
-        keep[row, at + EAGER] = eagerness(keep, row, at)
+        keep[row, at + EAGER] = eagerness(keep, row, at, speed)
 
 
 @inlined
 def _must_land(keep: Any, row: int, at: int, other: int, speed: float) -> Any:
     """Whether a foot on its way that its motion plants comes down at once: the other foot does not stand."""
-    lands = other >= 0 and keep[row, other + PLANTED] != STANDING and size_of(keep, row, at) < FAR
+    lands = other >= 0 and keep[row, other + PLANTED] != STANDING and size_of(keep, row, at) < FARTHEST
     on_its_way = keep[row, at + PLANTED] == 0.0 and keep[row, at + SINCE] >= SHORTEST_STEP
     return lands and on_its_way and speed <= NOT_FAST
-
-
-@inlined
-def _raise(
-    f: Any, keep: Any, row: int, at: int, low: Any, old: float, root: Any, may_drag: bool, speed: float,
-    ahead: float, lands: bool, dt: float,
-) -> None:  # fmt: skip
-    """The height of the shown foot: on the ground if it is planted, or lands; clear of it on its way, and of
-    where it will be `ahead` metres lower.
-    """
-    x, z = keep[row, at + X], keep[row, at + Z]
-    floor = ground_at(f.ground, low[1] + x, low[3] + z, root[1]) - low[2]
-    wanted = 0.0  # as high above the ground as in the motion: on uneven ground `foot_fit` has seen to it
-    if f.ground.shape[0] == 0:
-        wanted = floor + low[2] - root[1]
-    if keep[row, at + PLANTED] == STANDING or lands:
-        wanted = floor
-    elif may_drag or -floor < CLEARANCE:
-        away = math.sqrt(x * x + z * z)
-        clear = PER_METRE * away + (PER_SPEED * min(speed, 1.0) if may_drag else 0.0)
-        if away > NEARLY_THERE or clear > LEAST_CLEARANCE:
-            wanted = max(wanted, floor + ahead + min(max(clear, LEAST_CLEARANCE), CLEARANCE))
-    height, rate = settled(old - wanted, keep[row, at + Y_RATE], RISE, dt)
-    height += wanted
-    if height < floor:
-        height, rate = floor, (floor - old) / dt
-    keep[row, at + Y], keep[row, at + Y_RATE] = height, rate
 
 
 @inlined

@@ -36,7 +36,7 @@ AIR, EVEN = 0.015, 0.03
 """metres by which a foot is higher than the string in the middle of its path; if heights along it differ by
 more
 """
-ROUNDED = 0.05
+ROUNDED = 0.075
 """the share of a path over which its corners are rounded"""
 UPWARD, DOWNWARD = 1.5, 0.4
 """metres of a level way that take as long as a metre up, or down"""

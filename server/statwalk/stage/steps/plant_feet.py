@@ -12,9 +12,9 @@ from statwalk.maths.simd.lanes import LANES
 from statwalk.maths.simd.pose_layout import end_row, first_row
 from statwalk.rig.hierarchy import model_block
 from statwalk.solve.chains import ROWS
-from statwalk.solve.foot_fit import begin_fit, fit_foot, slow_rise
+from statwalk.solve.foot_fit import begin_fit, fit_foot
 from statwalk.solve.foot_lock import begin_blend, step_foot
-from statwalk.solve.foot_tables import OF_ACTOR, OF_FIT, OF_FOOT, OF_GROUND, Y
+from statwalk.solve.foot_tables import OF_ACTOR, OF_FIT, OF_FOOT, OF_GROUND
 from statwalk.solve.foot_targets import aim_leg, begin_pelvis, follow_ground, lower_pelvis, move_pelvis
 from statwalk.solve.solve_block import solve_chain_block
 from statwalk.stage.steps.foot_landings import next_landing
@@ -80,10 +80,7 @@ def _step_feet(f: Any, m: Any, s: Any, o: Any, mem: Any, keep: Any, row: int, ro
         at = f.memory[0] + OF_ACTOR + foot * OF_FOOT
         other = f.memory[0] + OF_ACTOR + f.other[foot] * OF_FOOT if f.other[foot] >= 0 else -1
         is_down = member >= 0 and _is_planted(f, m, s, row, member, foot)
-        old = keep[row, at + Y]
         step_foot(f, mem.legs, keep, row, foot, at, other, root, is_down, blends, dt)
-        if f.fit[0] >= 0:
-            slow_rise(keep, row, at, old, dt)
 
 
 @inlined

@@ -1,0 +1,38 @@
+"""What counts as ground below a foot over, beside and in a step, against its height and its distance."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from foot_at_step import EDGE, FEET, FRONT, HEIGHT, LOWEST, ON_THE_FLOOR, legs_at
+from foot_kernels import raised
+from statwalk.solve.foot_height import KERB, WAY_OUT
+from statwalk.solve.foot_tables import OF_FOOT, Y
+
+
+def floor(y: float, z: float, level: float, old: float = 0.0) -> float:
+    keep = np.zeros((1, OF_FOOT))
+    keep[0, Y] = old
+    return float(raised(FEET, legs_at(y, z), keep, level))
+
+
+def test_a_foot_on_the_floor_is_not_raised_by_the_step_beside_it() -> None:
+    assert floor(ON_THE_FLOOR, EDGE - FRONT + 0.01, 0.0) == pytest.approx(0, abs=1e-6)
+
+
+def test_a_foot_that_comes_down_on_the_step_stops_there() -> None:
+    """It was 1 cm above the step, and its motion is 2 cm below it now."""
+    wanted = floor(HEIGHT - LOWEST - 0.02, EDGE + 0.5, HEIGHT + 0.01)
+    assert wanted == pytest.approx(0.02, abs=1e-6)
+
+
+def test_what_is_higher_counts_less_and_less() -> None:
+    levels = np.linspace(HEIGHT, 0, 121)
+    floors = np.array([floor(level - LOWEST, EDGE - FRONT + 0.05, level) for level in levels])
+    assert 0.015 < floors.max() <= KERB
+    assert np.abs(np.diff(floors)).max() < 0.0011
+    assert floors[-1] == pytest.approx(0, abs=1e-6)
+
+
+def test_a_foot_in_the_middle_of_a_step_rises_out_of_it_slowly() -> None:
+    assert floor(ON_THE_FLOOR, EDGE + 1.0, 0.0, old=0.03) == pytest.approx(0.03 + WAY_OUT / 60, abs=1e-6)
