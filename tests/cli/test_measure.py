@@ -41,9 +41,12 @@ def test_an_unknown_cell_is_status_2():
     assert "did you mean WALK/STOP" in done.stderr
 
 
-def test_a_table_of_80_columns_cuts_no_figure():
-    done = run("terrain", "--cell", "WALK/STOP", columns=80)
+def test_a_table_of_80_columns_cuts_nothing_and_has_the_worst_alone():
+    done = run("walker-layers", "--cell", "SURPRISE/NEUTRAL", columns=80)
     assert done.returncode == 0
-    figures = done.stdout.partition("WALK/STOP")[2]
-    assert "(" in figures
-    assert "…" not in figures
+    assert not {"…", "("} & set(done.stdout)
+    assert max(map(len, done.stdout.splitlines())) <= 80
+
+
+def test_a_wide_table_has_the_mean_too():
+    assert "(" in run("faq-walker", "--cell", "WALK/STOP").stdout

@@ -30,10 +30,12 @@ EXAMPLES = """Examples:
   statwalk measure machines/my-robot --json
 
 Each cell of the table is played from ten phases of the old motion, and again with another event 1, 5 and 11
-ticks later. A figure is the mean over the phases and, in brackets, the worst of all. The exit status is 0
-within the budgets of the machine file, 1 over them, 2 if a file cannot be read.
+ticks later. A figure is the mean over the phases and, in brackets, the worst of all; a narrow terminal shows
+the worst alone. The exit status is 0 within the budgets of the machine file, 1 over them, 2 if a file cannot
+be read.
 """
-console = Console(highlight=False)
+WIDEST = 500
+"""characters"""
 
 
 def _role_of(machine: str) -> Role:
@@ -43,23 +45,32 @@ def _role_of(machine: str) -> Role:
     raise UnknownNameError("machine", machine, shipped_machines())
 
 
-def _shown(rows: Sequence[Measured], budgets: Mapping[str, Any]) -> Table:
-    """The figures as a table that fits a narrow terminal; over budget in red."""
-    headings = (f"{name} {unit(name)}" for name in UNITS)
+def _fitting(console: Console, rows: Sequence[Measured], budgets: Mapping[str, Any]) -> Table:
+    """The figures as a table that fits the terminal."""
+    table = _shown(rows, budgets, with_means=True)
+    fits = console.measure(table, options=console.options.update(width=WIDEST)).maximum <= console.width
+    return table if fits else _shown(rows, budgets, with_means=False)
+
+
+def _shown(rows: Sequence[Measured], budgets: Mapping[str, Any], *, with_means: bool) -> Table:
+    """The figures as a table; over budget in red."""
+    headings = (f"{name}\n{unit(name)}" for name in UNITS)
     table = Table("", *headings, box=None, pad_edge=False, padding=(0, 1, 0, 0))
     table.columns[0].no_wrap = True
     for part in rows:
         figures = (part.figures.get(name) for name in UNITS)
         table.add_row(
-            escape(part.name), *(_cell(*pair, budgets) for pair in zip(UNITS, figures, strict=True))
+            escape(part.name),
+            *(_cell(*pair, budgets, with_mean=with_means) for pair in zip(UNITS, figures, strict=True)),
         )
     return table
 
 
-def _cell(name: str, figure: Figure | None, budgets: Mapping[str, Any]) -> str:
+def _cell(name: str, figure: Figure | None, budgets: Mapping[str, Any], *, with_mean: bool) -> str:
     if figure is None:
         return ""
-    text = f"{number(name, figure.mean)} ({number(name, figure.worst)})"
+    text = number(name, figure.worst)
+    text = f"{number(name, figure.mean)} ({text})" if with_mean else text
     return f"[red]{text}[/]" if name in budgets and figure.worst > budgets[name].most else text
 
 
@@ -99,7 +110,8 @@ def measure(
         }
         typer.echo(orjson.dumps(answer, option=orjson.OPT_INDENT_2))
     else:
-        console.print(_shown(rows, budgets), soft_wrap=True)
+        console = Console(highlight=False)
+        console.print(_fitting(console, rows, budgets), soft_wrap=True)
         for finding in findings:
             console.print(f"[yellow]{finding.severity}[/] line {finding.line}: {escape(finding.message)}")
         console.print(f"{escape(machine)}: {len(rows)} rows, {len(findings)} figures over budget")
