@@ -2,7 +2,7 @@
 (`foot_fit`).
 
 The way out is as long as the foot is deep in the step: it begins with nothing, and ends as the foot rises
-above the step. `f`, `legs`, `root`, `row` as in `foot_points`.
+above the step. Arguments as in `foot_fit`.
 """
 
 from __future__ import annotations
@@ -11,7 +11,22 @@ from typing import Any
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
+from statwalk.maths.springs import settled
+from statwalk.solve.foot_flight import HASTE
 from statwalk.solve.foot_points import stage_point
+from statwalk.solve.foot_tables import (
+    ASIDE_X,
+    ASIDE_X_RATE,
+    ASIDE_Z,
+    ASIDE_Z_RATE,
+    LIFT,
+    SHIFT_X,
+    SHIFT_Z,
+    TOOK,
+    X,
+    Y,
+    Z,
+)  # fmt: skip
 
 STUMBLE, CLEARED = 0.015, 0.035
 """metres by which a point of the sole is below the top of a step: from STUMBLE on the step is in its way,
@@ -19,6 +34,8 @@ from CLEARED on wholly
 """
 DEEPEST = 0.09
 """metres by which a foot is moved aside at most"""
+COME_BACK = 25.0
+"""1/s: how eagerly a foot that a step has kept aside comes back"""
 
 
 @called
@@ -51,3 +68,35 @@ def _out_of(ground: Any, piece: int, x: float, y: float, z: float) -> Any:
     if abs(u) < abs(v):
         return min(max(u, -DEEPEST), DEEPEST) * share, 0.0
     return 0.0, min(max(v, -DEEPEST), DEEPEST) * share
+
+
+@inlined
+def without_haste(
+    keep: Any, row: int, shift: int, rate: int, aside: int, old: float, way: float, dt: float
+) -> None:  # fmt: skip
+    """Moves into `aside`, where it dies out, what a change of `shift` along the `way` has of haste; a foot
+    that is held back is held back at once: there is a step.
+    """
+    step, before, most = keep[row, shift] - old, keep[row, rate] * dt, HASTE * dt * dt
+    made = min(step, before + most) if way > 0.0 else max(step, before - most)
+    keep[row, aside] += made - step
+    keep[row, rate] = made / dt
+
+
+@inlined
+def go_aside(
+    f: Any, legs: Any, keep: Any, row: int, foot: int, lock: int, at: int, root: Any, left: float, dt: float
+) -> None:  # fmt: skip
+    """Keeps a foot on its way out of the steps that it would be in; where there are none it comes back."""
+    old_x, old_z = keep[row, at + ASIDE_X], keep[row, at + ASIDE_Z]
+    aside_x, rate_x = settled(old_x, keep[row, at + ASIDE_X_RATE], COME_BACK, dt)
+    aside_z, rate_z = settled(old_z, keep[row, at + ASIDE_Z_RATE], COME_BACK, dt)
+    x = keep[row, at + SHIFT_X] - left * keep[row, at + TOOK + SHIFT_X] + keep[row, lock + X] + aside_x
+    z = keep[row, at + SHIFT_Z] - left * keep[row, at + TOOK + SHIFT_Z] + keep[row, lock + Z] + aside_z
+    y = keep[row, at + LIFT] - left * keep[row, at + TOOK + LIFT] + keep[row, lock + Y]
+    u, v = way_out(f, legs, row, foot, root, x, y, z)
+    if u != 0.0 or v != 0.0:
+        aside_x, aside_z = aside_x + u, aside_z + v
+        rate_x, rate_z = (aside_x - old_x) / dt, (aside_z - old_z) / dt
+    keep[row, at + ASIDE_X], keep[row, at + ASIDE_X_RATE] = aside_x, rate_x
+    keep[row, at + ASIDE_Z], keep[row, at + ASIDE_Z_RATE] = aside_z, rate_z

@@ -21,7 +21,7 @@ from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.pose_layout import place_of
 from statwalk.maths.springs import settled
-from statwalk.solve.foot_aside import way_out
+from statwalk.solve.foot_aside import go_aside, without_haste
 from statwalk.solve.foot_flight import fly, go_over, is_new, look_ahead, set_off
 from statwalk.solve.foot_path import choose_landing
 from statwalk.solve.foot_points import ankle_of, flat_place, stage_point
@@ -35,12 +35,16 @@ from statwalk.solve.foot_tables import (
     CLIMB,
     FIT,
     FLIES,
+    FROM_X,
+    FROM_Z,
     HEIGHT,
     LIFT,
     PLAN,
     PLANTED,
     SHIFT_X,
+    SHIFT_X_RATE,
     SHIFT_Z,
+    SHIFT_Z_RATE,
     SHIFTED,
     SINCE,
     SLIP,
@@ -58,7 +62,6 @@ from statwalk.solve.foot_tables import (
     TOOK,
     TURN,
     X,
-    Y,
     Z,
 )  # fmt: skip
 from statwalk.solve.footing import height_under, slope_under
@@ -68,8 +71,6 @@ NEAR, FAR = 0.03, 0.12
 """
 LEAN = 18.0
 """1/s: how eagerly a foot leans to a slope"""
-COME_BACK = 25.0
-"""1/s: how eagerly a foot that a step has kept aside comes back"""
 SETTLE = 17.0
 """1/s: how eagerly a foot comes to another height than it was going to"""
 
@@ -93,21 +94,8 @@ def fit_foot(
     elif keep[row, lock + PLANTED] == STANDING:
         _stand(f, keep, row, foot, at, here_x, here_z, yaw)
     else:
-        aside_x, aside_z = keep[row, at + ASIDE_X], keep[row, at + ASIDE_Z]
-        keep[row, at + SHIFT_X] -= aside_x
-        keep[row, at + SHIFT_Z] -= aside_z
-        x_there, z_there = here_x - aside_x, here_z - aside_z
-        if landing[0]:
-            to_x, to_z = (landing[1], landing[2]) if landing[4] >= 0.0 else (own_x, own_z)
-            if is_new(keep, row, at, to_x, to_z):
-                set_off(f, keep, row, foot, at, to_x, to_z, landing[3], landing[4])
-            fly(keep, row, at, x_there, z_there, landing[4], dt)
-        else:
-            look_ahead(f, keep, row, foot, at, x_there, z_there, yaw, dt)
-        if keep[row, lock + PLANTED] == 0.0:
-            _go_aside(f, legs, keep, row, foot, lock, at, root, left, dt)
-        keep[row, at + SHIFT_X] += keep[row, at + ASIDE_X]
-        keep[row, at + SHIFT_Z] += keep[row, at + ASIDE_Z]
+        own, here = (own_x, own_z), (here_x, here_z)
+        _on_its_way(f, legs, keep, row, foot, lock, at, root, landing, own, here, yaw, left, dt)
     if keep[row, at + PLAN] != STANDS:
         near = _nearness(f, legs, row, foot, root, taken)
         sine, cosine = sincos(yaw)
@@ -123,22 +111,29 @@ def fit_foot(
 
 
 @inlined
-def _go_aside(
-    f: Any, legs: Any, keep: Any, row: int, foot: int, lock: int, at: int, root: Any, left: float, dt: float
+def _on_its_way(
+    f: Any, legs: Any, keep: Any, row: int, foot: int, lock: int, at: int, root: Any, landing: Any, own: Any,
+    here: Any, yaw: float, left: float, dt: float,
 ) -> None:  # fmt: skip
-    """Keeps a foot on its way out of the steps that it would be in; where there are none it comes back."""
-    old_x, old_z = keep[row, at + ASIDE_X], keep[row, at + ASIDE_Z]
-    aside_x, rate_x = settled(old_x, keep[row, at + ASIDE_X_RATE], COME_BACK, dt)
-    aside_z, rate_z = settled(old_z, keep[row, at + ASIDE_Z_RATE], COME_BACK, dt)
-    x = keep[row, at + SHIFT_X] - left * keep[row, at + TOOK + SHIFT_X] + keep[row, lock + X] + aside_x
-    z = keep[row, at + SHIFT_Z] - left * keep[row, at + TOOK + SHIFT_Z] + keep[row, lock + Z] + aside_z
-    y = keep[row, at + LIFT] - left * keep[row, at + TOOK + LIFT] + keep[row, lock + Y]
-    u, v = way_out(f, legs, row, foot, root, x, y, z)
-    if u != 0.0 or v != 0.0:
-        aside_x, aside_z = aside_x + u, aside_z + v
-        rate_x, rate_z = (aside_x - old_x) / dt, (aside_z - old_z) / dt
-    keep[row, at + ASIDE_X], keep[row, at + ASIDE_X_RATE] = aside_x, rate_x
-    keep[row, at + ASIDE_Z], keep[row, at + ASIDE_Z_RATE] = aside_z, rate_z
+    """A foot in the air: it goes to where its motion lands, or looks ahead, and keeps out of steps."""
+    keep[row, at + SHIFT_X] -= keep[row, at + ASIDE_X]
+    keep[row, at + SHIFT_Z] -= keep[row, at + ASIDE_Z]
+    old_x, old_z = keep[row, at + SHIFT_X], keep[row, at + SHIFT_Z]
+    x, z = here[0] - keep[row, at + ASIDE_X], here[1] - keep[row, at + ASIDE_Z]
+    if landing[0]:
+        to_x, to_z = (landing[1], landing[2]) if landing[4] >= 0.0 else own
+        if is_new(keep, row, at, to_x, to_z):
+            set_off(f, keep, row, foot, at, to_x, to_z, landing[3], landing[4])
+        fly(keep, row, at, x, z, landing[4], dt)
+    else:
+        look_ahead(f, keep, row, foot, at, x, z, yaw, dt)
+    to_x, to_z = keep[row, at + TO_X] - keep[row, at + FROM_X], keep[row, at + TO_Z] - keep[row, at + FROM_Z]
+    without_haste(keep, row, at + SHIFT_X, at + SHIFT_X_RATE, at + ASIDE_X, old_x, to_x, dt)
+    without_haste(keep, row, at + SHIFT_Z, at + SHIFT_Z_RATE, at + ASIDE_Z, old_z, to_z, dt)
+    if keep[row, lock + PLANTED] == 0.0:
+        go_aside(f, legs, keep, row, foot, lock, at, root, left, dt)
+    keep[row, at + SHIFT_X] += keep[row, at + ASIDE_X]
+    keep[row, at + SHIFT_Z] += keep[row, at + ASIDE_Z]
 
 
 @inlined
@@ -149,6 +144,7 @@ def begin_fit(keep: Any, row: int, at: int) -> None:
     keep[row, at + CLIMB] = keep[row, at + SLIP_RATE] = 0.0
     keep[row, at + TILT_X_RATE] = keep[row, at + TILT_Z_RATE] = 0.0
     keep[row, at + ASIDE_X_RATE] = keep[row, at + ASIDE_Z_RATE] = 0.0
+    keep[row, at + SHIFT_X_RATE] = keep[row, at + SHIFT_Z_RATE] = 0.0
 
 
 @inlined

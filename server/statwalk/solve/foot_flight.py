@@ -32,7 +32,9 @@ from statwalk.solve.foot_tables import (
     PROGRESS,
     SEARCHES,
     SHIFT_X,
+    SHIFT_X_RATE,
     SHIFT_Z,
+    SHIFT_Z_RATE,
     SHIFTED,
     SLIP,
     TO_X,
@@ -53,7 +55,7 @@ FASTEST_FALL, SLOWEST_FALL, BRAKES = 2.5, 0.4, 20.0
 metre above that (1/s)
 """
 HASTE = 80.0
-"""m/s² with which a foot on its way is raised or lowered at most; what is missing dies out"""
+"""m/s² with which a foot on its way changes its pace at most; what is missing dies out"""
 AHEAD_S = 0.15
 """seconds: a foot whose motion does not say where it lands looks so far ahead"""
 FORGET = 4.0
@@ -88,7 +90,7 @@ def set_off(
     keep[row, at + TO_Z] += to_z - keep[row, at + AIM_Z]
     keep[row, at + AIM_X], keep[row, at + AIM_Z] = to_x, to_z
     if keep[row, at + PLAN] != FLIES:
-        keep[row, at + CLIMB] = 0.0
+        keep[row, at + CLIMB] = keep[row, at + SHIFT_X_RATE] = keep[row, at + SHIFT_Z_RATE] = 0.0
     keep[row, at + PLAN], keep[row, at + SHIFTED], keep[row, at + PROGRESS] = FLIES, 0.0, 0.0
     keep[row, at + FROM_X], keep[row, at + FROM_Z] = keep[row, at + AT_X], keep[row, at + AT_Z]
     keep[row, at + OLD_X], keep[row, at + OLD_Z] = keep[row, at + SHIFT_X], keep[row, at + SHIFT_Z]
