@@ -150,14 +150,16 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 @pytest.fixture(autouse=True)
 def tidy(server: Server) -> Iterator[None]:
-    """Closes the stages that a test leaves behind, after its page: they would step beside all others; `main`
-    goes on if a test that failed left it paused.
+    """Closes the stages that a test leaves behind, after its page: they would step beside all others; on
+    `main` time goes on, and who walks there stops, so that every test begins with a walker who stands.
     """
     yield
     if server.process is not None:
         for stage in httpx.get(f"{server.url}/api/stages").json():
             if stage["id"] == "main":
                 httpx.post(f"{server.url}/api/stages/main/pause", json={"paused": False})
+                if any(actor["state"] != "STAT" for actor in stage["actors"]):
+                    httpx.post(f"{server.url}/api/stages/main/events", json={"event": "STOP"})
             else:
                 httpx.delete(f"{server.url}/api/stages/{stage['id']}")
 
