@@ -22,13 +22,18 @@ MOVED = (
 )
 
 
+def dropped_walk(page: Page) -> dict[str, list[float]]:
+    """Drops the captured walk, and waits until it has moved a joint by 20 cm; returns where the joints are."""
+    drop(page, "cmu walk.bvh", WALK.read_bytes())
+    until(page, PLAYS, "CMU-WALK")
+    until(page, MOVED, page.evaluate("__viewer.joints()"))
+    joints: dict[str, list[float]] = page.evaluate("__viewer.joints()")
+    return joints
+
+
 @needs_assets
 def test_a_dropped_walk_plays_on_the_walker(own: Callable[[], set[str]], viewer: Page) -> None:
-    drop(viewer, "cmu walk.bvh", WALK.read_bytes())
-    until(viewer, PLAYS, "CMU-WALK")
-    start = viewer.evaluate("__viewer.joints()")
-    until(viewer, MOVED, start)
-    joints = viewer.evaluate("__viewer.joints()")
+    joints = dropped_walk(viewer)
     assert joints["Head"][1] > joints["Root"][1] + 0.3 > joints["Left.foot"][1] + 0.6
     assert viewer.evaluate("__viewer.pixels().covered") > 0.02
     assert {name for name in own() if "cmu" in name} == {
@@ -43,11 +48,7 @@ def test_the_same_walk_plays_on_a_robot_of_other_size_and_names(
 ) -> None:
     choose(viewer, made(GLTF / "RobotExpressive.glb"))
     until(viewer, SHOWN)
-    drop(viewer, "cmu walk.bvh", WALK.read_bytes())
-    until(viewer, PLAYS, "CMU-WALK")
-    start = viewer.evaluate("__viewer.joints()")
-    until(viewer, MOVED, start)
-    joints = viewer.evaluate("__viewer.joints()")
+    joints = dropped_walk(viewer)
     assert joints["Head"][1] > joints["Hips"][1] + 1 > joints["Foot.L"][1] + 1.3
     assert viewer.evaluate("__viewer.pixels().covered") > 0.02
     assert "machines/RobotExpressive-cmu-walk" in own()

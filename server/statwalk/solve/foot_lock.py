@@ -19,7 +19,7 @@ from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.solve.foot_height import LOOK_AHEAD, floor_of, raise_foot
 from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, size_of, speeds_of, stage_point
-from statwalk.solve.foot_return import WALKING, approach, eagerness, take_rates
+from statwalk.solve.foot_return import approach, eagerness, take_rates
 from statwalk.solve.foot_tables import (
     EAGER,
     LEAVING,
@@ -176,7 +176,7 @@ def _perhaps_leave(
     x, z = keep[row, at + X], keep[row, at + Z]
     height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
     away = math.sqrt(x * x + z * z)
-    clear = height > (CLEAR if speed < WALKING else LIFTED)
+    clear = height > CLEAR
     if clear or away > FAR or keep[row, at + SINCE] > LONGEST_LEAVE:
         keep[row, at + PLANTED] = 0.0
         keep[row, at + EAGER] = eagerness(keep, row, at, speed)
@@ -185,7 +185,7 @@ def _perhaps_leave(
 @inlined
 def _must_land(keep: Any, row: int, at: int, other: int, speed: float) -> Any:
     """Whether a foot on its way that its motion plants comes down at once: the other foot does not stand."""
-    lands = other >= 0 and keep[row, other + PLANTED] != STANDING and size_of(keep, row, at) < FARTHEST
+    lands = other >= 0 and keep[row, other + PLANTED] != STANDING and size_of(keep, row, at) < FAR
     on_its_way = keep[row, at + PLANTED] == 0.0 and keep[row, at + SINCE] >= SHORTEST_STEP
     return lands and on_its_way and speed <= NOT_FAST
 
