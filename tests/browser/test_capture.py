@@ -23,7 +23,7 @@ MOVED = (
 
 
 def dropped_walk(page: Page) -> dict[str, list[float]]:
-    """Drops the captured walk, and waits until it has moved a joint by 20 cm; returns where the joints are."""
+    """Drops the captured walk, waits until a joint has moved by 20 cm, and returns where the joints are."""
     drop(page, "cmu walk.bvh", WALK.read_bytes())
     until(page, PLAYS, "CMU-WALK")
     until(page, MOVED, page.evaluate("__viewer.joints()"))
