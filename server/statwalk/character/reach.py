@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,7 @@ from statwalk.character.chain_of_names import chain_joints, ends_at, sensitiviti
 from statwalk.character.character import Character
 from statwalk.character.motions import masks_of
 from statwalk.character.solver_memory import SolverMemory
+from statwalk.character.solver_weights import solver_weights
 from statwalk.errors import ContentError, UnknownNameError
 from statwalk.machine.compile.link import REACHED
 from statwalk.machine.compile.machine import Machine
@@ -114,7 +116,11 @@ def reach_tables(
     joints = JointList.of(character.skeleton, sorted(ends))
     poles = [solver.pole for solver in solvers]
     masks = masks_of(character, definition)
-    weights = [_weights(machine, definition, each) for each in solvers]
+    weights = [solver_weights(character, machine, definition, each) for each in solvers]
+
+    def by_state(rows: list[list[float]], dtype: type[np.generic]) -> NDArray[Any]:
+        return np.array(rows, dtype).reshape(len(solvers), len(machine.states))
+
     return locked(
         ReachTables(
             first_chain=np.array([first_chain], np.int32),
@@ -124,12 +130,9 @@ def reach_tables(
             pole_parameter=_triples(
                 [parameter_indices(machine, pole) if isinstance(pole, str) else NONE for pole in poles]
             ).astype(np.int32),
-            weight_parameter=np.array(
-                [[_parameter(machine, each) for each in row] for row in weights], np.int32
-            ).reshape(len(solvers), len(machine.states)),
-            weight=np.array(
-                [[0.0 if isinstance(each, str) else each for each in row] for row in weights], np.float64
-            ).reshape(len(solvers), len(machine.states)),
+            weight_parameter=by_state([[each.parameter for each in row] for row in weights], np.int32),
+            weight_channel=by_state([[each.channel for each in row] for row in weights], np.int32),
+            weight=by_state([[each.number for each in row] for row in weights], np.float64),
             eagerness=np.array([_eagerness(solver) for solver in solvers], np.float64),
             travel=np.array(
                 [-1.0 if (way := _travel(each)) is None else _rate(way) for each in solvers], np.float64
@@ -182,26 +185,6 @@ def _cone(solver: SolverDefinition) -> tuple[float, float]:
 
 def _eagerness(solver: SolverDefinition) -> float:
     return _rate(solver.ease) if isinstance(solver.weight, Mapping) else 0.0
-
-
-def _parameter(machine: Machine, weight: float | str) -> int:
-    return parameter_indices(machine, weight)[0] if isinstance(weight, str) else -1
-
-
-def _weights(machine: Machine, definition: MachineDefinition, solver: SolverDefinition) -> list[float | str]:
-    """The weight in each state, a number or a parameter; an inner state takes that of the composite state
-    around it.
-    """
-    if not isinstance(solver.weight, Mapping):
-        return [solver.weight] * len(machine.states)
-    found: list[float | str] = []
-    for row in machine.rows(0):
-        name, written = machine.states[row], definition.states[machine.states[row]]
-        outer = written.composite
-        while name not in solver.weight and outer:
-            name, outer = outer, definition.composites[outer].composite
-        found.append(solver.weight.get(name, 0.0))
-    return found + [0.0] * (len(machine.states) - len(found))
 
 
 def _length(rest: NDArray[np.float64], chain: Chain) -> float:

@@ -6,7 +6,7 @@ solvers:
     chain: [Arm, Forearm, Hand]      # or {from: Arm, to: Hand}
     target: grip                     # a parameter of kind point
     pole: [0, 0, -1]                 # or a parameter of kind point or direction
-    weight: {STAT: 1, WALK: part}    # by state; or a number 0…1 or a parameter for all states
+    weight: {STAT: 1, WALK: part}    # by state; or a number 0…1, a parameter or a channel for all states
     ease: 0.3
 """
 
@@ -16,6 +16,7 @@ from collections.abc import Collection, Mapping
 
 from statwalk.files.machine_yaml import fields
 from statwalk.files.yaml.yaml_text import Node
+from statwalk.machine.definition.expression_definition import ANGLES, channel_of_name
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
 from statwalk.machine.definition.solver_definition import SolverDefinition
 
@@ -90,7 +91,7 @@ def _space(node: Node) -> str:
 
 
 def _grab(node: Node, weight: object) -> bool:
-    if node.truth() and not isinstance(weight, str):
+    if node.truth() and (not isinstance(weight, str) or channel_of_name(weight)):
         raise node.refuse("`grab` needs a parameter as `weight`: it is 1 while the handle is dragged, else 0")
     return node.truth()
 
@@ -135,7 +136,7 @@ def _direction(node: Node) -> tuple[float, float, float]:
 def _weight(
     node: Node, parameters: Mapping[str, ParameterDefinition], states: Collection[str]
 ) -> float | str | dict[str, float | str]:
-    """A number 0…1 or a parameter, or one of both by state."""
+    """A number 0…1, a parameter or a channel, or one of them by state."""
     if isinstance(node.value, str):
         return _one_weight(node, parameters)
     entries = node.entries()
@@ -148,6 +149,12 @@ def _weight(
 def _one_weight(node: Node, parameters: Mapping[str, ParameterDefinition]) -> float | str:
     if node.text() in parameters:
         return _vector(node, parameters, ("number", "flag"))
+    if channel := channel_of_name(node.text()):
+        if channel[1] in ANGLES:
+            raise node.refuse(
+                f"{node.text()} is an angle; weights are parameters, translations, scales and morph weights"
+            )
+        return node.text()
     if not node.text()[:1].isalpha():
         return node.number(0, 1)
     raise node.unknown("parameter", node.text(), parameters)

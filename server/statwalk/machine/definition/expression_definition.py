@@ -15,7 +15,8 @@ from dataclasses import dataclass
 
 from statwalk.maths.formula.assignments import Assignment
 
-CHANNELS = tuple(f"{kind}_{axis}" for kind in ("rotate", "trans", "scale") for axis in "xyz")
+ANGLES = tuple(f"rotate_{axis}" for axis in "xyz")
+CHANNELS = (*ANGLES, *(f"{kind}_{axis}" for kind in ("trans", "scale") for axis in "xyz"))
 """the channels of a joint"""
 WEIGHT = "weight"
 """the channel of a morph target"""

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from statwalk.machine.definition.expression_definition import channel_of_name
+
 
 @dataclass(frozen=True)
 class SolverDefinition:
@@ -23,7 +25,9 @@ class SolverDefinition:
     pole: str | tuple[float, float, float] | None = None
     """a parameter of kind point or direction, or a direction in model space"""
     weight: float | str | Mapping[str, float | str] = 1.0
-    """0…1, a parameter, or one of both for each state of the base; states left out: 0"""
+    """0…1, a parameter, or a channel of the pose (`grip.weight`, `Prop.trans_x`); or one of them for each
+    state of the base; states left out: 0
+    """
     ease: float = 0.3
     """seconds in which a weight by state is reached"""
     travel: float | None = None
@@ -44,4 +48,5 @@ class SolverDefinition:
     def parameters(self) -> tuple[str, ...]:
         """Returns the parameters that the solver reads."""
         weights = self.weight.values() if isinstance(self.weight, Mapping) else (self.weight,)
-        return tuple(name for name in (self.target, self.pole, *weights) if isinstance(name, str))
+        names = [name for name in (self.target, self.pole, *weights) if isinstance(name, str)]
+        return tuple(name for name in names if not channel_of_name(name))

@@ -46,7 +46,7 @@ def reach(
             if lane >= end - first:
                 no_turns(r, mem.chain, lane, k)
         for row in range(first, end):
-            _aim(r, chains, s, o, mem, position, heading, keep, rows, row, k, dt)
+            _aim(r, chains, s, o, mem, values, position, heading, keep, rows, row, k, dt)
         at = k * ROWS * LANES
         solve_chain_block(chains, clamps, number, values, block, mem.reach_rows, at, mem.chain, keep)
         for row in range(first, end):
@@ -56,11 +56,11 @@ def reach(
 
 @inlined
 def _aim(
-    r: Any, chains: Any, s: Any, o: Any, mem: Any, position: Any, heading: Any, keep: Any, rows: Any,
-    row: int, k: int, dt: float,
+    r: Any, chains: Any, s: Any, o: Any, mem: Any, values: Any, position: Any, heading: Any, keep: Any,
+    rows: Any, row: int, k: int, dt: float,
 ) -> None:  # fmt: skip
     """Writes the inputs of a solver's chain for one actor."""
-    weight, (_, lane) = _weight(r, s, keep, row, k, dt), place_of(row)
+    weight, (_, lane) = _weight(r, s, values, keep, row, k, dt), place_of(row)
     root = _root(position, heading, row)
     write_inputs(r, chains, s.smoothed, mem.reach_joints, keep, rows, row, k, root, weight, dt)
     rows[INPUT_WEIGHT, lane] = _missing(r, o, mem, keep, row, k, weight)
@@ -93,12 +93,10 @@ def _root(position: Any, heading: Any, row: int) -> Any:
 
 
 @inlined
-def _weight(r: Any, s: Any, keep: Any, row: int, k: int, dt: float) -> Any:
+def _weight(r: Any, s: Any, values: Any, keep: Any, row: int, k: int, dt: float) -> Any:
     """The weight of a solver in this tick; by state: eased."""
-    at, state = r.memory[k], s.state[row, 0]
-    parameter = r.weight_parameter[k, state]
-    goal = s.smoothed[row, parameter] if parameter >= 0 else r.weight[k, state]
-    goal = min(max(goal, 0.0), 1.0)
+    at = r.memory[k]
+    goal = min(max(_wanted(r, s, values, row, k), 0.0), 1.0)
     weight, rate = goal, 0.0
     if keep[row, at + SINCE] > 0.0 and r.eagerness[k] > 0.0:
         left, rate = settled(keep[row, at + WEIGHT] - goal, keep[row, at + WEIGHT_RATE], r.eagerness[k], dt)
@@ -108,6 +106,19 @@ def _weight(r: Any, s: Any, keep: Any, row: int, k: int, dt: float) -> Any:
     keep[row, at + SINCE] = 1.0
     keep[row, at + WEIGHT], keep[row, at + WEIGHT_RATE] = weight, rate
     return min(max(weight, 0.0), 1.0)
+
+
+@inlined
+def _wanted(r: Any, s: Any, values: Any, row: int, k: int) -> Any:
+    """The weight that the file asks for: a parameter, a channel of the pose, or a number."""
+    state = s.state[row, 0]
+    parameter, channel = r.weight_parameter[k, state], r.weight_channel[k, state]
+    if parameter >= 0:
+        return s.smoothed[row, parameter]
+    if channel >= 0:
+        block, lane = place_of(row)
+        return float(values[block, channel, lane])
+    return r.weight[k, state]
 
 
 @inlined

@@ -3543,8 +3543,8 @@ export interface components {
         };
         /**
          * @description A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
-         *     parameter of its target, and its weight: a number 0…1 or a parameter, or one of both by state of the base;
-         *     `grab`: while the page drags its handle, the weight is 1.
+         *     parameter of its target, and its weight: a number 0…1, a parameter or a channel, or one of them by state
+         *     of the base; `grab`: while the page drags its handle, the weight is 1.
          */
         SolverView: {
             name: string;
