@@ -29,6 +29,19 @@ def test_software_rendering_means_low_quality(viewer: Page) -> None:
     assert viewer.evaluate("__viewer.quality()") == "low"
 
 
+TIME_OF_DRAWINGS = """async count => {
+  const drawn = () => __viewer.stats().drawn;
+  const [before, start] = [drawn(), performance.now()];
+  while (drawn() < before + count) await new Promise(requestAnimationFrame);
+  return (performance.now() - start) / 1000;
+}"""
+
+
+def test_a_software_renderer_draws_at_most_thirty_times_a_second(viewer: Page) -> None:
+    """Frames come sixty times a second, and each moves the character."""
+    assert viewer.evaluate(TIME_OF_DRAWINGS, 30) > 0.85
+
+
 def test_server_and_gpu_skin_alike(viewer: Page) -> None:
     """Both streams show the same paused tick: same silhouette, same colours."""
     viewer.keyboard.press("p")

@@ -1,6 +1,10 @@
-/** Chooses the quality of drawing: `low` has no antialiasing, no shadow map and a pixel ratio of 1. */
+/** Chooses the quality of drawing: `low` has no antialiasing, no shadow map, a pixel ratio of 1, and at most 30
+ * drawings a second, since a software renderer takes the processors that the server needs. */
 
 export type Quality = "low" | "high";
+
+/** Seconds between two drawings at least; a little less than a thirtieth, as no browser keeps time exactly. */
+export const LEAST_STEP_S: Record<Quality, number> = { low: 0.03, high: 0 };
 
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
