@@ -46,11 +46,13 @@ def clamp_angles(table: Any, row: int, q: Any) -> Any:
     x, z = _scaled(_sum(s, d), per_cosine), _scaled(_difference(s, d), per_cosine)
     x, z = _from_middle(table, at, x), _from_middle(table, at + 8, z)
     y, y2 = _from_middle(table, at + 4, (sine, cosine)), _from_middle(table, at + 4, (sine, -cosine))
-    first = most(_excess(table, at, x), most(_excess(table, at + 4, y), _excess(table, at + 8, z)))
+    x_end, y_end, z_end = _beyond(table, at, x), _beyond(table, at + 4, y), _beyond(table, at + 8, z)
+    first = _largest_excess(table, at, x_end, y_end, z_end)
     other, x2, z2 = first, _opposite(x), _opposite(z)
     # the other triple is farther where X and Z are within a quarter turn of their middles
     if any_above(broadcast(ZERO), least(least(x[1], z[1]), spread(table.sines, at + 5))):
-        other = most(_excess(table, at, x2), most(_excess(table, at + 4, y2), _excess(table, at + 8, z2)))
+        x2_end, y2_end = _beyond(table, at, x2), _beyond(table, at + 4, y2)
+        other = _largest_excess(table, at, x2_end, y2_end, _beyond(table, at + 8, z2))
     excess = least(first, other) - of(ROUNDING) * per_cosine
     if any_above(lost, known):
         excess_of_lost, angles = euler_excess(q, _three(table, 6 * row), _three(table, 6 * row + 3))
@@ -59,9 +61,10 @@ def clamp_angles(table: Any, row: int, q: Any) -> Any:
         is_other = broadcast(ZERO)
         if any_above(first, other):
             x, y, z = _pick(other, first, x2, x), _pick(other, first, y2, y), _pick(other, first, z2, z)
+            x_end, y_end, z_end = _beyond(table, at, x), _beyond(table, at + 4, y), _beyond(table, at + 8, z)
             is_other = where_below(other, first, broadcast(ONE), is_other)
-        s, d = _within(table, at + 4, y, is_other, (s, d), (p_square, m_square))
-        of_known = _turned(s, d, _turn_back(table, at, x), _turn_back(table, at + 8, z))
+        s, d = _within(table, at + 4, y, y_end, is_other, (s, d), (p_square, m_square))
+        of_known = _turned(s, d, _turn_back(table, at, x, x_end), _turn_back(table, at + 8, z, z_end))
         clamped = where4_below(known, lost, clamped, of_known)
     return excess, clamped
 
@@ -74,25 +77,31 @@ def _turned(s: Any, d: Any, x_back: Any, z_back: Any) -> Any:
 
 
 @inlined
-def _within(table: Any, at: int, y: Any, is_other: Any, turns: Any, squares: Any) -> Any:
-    """p S and m D with Y clamped; of Y from the middle, p S and m D, p² and m². In lanes of the other triple
-    p S are p and S with their signs changed.
+def _within(table: Any, at: int, y: Any, y_end: Any, is_other: Any, turns: Any, squares: Any) -> Any:
+    """p S and m D with Y clamped; of Y from the middle and beyond its end, p S and m D, p² and m². In lanes
+    of the other triple p S are p and S with their signs changed.
     """
     one, middle = broadcast(ONE), (spread(table.sines, at + 8), spread(table.sines, at + 9))
     end = _sum(middle, (with_sign(spread(table.sines, at + 10), y[0]), spread(table.sines, at + 11)))
     p, m = end[1] - end[0], end[1] + end[0]
     p = where_below(broadcast(ZERO), is_other, -p, p) * per_root(squares[0])
-    m, excess, zero = m * per_root(squares[1]), _excess(table, at, y), broadcast(ZERO)
+    m, excess, zero = m * per_root(squares[1]), _excess(table, at, y_end), broadcast(ZERO)
     p, m = where_below(zero, excess, p, one), where_below(zero, excess, m, one)
     return _scaled(turns[0], p), _scaled(turns[1], m)
 
 
 @inlined
-def _excess(table: Any, at: int, turn: Any) -> Any:
-    """How far a turn from the middle is beyond half the range: the sine up to a quarter turn, 2 − the sine
-    from there on.
+def _largest_excess(table: Any, at: int, x_end: Any, y_end: Any, z_end: Any) -> Any:
+    y_excess, z_excess = _excess(table, at + 4, y_end), _excess(table, at + 8, z_end)
+    return most(_excess(table, at, x_end), most(y_excess, z_excess))
+
+
+@inlined
+def _excess(table: Any, at: int, beyond: Any) -> Any:
+    """How far a turn beyond the end of the range is: its sine up to a quarter turn, 2 − the sine from there
+    on.
     """
-    sine, cosine = _beyond(table, at, turn)
+    sine, cosine = beyond
     is_small = most(cosine, -spread(table.sines, at + 3))
     return where_below(is_small, broadcast(ZERO), of(2.0) - sine, sine)
 
@@ -104,11 +113,10 @@ def _beyond(table: Any, at: int, turn: Any) -> Any:
 
 
 @inlined
-def _turn_back(table: Any, at: int, turn: Any) -> Any:
-    """Half the turn that brings a turn from the middle back into the range."""
-    zero, beyond = broadcast(ZERO), _beyond(table, at, turn)
+def _turn_back(table: Any, at: int, turn: Any, beyond: Any) -> Any:
+    """Half the turn that brings a turn from the middle, so far beyond the end, back into the range."""
+    zero, excess = broadcast(ZERO), _excess(table, at, beyond)
     sine, cosine = half_turn(beyond[1], beyond[0])
-    excess = _excess(table, at, turn)
     return where_below(zero, excess, with_sign(sine, -turn[0]), zero), where_below(
         zero, excess, cosine, broadcast(ONE)
     )
