@@ -12,6 +12,17 @@ LAST_ROW_IS_SEEN = """(() => {
     return row && row.getBoundingClientRect().bottom <= table.getBoundingClientRect().bottom + 0.5;
 })()"""
 CELL = "#table tbody tr:nth-child(3) td:nth-child(3)"
+SMALL = [(390, 844), (320, 640), (960, 600)]
+"""pages that show one of graph, table and values"""
+CUT = """[...document.querySelectorAll('#events .event, #parameters label')].filter(control => {
+    const box = control.getBoundingClientRect();
+    return box.bottom > control.parentElement.getBoundingClientRect().bottom;
+}).map(control => control.textContent.trim())"""
+
+
+def show_tab(page: Page, name: str, width: int, height: int) -> None:
+    if (width, height) in SMALL:
+        page.get_by_role("tab", name=name, exact=True).click()
 
 
 def test_the_whole_table_is_seen_on_a_large_page(viewer: Page) -> None:
@@ -19,9 +30,40 @@ def test_the_whole_table_is_seen_on_a_large_page(viewer: Page) -> None:
     until(viewer, LAST_ROW_IS_SEEN)
 
 
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1280, 800), (1024, 700), (960, 600)])
+def test_a_machine_with_layers_and_sliders_has_its_table_in_sight(
+    server: Server, opened: Callable[[str], Page], width: int, height: int
+) -> None:
+    """Six rows; where the page is not small, its event buttons and sliders stay in sight, too."""
+    page = opened(f"{server.url}?machine=walker-layers")
+    page.set_viewport_size({"width": width, "height": height})
+    show_tab(page, "table", width, height)
+    page.get_by_role("tab", name="face").click()
+    until(page, "document.querySelectorAll('#table tbody tr').length === 6")
+    until(page, LAST_ROW_IS_SEEN)
+    if height >= 800:
+        assert page.evaluate(CUT) == []
+
+
+@pytest.mark.parametrize(("width", "height"), SMALL)
+def test_a_small_page_has_sliders_and_layers(
+    server: Server, opened: Callable[[str], Page], width: int, height: int
+) -> None:
+    page = opened(f"{server.url}?machine=walker-layers")
+    page.set_viewport_size({"width": width, "height": height})
+    page.get_by_role("tab", name="head").click()
+    show_tab(page, "values", width, height)
+    slider = page.get_by_role("slider", name="speed")
+    slider.press("End")
+    until(page, "document.querySelector('#parameters output').textContent === '2.8'")
+    show_tab(page, "table", width, height)
+    page.locator("#table [data-state=CALM]").first.wait_for()
+
+
 @pytest.mark.parametrize(("width", "height"), [(1440, 900), (1024, 700), (960, 600)])
 def test_a_cell_that_is_clicked_stays_under_the_pointer(viewer: Page, width: int, height: int) -> None:
     viewer.set_viewport_size({"width": width, "height": height})
+    show_tab(viewer, "table", width, height)
     cell = viewer.locator(CELL)
     cell.click()
     until(viewer, "document.querySelector('#cell-inspector .findings')")
@@ -46,7 +88,7 @@ def test_a_phone_shows_live_and_whole_events_of_a_machine_with_layers(
     page.set_viewport_size({"width": width, "height": height})
     until(page, "document.querySelector('.live-button').getBoundingClientRect().right <= innerWidth")
     assert page.locator("#events").bounding_box()["height"] >= 60
-    assert page.locator(".lanes-window").bounding_box()["height"] <= 118
+    assert page.locator(".lanes-window").bounding_box()["height"] <= 84
 
 
 def test_nothing_of_the_header_is_cut(viewer: Page) -> None:

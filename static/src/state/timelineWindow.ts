@@ -63,6 +63,8 @@ export class TimelineWindow {
       if (!hello || hello.stage === watched) return;
       watched = hello.stage;
       this.selected.value = this.kept.value = this.playback.loop.value = null;
+      // One lane with its events is read at a glance, four of them take the room of the table.
+      this.folded.value = new Set(hello.casts.flatMap(({ layers }) => layers.slice(1)));
       this.recent();
     });
   }

@@ -14,8 +14,9 @@ import { ExpressionsForm } from "./form";
 import { sides, valueOf } from "./lines";
 
 const READ_MS = 500;
-/** More lines than this are folded. */
+/** More lines than this are folded, and all on a low page: the table needs the room. */
 const MANY = 12;
+const TALL = window.matchMedia("(min-height: 860px)");
 
 function row(
   number: number | null,
@@ -61,13 +62,12 @@ function rows({ machine, selection }: App, facts: ActorView | null): TemplateRes
 }
 
 function list(shown: readonly TemplateResult[]): TemplateResult {
-  const all = html`<ul>
-    ${shown}
-  </ul>`;
-  if (shown.length <= MANY) return all;
-  return html`<details>
-    <summary .textContent=${`${shown.length} expressions`}></summary>
-    ${all}
+  const words = shown.length === 1 ? "1 expression" : `${shown.length} expressions`;
+  return html`<details ?open=${TALL.matches && shown.length <= MANY}>
+    <summary .textContent=${words}></summary>
+    <ul>
+      ${shown}
+    </ul>
   </details>`;
 }
 
@@ -84,12 +84,14 @@ export function expressionsPanel(host: HTMLElement, app: App): void {
   draw(
     host,
     () =>
-      html`<h2>
-          expressions
-          <button type="button" class="plain" ?hidden=${form.isOpen} @click=${() => form.open()}>edit</button>
-        </h2>
-        <div>${list(rows(app, facts.value))}</div>
-        ${form.template()}`,
+      html`<button
+          type="button"
+          class="plain edit"
+          ?hidden=${form.isOpen}
+          .textContent=${"edit"}
+          @click=${() => form.open()}
+        ></button>
+        ${list(rows(app, facts.value))} ${form.template()}`,
   );
   effect(() => {
     host.hidden = !rows(app, null).length;
