@@ -7,6 +7,7 @@ import type { Mapping, UploadedCharacter } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import { size } from "../../ui/amounts";
 import { el, say } from "../../ui/dom";
+import { releaseFocus } from "../../ui/focus";
 import type { Quality } from "../../view/quality";
 import { importCapture, isCapture } from "./captureImport";
 import { carriedText } from "./carriedText";
@@ -101,6 +102,7 @@ export class ImportDialog {
     try {
       const { machine, state, report } = await importCapture(file, target, stage);
       this.dialog.close();
+      releaseFocus();
       await this.made(machine, state);
       const all = carriedText(report, Infinity);
       this.carried(carriedText(report, NAMES), () => void this.carry(file, target, all));
@@ -200,6 +202,7 @@ export class ImportDialog {
     const step = new MappingStep(character, mapping, look, frames, this.cancel.signal, async (machine) => {
       this.pending = null;
       this.dialog.close();
+      releaseFocus();
       await this.made(machine);
     });
     this.show(step.title, ...step.parts);

@@ -57,6 +57,16 @@ it("watches a stage", () => {
   expect(watching).toHaveBeenCalledWith("b");
 });
 
+it("finds a machine by the title that the list of machines shows, and by its name", () => {
+  const app = examples();
+  app.library.machines.value = [
+    { name: "faq-printed", title: "The table as printed", scene: "" },
+  ] as unknown as typeof app.library.machines.value;
+  const open = vi.spyOn(app.library, "openMachine").mockResolvedValue();
+  for (const typed of ["as printed", "faq-printed"]) matching(hitsOf(app, []), typed)[0]!.act();
+  expect(open.mock.calls).toEqual([["faq-printed"], ["faq-printed"]]);
+});
+
 it("finds what a state does by its note", () => {
   const found = matching(hitsOf(examples(), []), "walk travel");
   expect(found.map(({ name, note }) => [name, note])).toEqual([["WALK", "state: travel there"]]);

@@ -68,9 +68,9 @@ function libraryHits({ library, stage, machine }: App): Hit[] {
   const machines = library.machines.value.filter(({ scene }) => !scene);
   const actors = stage.hello.value?.casts.flatMap((cast) => cast.actors) ?? [];
   return [
-    ...machines.map(({ name }) => ({
-      name,
-      note: "machine: watch",
+    ...machines.map(({ name, title }) => ({
+      name: title,
+      note: `machine ${name}: watch`,
       act: () => void library.openMachine(name),
     })),
     ...library.scenes.value.map(({ name, title }) => ({
