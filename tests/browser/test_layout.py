@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 import pytest
-from browser.conftest import Server, until
+from browser.conftest import Server, controls, until
 from playwright.sync_api import Page
 
 LAST_ROW_IS_SEEN = """(() => {
@@ -108,10 +108,26 @@ def test_a_phone_has_the_look_below_the_picture(viewer: Page) -> None:
     button = viewer.get_by_role("button", name="look", exact=True)
     button.press("Enter")
     bones.wait_for()
-    box, row = viewer.locator("#look-popover").bounding_box(), viewer.locator("#modes").bounding_box()
+    box, opener = viewer.locator("#look-popover").bounding_box(), button.bounding_box()
     assert box is not None
-    assert row is not None
-    assert box["y"] >= row["y"] + row["height"]
+    assert opener is not None
+    assert box["y"] >= opener["y"] + opener["height"]
     bones.press("Escape")
     bones.wait_for(state="hidden")
     assert button.evaluate("button => button === document.activeElement")
+
+
+@pytest.mark.parametrize(("width", "height"), [(390, 844), (320, 640)])
+def test_a_phone_has_its_controls_beside_the_character(
+    server: Server, opened: Callable[[str], Page], width: int, height: int
+) -> None:
+    """Those over the picture end where the character begins; the turntable is in the box of the camera."""
+    page = opened(f"{server.url}?machine=walker-layers")
+    page.set_viewport_size({"width": width, "height": height})
+    until(page, "innerWidth === arg && document.querySelector('#modes').offsetWidth < innerWidth / 3", width)
+    page.keyboard.press("f")
+    box = page.evaluate("__viewer.pixels()")["box"]
+    right = box[2] * width
+    until(page, "arg < document.querySelector('#modes').getBoundingClientRect().left", right)
+    until(page, "arg > document.querySelector('.feet').getBoundingClientRect().right", box[0] * width)
+    controls(page, "camera").get_by_role("button", name="turntable").wait_for()

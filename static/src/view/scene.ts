@@ -117,7 +117,9 @@ export class Scene {
 
   private resize(): void {
     const box = (this.canvas.parentElement ?? this.canvas).getBoundingClientRect();
-    const covered = this.controls ? box.bottom - this.controls.getBoundingClientRect().top : 0;
+    const over = this.controls?.getBoundingClientRect();
+    // Controls in a corner leave the middle free.
+    const covered = over && over.width > box.width / 2 ? box.bottom - over.top : 0;
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
     this.view.resize(box.width, box.height, Math.max(0, covered));
     this.dirty = true;

@@ -152,9 +152,14 @@ export function viewControlsPanel(host: HTMLElement, app: App): void {
   );
   picture.addEventListener("click", () => looks.hidePopover());
   const [camera, cameras] = popover("camera", "camera and framing", ...cameraControls(stageView));
-  const more = el("div", { class: "group" }, look, camera, ...cameraButtons(stageView));
+  const aims = el("div", { class: "aims" }, ...cameraButtons(stageView));
+  const more = el("div", { class: "group" }, look, camera, aims);
   const stream = streamChoice(app);
   const said = el("div", { class: "over-row" }, hiddenNote(stageView), difference);
   host.append(drawn, more, el("span", { class: "space" }), stream, looks, cameras, said);
-  foldInto(looks, host, [stream, drawn]);
+  foldInto(host, [
+    [stream, looks],
+    [drawn, looks],
+    [aims, cameras],
+  ]);
 }
