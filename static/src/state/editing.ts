@@ -44,6 +44,7 @@ export class Editing {
       rest: () => new Promise((done) => setTimeout(done, REST_MS)),
       storage,
     });
+    machine.answered = () => this.queue.next(() => Promise.resolve());
     machine.info.subscribe((info) => {
       if (info) void this.look(info);
     });

@@ -2,6 +2,7 @@
 
 import { batch, signal } from "@preact/signals-core";
 import * as api from "../net/api";
+import { versions } from "../net/edits";
 import type { LayerInfo, MachineInfo } from "../net/protocol";
 import { reasonOf } from "../net/reason";
 import type { Event } from "./event";
@@ -10,6 +11,8 @@ import type { Selection } from "./selection";
 
 export class WatchedMachine {
   readonly info = signal<MachineInfo | null>(null);
+  /** Resolves when the server has answered the edits of this page. */
+  answered: () => Promise<unknown> = () => Promise.resolve();
   private playedVersion: number | undefined;
   /** Whether the shown machine may be another one than the server has now. */
   private doubtful = false;
@@ -40,12 +43,27 @@ export class WatchedMachine {
   async load(): Promise<void> {
     const { machine: name, version } = this.selection.cast ?? {};
     if (name === undefined || (name === this.info.value?.name && version === this.playedVersion)) return;
+    if (await this.isNewest(name)) {
+      this.playedVersion = version;
+      return;
+    }
     await api.machine(name).then(
       (machine) => {
         if (name === this.selection.cast?.machine) this.take(machine, version);
       },
       (error: unknown) => this.notices.emit(reasonOf(error)),
     );
+  }
+
+  /**
+   * Whether the shown machine is `name` in its newest version, as after an edit of this page: a large one takes long to
+   * read.
+   */
+  private async isNewest(name: string): Promise<boolean> {
+    if (this.doubtful || this.info.value?.name !== name) return false;
+    await this.answered();
+    const newest = (await versions(name).catch(() => [])).at(-1);
+    return this.info.value.name === name && this.info.value.version === newest?.version;
   }
 
   /**

@@ -24,9 +24,10 @@ export interface Content {
 export function folded(layer: LayerInfo, shown: ReadonlyMap<string, string>): Content {
   const standIn = (name: string): string => shown.get(name) ?? name;
   const names = new Set(layer.states.map(({ name }) => standIn(name)));
+  const isWhole = layer.states.every(({ name }) => standIn(name) === name);
   return {
     nodes: [...names].map((name) => node(layer, name, standIn)),
-    edges: merged(layer.edges, standIn),
+    edges: isWhole ? layer.edges : merged(layer.edges, standIn),
     initial: standIn(layer.initial),
   };
 }

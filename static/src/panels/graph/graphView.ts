@@ -118,25 +118,28 @@ export class GraphView {
     return width && height ? width / height : 0;
   }
 
-  /** Draws another machine with the next frame, when all panels have their size; an edit at once. */
+  /**
+   * Draws another machine with the next frame, when all panels have their size, and a large one, so that one frame has
+   * not all the work of an edit; an edit of another one at once.
+   */
   private changed(): void {
     const [machine, layer, live] = [this.app.machine.info.value, this.app.machine.layerInfo, this.live];
     const known = machine?.name === this.drawn?.machine.name && layer?.name === this.drawn?.layer.name;
-    if (known || !live) this.draw();
+    if ((known && !this.isPart) || !live) this.draw();
     else requestAnimationFrame(() => this.draw());
   }
 
   private draw(): void {
     const [machine, layer] = [this.app.machine.info.value, this.app.machine.layerInfo];
     const { live } = this;
-    if (!machine || !layer || !this.aspect) return;
+    if (!machine || !layer) return;
     const shown = this.app.folds.shown.value;
     const all = folded(layer, shown);
     const content = partOf(all, live);
     const around = content.nodes.length < all.nodes.length ? live : "";
     const { drawn } = this;
     const isSame = drawn?.machine === machine && drawn.layer === layer && drawn.shown === shown;
-    if (isSame && drawn.around === around) return;
+    if ((isSame && drawn.around === around) || !this.aspect) return;
     this.drawn = { machine, layer, shown, around };
     this.note(around ? `${content.nodes.length} of ${all.nodes.length} states` : "");
     const isHere = drawn?.layer.name === layer.name && drawn.machine.name === machine.name;

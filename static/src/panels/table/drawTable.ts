@@ -166,9 +166,15 @@ function rowLine(
   known: ReadonlySet<string>,
   goTo: Lines["goTo"],
 ): Line {
-  const cells = (): HTMLElement[] =>
-    events.map((event) => drawCell(state, event, table[state.name]?.[event], known));
-  return { name: state.name, isState: true, draw: () => el("tr", {}, drawState(state, goTo), ...cells()) };
+  const row = table[state.name];
+  const cells = (): HTMLElement[] => events.map((event) => drawCell(state, event, row?.[event], known));
+  const isKnown = (event: string): boolean => known.has(row?.[event]?.to ?? "");
+  return {
+    name: state.name,
+    isState: true,
+    text: () => JSON.stringify([state, goTo !== null, events, row, events.map(isKnown)]),
+    draw: () => el("tr", {}, drawState(state, goTo), ...cells()),
+  };
 }
 
 /** The head of a sub-machine: a button that folds it. */
@@ -190,10 +196,15 @@ function headLine(
     button.addEventListener("click", () => fold(outer, !isFolded));
     return el("tr", { class: "outer" }, el("th", { colspan: columns }, button));
   };
-  return { name: isFolded ? outer : "", isState: false, draw };
+  return {
+    name: isFolded ? outer : "",
+    isState: false,
+    text: () => JSON.stringify([words, isFolded, columns]),
+    draw,
+  };
 }
 
-/** Returns the number of letters of the longest text in each column: rows that come do not widen it. */
+/** Returns the number of letters of the longest text in each column. */
 export function columnLetters({ table }: LayerInfo, shown: readonly string[]): number[] {
   const rows = Object.values(table);
   const letters = (cell: Cell | undefined): number => {
@@ -201,4 +212,12 @@ export function columnLetters({ table }: LayerInfo, shown: readonly string[]): n
     return to.length + 2 * signs.length;
   };
   return shown.map((event) => Math.max(event.length, ...rows.map((row) => letters(row[event]))));
+}
+
+/** Makes each column as wide as its longest text in any row: rows that come into sight do not widen it. */
+export function keepWidths({ cells }: HTMLTableRowElement, layer: LayerInfo, shown: readonly string[]): void {
+  const longest = Math.max(...layer.states.map(({ name }) => name.length));
+  [longest, ...columnLetters(layer, shown)].forEach((letters, i) => {
+    cells[i]!.style.minWidth = `${letters}ch`;
+  });
 }

@@ -8,7 +8,7 @@ import "./table.css";
 import type { Finding, LayerInfo, Verdict } from "../../net/protocol";
 import type { App } from "../../view/app";
 import { el, flash, say } from "../../ui/dom";
-import { columnLetters, columns, drawHead, linesOf } from "./drawTable";
+import { columns, drawHead, keepWidths, linesOf } from "./drawTable";
 import { headMenu } from "./headMenu";
 import { moved } from "./gridMoves";
 import { reveal, revealSideways } from "./reveal";
@@ -28,6 +28,8 @@ export class Table {
   private readonly filter: Filter;
   private head = el("tr");
   private shown: string[] = [];
+  /** The names of the rows and columns that are drawn. */
+  private names = "";
   private readonly menu: ReturnType<typeof headMenu>;
 
   constructor(
@@ -62,11 +64,9 @@ export class Table {
       : null;
     const goTo = layer === machine.layers[0] ? (state: string) => void this.app.travel.go(state) : null;
     const { states, events } = this.filter.apply(layer, columns(layer, machine.events));
-    this.shown = events;
-    this.head = drawHead(events);
-    if (states.length > MANY_ROWS) this.keepWidths(layer);
-    this.table.setAttribute("aria-rowcount", String(states.length + 1));
-    this.table.tHead!.replaceChildren(this.head);
+    const names = JSON.stringify([machine.name, layer.name, states.map(({ name }) => name), events]);
+    if (names !== this.names) this.drawHead(layer, states.length, events);
+    this.names = names;
     const { shown } = this.app.folds;
     const fold = (name: string, isFolded: boolean): void => this.fold(name, isFolded);
     this.body.fill(
@@ -80,7 +80,7 @@ export class Table {
       })),
     );
     const [first] = this.body.rows();
-    first?.[1].cells[1]?.setAttribute("tabindex", "0");
+    if (!this.table.querySelector("td[tabindex='0']")) first?.[1].cells[1]?.setAttribute("tabindex", "0");
     this.line.textContent = "";
     if (focused?.["state"]) this.focus(this.cell(focused["state"], focused["column"] ?? ""));
     this.mark();
@@ -91,12 +91,12 @@ export class Table {
     return column < 0 ? null : (this.body.row(state)?.cells[column + 1] ?? null);
   }
 
-  private keepWidths(layer: LayerInfo): void {
-    columnLetters(layer, this.shown).forEach((letters, i) => {
-      (this.head.cells[i + 1] as HTMLElement).style.minWidth = `${letters}ch`;
-    });
-    const longest = Math.max(...layer.states.map(({ name }) => name.length));
-    (this.head.cells[0] as HTMLElement).style.minWidth = `${longest}ch`;
+  private drawHead(layer: LayerInfo, states: number, events: string[]): void {
+    this.shown = events;
+    this.head = drawHead(events);
+    if (states > MANY_ROWS) keepWidths(this.head, layer, events);
+    this.table.setAttribute("aria-rowcount", String(states + 1));
+    this.table.tHead!.replaceChildren(this.head);
   }
 
   /** What stands for the live state. */

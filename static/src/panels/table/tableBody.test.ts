@@ -11,12 +11,20 @@ function row(state: string): HTMLTableRowElement {
   return el("tr", {}, el("td", { "data-state": state, tabindex: -1 }, state));
 }
 
+/** Fills the body with states; what is drawn of `edited` differs. */
+function fill(edited = ""): void {
+  const states = Array.from({ length: 300 }, (_, i) => `S${i}`);
+  const text = (name: string): string => (name === edited ? `${name}, edited` : name);
+  body.fill(
+    states.map((name) => ({ name, isState: true, text: () => text(name), draw: () => row(text(name)) })),
+  );
+}
+
 beforeEach(() => {
   host = document.body.appendChild(el("div"));
   body = new TableBody(host);
   host.append(el("table", {}, body.element));
-  const states = Array.from({ length: 300 }, (_, i) => `S${i}`);
-  body.fill(states.map((state) => ({ name: state, isState: true, draw: () => row(state) })));
+  fill();
 });
 
 function scroll(line: number): void {
@@ -46,4 +54,14 @@ test("the row with the focus stays when it is scrolled out of sight", () => {
 test("a row out of sight is drawn when it is asked for", () => {
   expect(body.row("S250")?.textContent).toBe("S250");
   expect(body.row("NONE")).toBeNull();
+});
+
+test("an edit draws its row again, and leaves the others and their room", () => {
+  scroll(100);
+  const before = [...body.element.children];
+  fill("S100");
+  const after = [...body.element.children];
+  const changed = after.filter((element) => !before.includes(element) && !element.classList.contains("gap"));
+  expect(changed.map(({ textContent }) => textContent)).toEqual(["S100, edited"]);
+  expect(after.map(({ className }) => className)).toEqual(before.map(({ className }) => className));
 });

@@ -9,6 +9,8 @@ export interface Line {
   name: string;
   /** Whether it is the row of a state. */
   isState: boolean;
+  /** All that `draw` draws, as a text: what is drawn already and has the same text stays. */
+  text: () => string;
   draw: () => HTMLTableRowElement;
 }
 
@@ -20,6 +22,7 @@ export class TableBody {
   private lines: readonly Line[] = [];
   private places = new Map<string, number>();
   private drawn = new Map<number, HTMLTableRowElement>();
+  private readonly texts = new WeakMap<HTMLTableRowElement, string>();
   /** The line that was asked for last. */
   private asked = -1;
 
@@ -29,14 +32,15 @@ export class TableBody {
     new ResizeObserver(() => this.show()).observe(host);
   }
 
-  /** Takes other lines in place of all. */
+  /** Takes other lines in place of all; after an edit, most rows that are drawn stay. */
   fill(lines: readonly Line[]): void {
     this.lines = lines;
     this.places = new Map(lines.flatMap(({ name }, i) => (name ? [[name, i] as const] : [])));
-    this.drawn = new Map();
+    const stays = ([line, row]: [number, HTMLTableRowElement]): boolean =>
+      this.texts.get(row) === lines[line]?.text();
+    this.drawn = new Map([...this.drawn].filter(stays));
     this.asked = -1;
-    this.element.replaceChildren();
-    this.show();
+    this.show(true);
   }
 
   /** The states of the rows, from the top. */
@@ -63,15 +67,18 @@ export class TableBody {
     for (const [line, row] of this.drawn) if (this.lines[line]!.name) yield [this.lines[line]!.name, row];
   }
 
-  /** Draws what is in sight now. A row that stays keeps its element, and with it the focus. */
-  private show(): void {
+  /**
+   * Draws what is in sight now. A row that stays keeps its element, and with it the focus; all that is measured is
+   * measured before anything changes: a change in between would be laid out twice, and could scroll.
+   */
+  private show(isNew = false): void {
     const height = this.measured;
     const sight = { top: this.host.scrollTop, height: this.host.clientHeight, line: height };
     const wanted = drawnLines(this.lines.length, sight, [this.asked, this.reachable()]);
-    if (wanted.length === this.drawn.size && wanted.every((line) => this.drawn.has(line))) return;
+    const isShown = wanted.length === this.drawn.size && wanted.every((line) => this.drawn.has(line));
+    if (isShown && !isNew) return;
     const before = this.drawn;
     this.drawn = new Map(wanted.map((line) => [line, before.get(line) ?? this.draw(line)]));
-    for (const old of [...this.element.children]) if (!this.isDrawn(old as HTMLTableRowElement)) old.remove();
     const left = gaps(this.lines.length, wanted);
     const elements = wanted.flatMap((line, i) => [...gap(left[i]! * height), this.drawn.get(line)!]);
     this.put([...elements, ...gap(left.at(-1)! * height)]);
@@ -79,17 +86,16 @@ export class TableBody {
 
   private draw(line: number): HTMLTableRowElement {
     const row = this.lines[line]!.draw();
+    this.texts.set(row, this.lines[line]!.text());
     row.dataset["line"] = String(line);
     row.setAttribute("aria-rowindex", String(line + 2));
     return row;
   }
 
-  private isDrawn(row: HTMLTableRowElement): boolean {
-    return row.dataset["line"] !== undefined && this.drawn.get(Number(row.dataset["line"])) === row;
-  }
-
-  /** Puts the elements in their order, without moving one that is there: it would lose the focus. */
+  /** Makes the elements all there is, in their order, without moving one that is there: it would lose the focus. */
   private put(elements: readonly HTMLElement[]): void {
+    const shown = new Set<Element>(elements);
+    for (const old of [...this.element.children]) if (!shown.has(old)) old.remove();
     let next = this.element.firstElementChild;
     for (const element of elements)
       if (element === next) next = next.nextElementSibling;
