@@ -69,23 +69,13 @@ def crowd(machine: str, count: int) -> list[dict[str, object]]:
 
 
 @contextmanager
-def served(url: str) -> Iterator[str]:
-    """Gives the address of a server, which runs already if `url` says where."""
+def served(url: str, *machines: str) -> Iterator[str]:
+    """Gives the address of a server of some machines, which runs already if `url` says where."""
     if url:
         yield url
         return
-    command = [
-        sys.executable,
-        "-m",
-        "statwalk.cli",
-        "serve",
-        "--port",
-        "0",
-        "--data",
-        tempfile.mkdtemp(),
-        "swarm",
-        "street",
-    ]
+    options = ["--port", "0", "--data", tempfile.mkdtemp()]
+    command = [sys.executable, "-m", "statwalk.cli", "serve", *options, *machines]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
         assert server.stdout
         found = next(match[0] for line in server.stdout if (match := re.search(r"http://[\d.:]+", line)))
@@ -135,7 +125,7 @@ def measure(browser: Browser, url: str, machine: str, count: int) -> None:
 def main(url: str = "") -> None:
     """Measures all crowds."""
     path = next((found for name in CHROMIUMS if (found := shutil.which(name))), None)
-    with served(url) as address, sync_playwright() as playwright:
+    with served(url, "swarm", "street") as address, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=path, args=["--enable-unsafe-swiftshader"])
         for machine, count in CROWDS:
             measure(browser, address, machine, count)
