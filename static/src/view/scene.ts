@@ -5,7 +5,7 @@ import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment
 import { FollowCamera } from "./camera/followCamera";
 import { Ground } from "./ground";
 import { Lights } from "./lights";
-import type { Quality } from "./quality";
+import { LEAST_STEP_S, type Quality } from "./quality";
 import { Event } from "../state/event";
 import { backgroundOf, type SceneLook } from "../state/sceneSettings";
 
@@ -38,6 +38,8 @@ export class Scene {
   /** Controls over the lower end of the picture. */
   private controls: HTMLElement | null = null;
   private dirty = true;
+  /** Seconds since the last drawing. */
+  private undrawn = Infinity;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -123,14 +125,17 @@ export class Scene {
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
     this.view.resize(box.width, box.height, Math.max(0, covered));
     this.dirty = true;
+    this.undrawn = Infinity;
     this.draw(0); // a canvas of another size is blank, and would be shown so until the next frame
   }
 
-  /** Draws if something changed; returns whether it did. */
+  /** Draws if something changed, and the last drawing is long enough ago; returns whether it did. */
   draw(dt: number): boolean {
     if (this.view.update(dt)) this.dirty = true;
-    if (!this.dirty) return false;
+    this.undrawn += dt;
+    if (!this.dirty || this.undrawn < LEAST_STEP_S[this.quality]) return false;
     this.dirty = false;
+    this.undrawn = 0;
     this.view.camera.updateMatrixWorld();
     this.drawing.emit(this.view.camera);
     this.renderer.render(this.world, this.view.camera);

@@ -18,7 +18,6 @@ import { paintSkins } from "./paint";
 import { type Body, inkColour } from "./bodies";
 import { materialOf } from "./model";
 import type { PosedModel } from "./posedModel";
-import { LEAST_STEP_S } from "./quality";
 import type { Scene } from "./scene";
 import { showSkin, wireColour } from "./skinMode";
 import { SkinProof } from "./skinProof";
@@ -51,8 +50,6 @@ export class StageView {
   private readonly glb: GlbStage;
   private readonly terrain = new Terrain();
   private readonly casting: Casting;
-  /** Seconds since the last drawing, or since there was nothing to draw. */
-  private undrawn = 0;
   /** Counts drawings. */
   readonly drawn = new Meter();
   /** Tick and stream of the drawn frame. */
@@ -126,13 +123,9 @@ export class StageView {
     this.state.frames.stream("glb");
   }
 
-  /** Draws if something changed, and the last drawing is long enough ago; `now`: the browser's time,
-   * milliseconds; `dt`: seconds since the last call. */
+  /** Draws if something changed; `now`: the browser's time, milliseconds. */
   draw(now: number, dt: number): void {
-    this.undrawn += dt;
-    if (this.undrawn < LEAST_STEP_S[this.scene.quality]) return;
-    if (this.scene.draw(Math.min(LONGEST_STEP_S, this.undrawn))) this.drawn.add(now);
-    this.undrawn = 0;
+    if (this.scene.draw(Math.min(LONGEST_STEP_S, dt))) this.drawn.add(now);
   }
 
   /** Shows the newest frame, if the models are loaded. */

@@ -60,9 +60,9 @@ class Journey:
         return int(told[1])
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def fresh(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    """A server with nothing but what is shipped; the journeys leave there what they make."""
+    """A server with nothing but what is shipped; the journeys of a file leave there what they make."""
     with Server(tmp_path_factory.mktemp("journeys")) as running:
         yield running
 
