@@ -46,8 +46,7 @@ export function capture(scene: Scene, transparent: boolean): HTMLCanvasElement {
   const [picture, pen] = paper(canvas.width, canvas.height);
   if (!transparent) paintBackground(pen, canvas.parentElement ?? canvas, canvas.width, canvas.height);
   ground.mesh.visible = !transparent;
-  scene.invalidate();
-  scene.draw(0); // the canvas keeps its pixels until this task ends
+  scene.drawNow(); // the canvas keeps its pixels until this task ends
   pen.drawImage(canvas, 0, 0);
   ground.mesh.visible = true;
   scene.invalidate();

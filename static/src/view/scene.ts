@@ -124,9 +124,14 @@ export class Scene {
     const covered = over && over.width > box.width / 2 ? box.bottom - over.top : 0;
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
     this.view.resize(box.width, box.height, Math.max(0, covered));
+    this.drawNow(); // a canvas of another size is blank, and would be shown so until the next frame
+  }
+
+  /** Draws, whether something changed or not. */
+  drawNow(): void {
     this.dirty = true;
     this.undrawn = Infinity;
-    this.draw(0); // a canvas of another size is blank, and would be shown so until the next frame
+    this.draw(0);
   }
 
   /** Draws if something changed, and the last drawing is long enough ago; returns whether it did. */
