@@ -82,7 +82,7 @@ def test_a_state_may_have_a_channel_as_its_weight():
 @pytest.mark.parametrize(
     ("weight", "says"),
     [
-        ("neck.scale_x", "neck"),
+        ("neck.scale_x", "watch: weight: .*neck"),
         ("Smile.weight", "Smile"),
         ("chest.rotate_x", "is an angle"),
         ("chest.turn", "chest.turn"),

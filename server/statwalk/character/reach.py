@@ -116,7 +116,7 @@ def reach_tables(
     joints = JointList.of(character.skeleton, sorted(ends))
     poles = [solver.pole for solver in solvers]
     masks = masks_of(character, definition)
-    weights = [solver_weights(character, machine, definition, each) for each in solvers]
+    weights = [solver_weights(character, machine, definition, name) for name in definition.solvers]
 
     def by_state(rows: list[list[float]], dtype: type[np.generic]) -> NDArray[Any]:
         return np.array(rows, dtype).reshape(len(solvers), len(machine.states))

@@ -31,13 +31,14 @@ class SolverWeight(NamedTuple):
 
 
 def solver_weights(
-    character: Character, machine: Machine, definition: MachineDefinition, solver: SolverDefinition
+    character: Character, machine: Machine, definition: MachineDefinition, name: str
 ) -> list[SolverWeight]:
-    """Returns the weight in each state of all layers, 0 in states above the base; an inner state has the
-    weight of the composite state around it.
+    """Returns the weight of the solver `name` in each state of all layers: 0 in states above the base; in an
+    inner state the weight of the composite state around it.
 
     :raises MachineError: when the character has no joint or morph target of a channel's name; with the line.
     """
+    solver = definition.solvers[name]
 
     def resolved(written: float | str) -> SolverWeight:
         if not isinstance(written, str):
@@ -46,7 +47,7 @@ def solver_weights(
             try:
                 return SolverWeight(channel=_channel(character, *channel))
             except UnknownNameError as error:
-                raise definition.refuse(f"solvers: weight: {error}", solver.line) from None
+                raise definition.refuse(f"solvers: {name}: weight: {error}", solver.line) from None
         return SolverWeight(parameter=parameter_indices(machine, written)[0])
 
     weights = _by_state(machine, definition, solver)

@@ -23,9 +23,9 @@ class ReachTables(NamedTuple):
     """a direction in model space, if `pole_parameter` is -1"""
     pole_parameter: Annotated[NDArray[np.int32], "solver, xyz"]
     weight_parameter: Annotated[NDArray[np.int32], "solver, state"]
-    """-1: the weight in that state is no parameter"""
+    """the parameter that gives the weight in a state; -1: a channel or `weight` gives it"""
     weight_channel: Annotated[NDArray[np.int32], "solver, state"]
-    """the channel of a pose that is the weight; -1: the weight in that state is no channel"""
+    """the channel of a pose that gives the weight in a state; -1: a parameter or `weight` gives it"""
     weight: Annotated[NDArray[np.float64], "solver, state"]
     eagerness: Annotated[NDArray[np.float64], "solver"]
     """1/s with which a weight by state is reached; 0: immediately"""

@@ -9,7 +9,7 @@ export interface Line {
   name: string;
   /** Whether it is the row of a state. */
   isState: boolean;
-  /** All that `draw` draws, as a text: what is drawn already and has the same text stays. */
+  /** Returns everything that `draw` depends on, as one text: a drawn row stays while this text is the same. */
   text: () => string;
   draw: () => HTMLTableRowElement;
 }
@@ -68,8 +68,9 @@ export class TableBody {
   }
 
   /**
-   * Draws what is in sight now. A row that stays keeps its element, and with it the focus; all that is measured is
-   * measured before anything changes: a change in between would be laid out twice, and could scroll.
+   * Draws the rows that are in sight now. A row that stays keeps its element, and its element keeps the focus. The method
+   * measures first and changes the page afterwards: a change between two measurements would make the browser lay the
+   * page out twice, and could scroll it.
    */
   private show(isNew = false): void {
     const height = this.measured;
@@ -92,7 +93,7 @@ export class TableBody {
     return row;
   }
 
-  /** Makes the elements all there is, in their order, without moving one that is there: it would lose the focus. */
+  /** Shows these elements alone, in their order. It moves no element that is there already: that would lose the focus. */
   private put(elements: readonly HTMLElement[]): void {
     const shown = new Set<Element>(elements);
     for (const old of [...this.element.children]) if (!shown.has(old)) old.remove();
