@@ -11,7 +11,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Self
+from typing import Any, Self
 
 import httpx
 import pytest
@@ -192,11 +192,17 @@ def allowed() -> list[str]:
 
 
 @pytest.fixture
-def page(browser: Browser, allowed: list[str]) -> Iterator[Page]:
+def window() -> dict[str, Any]:
+    """The size of a page's window, and whether fingers touch it."""
+    return {"viewport": SIZE}
+
+
+@pytest.fixture
+def page(browser: Browser, allowed: list[str], window: dict[str, Any]) -> Iterator[Page]:
     """A page of its own, in whose life nothing went wrong: no error, no dialog, no breach of the content
     security policy.
     """
-    context = browser.new_context(viewport=SIZE, reduced_motion="reduce")
+    context = browser.new_context(**window, reduced_motion="reduce")
     shown = context.new_page()
     shown.set_default_timeout(60_000)
     shown.add_init_script(REPORT_VIOLATIONS)

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import pytest
 from browser.conftest import Server, controls, until
+from browser.journeys.fingers import Fingers
 from playwright.sync_api import Page
 
 LAST_ROW_IS_SEEN = """(() => {
@@ -99,6 +100,16 @@ def test_nothing_of_the_header_is_cut(viewer: Page) -> None:
     viewer.get_by_role("button", name="more").press("Enter")
     viewer.get_by_role("menuitem", name="find anything").press("Enter")
     viewer.get_by_role("combobox", name="find a command").wait_for()
+
+
+@pytest.mark.parametrize("window", [Fingers.WINDOW], ids=["tablet"])
+def test_the_buttons_of_events_are_whole_for_fingers(viewer: Page) -> None:
+    row = viewer.locator("#events").bounding_box()
+    button = viewer.locator("#events [data-event=FORWARD]").bounding_box()
+    assert row is not None
+    assert button is not None
+    assert row["y"] <= button["y"]
+    assert button["y"] + button["height"] <= row["y"] + row["height"]
 
 
 def test_a_phone_has_the_look_below_the_picture(viewer: Page) -> None:
