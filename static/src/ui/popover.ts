@@ -31,6 +31,8 @@ export function popover(
   const button = el("button", { type: "button", popovertarget: id, title }, name);
   const put = (): void => place(box, button);
   const sizes = new ResizeObserver(put);
+  // It opens above or below the button; how far to the left shows once its width is known.
+  box.addEventListener("beforetoggle", put);
   box.addEventListener("toggle", () => {
     const isOpen = box.matches(":popover-open");
     button.setAttribute("aria-expanded", String(isOpen));
