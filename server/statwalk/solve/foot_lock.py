@@ -46,6 +46,8 @@ LOW, SLOW = 0.012, 0.35
 """a foot is planted when its lowest point is this near to the ground (metres), and slower than this (m/s)"""
 NOT_FAST, TOUCHING = 1.0, 0.005
 """the same of a foot that its blend brings to the ground: it would drag"""
+LANDING = 2.0
+"""m/s: a foot that its motion plants, while the other is in the air, comes down unless it is faster"""
 LIFTED = 0.003
 """metres by which its motion, if that is not slow, must have lifted a planted foot for it to go along"""
 STEP, FAR, FARTHEST = 0.03, 0.14, 0.25
@@ -184,10 +186,13 @@ def _perhaps_leave(
 
 @inlined
 def _must_land(keep: Any, row: int, at: int, other: int, speed: float) -> Any:
-    """Whether a foot on its way that its motion plants comes down at once: the other foot does not stand."""
-    lands = other >= 0 and keep[row, other + PLANTED] != STANDING and size_of(keep, row, at) < FAR
+    """Whether a foot on its way that its motion plants comes down at once: the other foot did not stand when
+    it began to, or does not stand now.
+    """
+    comes_already = keep[row, at + Y] < -TOUCHING
+    lands = other >= 0 and (comes_already or keep[row, other + PLANTED] != STANDING)
     on_its_way = keep[row, at + PLANTED] == 0.0 and keep[row, at + SINCE] >= SHORTEST_STEP
-    return lands and on_its_way and speed <= NOT_FAST
+    return lands and on_its_way and speed <= LANDING and size_of(keep, row, at) < FAR
 
 
 @inlined
