@@ -9,6 +9,7 @@ KEYS = {"JUMP": "Space", "CROUCH": "c", "FORWARD": "ArrowUp", "OPEN": "q", "CLOS
 MOST_KEYS = 60
 """there are about fifty stops on the page, from the list of machines to the timeline"""
 NEXT_KEY = """wanted => {
+  if (!wanted.isConnected) return null;
   const focused = document.activeElement;
   const at = cell => [cell.parentElement.rowIndex, cell.cellIndex];
   const from = focused.closest('#table :is(td, th)'), to = wanted.closest('#table :is(td, th)');
@@ -18,7 +19,9 @@ NEXT_KEY = """wanted => {
   const [[row, column], [toRow, toColumn]] = [at(from), at(to)];
   return row < toRow ? 'ArrowDown' : row > toRow ? 'ArrowUp' : column < toColumn ? 'ArrowRight' : 'ArrowLeft';
 }"""
-"""the key that leads from the focus towards a place: arrows in menus and in the table, else Tab"""
+"""the key that leads from the focus towards a place: arrows in menus and in the table, else Tab; null: the
+page has drawn the place anew
+"""
 
 
 class Keyboard(User):
@@ -32,9 +35,12 @@ class Keyboard(User):
         self.press("Enter")
 
     def focus(self, place: Locator) -> None:
-        place.wait_for()
+        found = place.element_handle()  # kept: to find a place by its name takes longer than to press a key
         for _ in range(MOST_KEYS):
-            key = place.evaluate(NEXT_KEY)
+            key = found.evaluate(NEXT_KEY)
+            if key is None:
+                found = place.element_handle()
+                key = found.evaluate(NEXT_KEY)
             if not key:
                 self._is_away = True
                 return

@@ -67,9 +67,9 @@ def test_compare_two_ideas(user: User) -> None:
     user.until("__viewer.stage() !== 'main' && __viewer.ready")
     user.press_button("stage faq-walker")
     user.press_button("ghost of main")
+    user.page.get_by_role("columnheader", name="degrees").wait_for()
     user.press_button("the first that differs")
     user.until("__viewer.posed() === __viewer.looking() && __viewer.ghost() === __viewer.looking()")
-    user.page.get_by_role("columnheader", name="degrees").wait_for()
     user.arrived("Compare two ideas")
 
 

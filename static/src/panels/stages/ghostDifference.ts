@@ -6,7 +6,7 @@ import type { StageDifferences } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import { differences } from "../../net/stages";
 import type { App } from "../../view/app";
-import { jointLines, spanWords } from "./jointLines";
+import { type JointLine, jointLines, spanWords } from "./jointLines";
 
 /** How often the present is compared. */
 const COMPARE_MS = 2000;
@@ -32,9 +32,8 @@ export function ghostDifference({ ghost, inspection, playback, selection, stage 
   });
   setInterval(() => playback.isLive && void compare(), COMPARE_MS);
 
-  const table = (answer: StageDifferences): TemplateResult => {
-    const lines = jointLines(answer, selection.actor.value);
-    if (!lines.length) return html``;
+  const table = (lines: JointLine[]): TemplateResult | typeof nothing => {
+    if (!lines.length) return nothing;
     return html`<table>
       <thead>
         <tr>
@@ -71,9 +70,10 @@ export function ghostDifference({ ghost, inspection, playback, selection, stage 
     if (answer === null) return html`<section id="difference"><p>comparing …</p></section>`;
     if (typeof answer === "string")
       return html`<section id="difference"><p .textContent=${answer}></p></section>`;
+    const lines = jointLines(answer, selection.actor.value);
     return html`<section id="difference" aria-label="difference by joint">
-      <p .textContent=${spanWords(answer)}></p>
-      ${first(answer.first_difference)} ${table(answer)}
+      <p .textContent=${spanWords(answer, lines.length)}></p>
+      ${first(answer.first_difference)} ${table(lines)}
     </section>`;
   };
 }

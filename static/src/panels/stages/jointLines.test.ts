@@ -22,5 +22,13 @@ it("lists the joints of the watched actor that differ, the farthest first", () =
 });
 
 it("says that no joint differs, and at which tick", () => {
-  expect(spanWords({ ...difference, first_difference: null })).toBe("No joint differs at tick 4.");
+  expect(spanWords({ ...difference, first_difference: null }, 0)).toBe("No joint differs at tick 4.");
+});
+
+it("says that all differences are too small to be listed", () => {
+  const small = { ...difference, actors: [compared(2, [0.0001, 0, 0], [0.01, 0, 0])] };
+  const lines = jointLines(small, 2).length;
+  expect(spanWords(small, lines)).toBe(
+    "No joint differs by half a millimetre, or a twentieth of a degree, at tick 4.",
+  );
 });

@@ -26,9 +26,12 @@ export function jointLines({ actors }: StageDifferences, actor: number | null): 
     .filter(({ distance, angle }) => Number(distance) > 0 || Number(angle) > 0);
 }
 
-/** Says of which ticks the numbers are. */
-export function spanWords({ from, to, note, first_difference }: StageDifferences): string {
+/** Says of which ticks the numbers of these lines are, or why there are none. */
+export function spanWords({ from, to, note, first_difference }: StageDifferences, lines: number): string {
   if (note) return note;
   const ticks = from === to ? `at tick ${from}` : `in the ticks ${from} to ${to}`;
-  return first_difference === null ? `No joint differs ${ticks}.` : `The largest differences ${ticks}:`;
+  if (lines) return `The largest differences ${ticks}:`;
+  return first_difference === null
+    ? `No joint differs ${ticks}.`
+    : `No joint differs by half a millimetre, or a twentieth of a degree, ${ticks}.`;
 }
