@@ -89,7 +89,7 @@ def test_another_machine_in_the_glb_stream_shows_its_own_state_and_all_of_itself
     """Not the state of the actor that was watched before."""
     viewer.keyboard.press("g")
     until(viewer, "__viewer.shown() === 'glb'")
-    choose(viewer, "scene:swarm")
+    choose(viewer, "scene:geese")
     until(viewer, "__viewer.state() === 'FLY'")
     choose(viewer, "faq-printed")
     until(viewer, "__viewer.shown() === 'glb' && __viewer.state() === 'STAT'")
