@@ -65,7 +65,7 @@ def test_the_faqs_table_is_read_and_written():
         ("Leg 0 0 0 0 0 0 0 0 1 0 0 0", "translation of Leg along Z is more than its maximum: 1 > 0"),
         ("Leg 0 0 0", "a name and twelve numbers"),
         ("Leg 0 0 0 0 0 0 0 0 0 0 0 nan", "should be numbers"),
-        ("Leg 0 0 0 0 0 0 0 0 0 0 0 0\nLeg 0 0 0 0 0 0 0 0 0 0 0 0", "limited twice"),
+        ("Leg 0 0 0 0 0 0 0 0 0 0 0 0\nLeg 0 0 0 0 0 0 0 0 0 0 0 0", "twice, first in line 2 of the table"),
     ],
 )
 def test_a_wrong_row_is_refused_with_its_line(row, words):

@@ -43,7 +43,8 @@ def read_constraints(text: str, scale: float = 1.0) -> dict[str, Constraint]:
             continue
         name, line = words[0], int(place.removeprefix("line "))
         if name in rows:
-            raise TextError(f"{name} is limited twice, first at line {rows[name].line}", place=place)
+            first = f"first in line {rows[name].line} of the table"
+            raise TextError(f"{name} is limited twice, {first}", place=place)
         rows[name] = Constraint(_limit(name, words, scale, place), line)
     return rows
 
