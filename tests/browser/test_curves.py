@@ -1,4 +1,4 @@
-"""The teachers' page: seven interpolations of the same keys, with angle, speed and acceleration; you edit the
+"""The teachers' page: eight interpolations of the same keys, with angle, speed and acceleration; you edit the
 keys as numbers, and drag them to other times.
 """
 
@@ -16,7 +16,8 @@ METHODS = (
     "squad",
     "B-spline near",
     "B-spline through",
-    "NURBS",
+    "NURBS near",
+    "NURBS through",
 )
 QUANTITIES = ("angle_deg", "speed_deg", "acceleration_deg")
 INK = """name => {
@@ -42,7 +43,7 @@ DRAWN = """() => {
 @pytest.fixture
 def curves(server: Server, page: Page) -> Page:
     page.goto(f"{server.url}/curves.html")
-    until(page, "document.body.dataset.curves === '7'")
+    until(page, "document.body.dataset.curves === '8'")
     return page
 
 

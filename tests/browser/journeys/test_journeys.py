@@ -106,7 +106,7 @@ def test_teach_interpolation(user: User) -> None:
     page = user.page
     user.go_to_curves()
     page.get_by_role("button", name="far apart").wait_for()
-    user.until("document.body.dataset.curves === '7'")
+    user.until("document.body.dataset.curves === '8'")
     user.press_button("far apart")
     with page.expect_response(lambda answer: "170" in (answer.request.post_data or "")) as found:
         user.fill(page.get_by_label("x° of key 2"), "170")
@@ -114,5 +114,5 @@ def test_teach_interpolation(user: User) -> None:
     assert max(speeds["slerp"]) - min(speeds["slerp"]) < 1
     assert max(speeds["euler linear"]) - min(speeds["euler linear"]) > 20
     user.press_button("linear, Euler XYZ")
-    user.until("document.querySelectorAll('#names button[aria-pressed=true]').length === 6")
+    user.until("document.querySelectorAll('#names button[aria-pressed=true]').length === 7")
     user.arrived("Teach interpolation")

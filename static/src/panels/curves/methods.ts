@@ -13,5 +13,6 @@ export const METHODS: readonly Method[] = [
   { name: "squad", words: "squad", colour: "#43a866" },
   { name: "b-spline", words: "B-spline near", colour: "#35a3b5" },
   { name: "b-spline through", words: "B-spline through", colour: "#5b8def" },
-  { name: "nurbs", words: "NURBS", colour: "#b478dd" },
+  { name: "nurbs", words: "NURBS near", colour: "#b478dd" },
+  { name: "nurbs through", words: "NURBS through", colour: "#d563a6" },
 ];
