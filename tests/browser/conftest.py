@@ -29,8 +29,9 @@ UNWANTED = (
     "WebUIOmniboxPopup,WebUIOmniboxAimPopup,HttpsUpgrades,HttpsFirstBalancedModeAutoEnable,PaintHolding,"
     "OptimizationHints,NetworkTimeServiceQuerying,MediaRouter,DestroyProfileOnBrowserClose"
 )
-"""features of Chromium that no test needs: for each window it loads the pages of its address line, which takes
-as long as half a page of ours; the rest are those that Playwright turns off, whose list this one replaces
+"""features of Chromium that no test needs: for each window it loads the pages of its address line, which
+takes as long as half a page of ours; the rest are those that Playwright turns off, whose list this one
+replaces
 """
 SIZE = {"width": 960, "height": 640}
 WIDE = {"width": 1280, "height": 900}
