@@ -29,9 +29,9 @@ UNWANTED = (
     "WebUIOmniboxPopup,WebUIOmniboxAimPopup,HttpsUpgrades,HttpsFirstBalancedModeAutoEnable,PaintHolding,"
     "OptimizationHints,NetworkTimeServiceQuerying,MediaRouter,DestroyProfileOnBrowserClose"
 )
-"""features of Chromium that no test needs: for each window it loads the pages of its address line, which
-takes as long as half a page of ours; the rest are those that Playwright turns off, whose list this one
-replaces
+"""features of Chromium that are turned off. The first two load the pages of Chromium's own address line for
+each window, which takes half as long as a page of ours. The others are from Playwright's list of such
+features: Chromium takes the last list alone, which is this one
 """
 SIZE = {"width": 960, "height": 640}
 WIDE = {"width": 1280, "height": 900}

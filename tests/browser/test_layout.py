@@ -19,6 +19,12 @@ CUT = """[...document.querySelectorAll('#events .event, #parameters label')].fil
     const box = control.getBoundingClientRect();
     return box.bottom > control.parentElement.getBoundingClientRect().bottom;
 }).map(control => control.textContent.trim())"""
+OPEN_AND_LOOK = """button => {
+  button.click();
+  const box = document.querySelector('#look-popover');
+  return box.getBoundingClientRect().top - button.getBoundingClientRect().bottom;
+}"""
+"""opens a box; the pixels between it and its button"""
 
 
 def show_tab(page: Page, name: str, width: int, height: int) -> None:
@@ -126,6 +132,15 @@ def test_a_phone_has_the_look_below_the_picture(viewer: Page) -> None:
     bones.press("Escape")
     bones.wait_for(state="hidden")
     assert button.evaluate("button => button === document.activeElement")
+
+
+def test_a_box_of_controls_opens_below_its_button_at_once(viewer: Page) -> None:
+    """The page looks in the same task in which the box opens, before any frame is drawn."""
+    viewer.set_viewport_size({"width": 390, "height": 844})
+    button = viewer.get_by_role("button", name="look", exact=True)
+    button.wait_for()
+    below = button.evaluate(OPEN_AND_LOOK)
+    assert below == pytest.approx(8, abs=1)
 
 
 @pytest.mark.parametrize(("width", "height"), [(390, 844), (320, 640)])

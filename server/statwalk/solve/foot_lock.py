@@ -186,8 +186,8 @@ def _perhaps_leave(
 
 @inlined
 def _must_land(keep: Any, row: int, at: int, other: int, speed: float) -> Any:
-    """Whether a foot on its way that its motion plants comes down at once: the other foot did not stand when
-    it began to, or does not stand now.
+    """Whether a foot on its way that its motion plants comes down at once: because the other foot does not
+    stand, or because this foot already comes down, and is lower than its motion.
     """
     comes_already = keep[row, at + Y] < -TOUCHING
     lands = other >= 0 and (comes_already or keep[row, other + PLANTED] != STANDING)

@@ -31,7 +31,7 @@ export function popover(
   const button = el("button", { type: "button", popovertarget: id, title }, name);
   const put = (): void => place(box, button);
   const sizes = new ResizeObserver(put);
-  // It opens above or below the button; how far to the left shows once its width is known.
+  // Placed before it opens, so that it is never seen elsewhere; its width, which moves it left, is known later.
   box.addEventListener("beforetoggle", put);
   box.addEventListener("toggle", () => {
     const isOpen = box.matches(":popover-open");

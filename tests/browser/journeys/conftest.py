@@ -14,7 +14,7 @@ from playwright.sync_api import Page
 
 @pytest.fixture(scope="module", params=[Mouse, Keyboard, Fingers], ids=lambda kind: kind.__name__)
 def kind(request: pytest.FixtureRequest) -> type[User]:
-    """A kind of user: pytest runs all journeys of one before those of the next."""
+    """Names the kind of user; pytest runs all journeys of one kind before it begins with the next kind."""
     chosen: type[User] = request.param
     return chosen
 

@@ -8,7 +8,7 @@ from browser.test_import import drop
 from playwright.sync_api import Locator
 
 CLICKED_EVENTS = ("OPEN", "CLOSE")
-"""the user knows a walker's keys, but not those of a door"""
+"""events that the user clicks, because the user does not know their keys"""
 
 
 class Mouse(User):
