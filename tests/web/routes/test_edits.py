@@ -231,3 +231,30 @@ async def test_a_dry_run_is_true_or_false(client: httpx.AsyncClient, word: str) 
         headers={"If-Match": '"1"'},
     )
     assert (answer.status_code, answer.json()["errors"][0]["field"]) == (422, "dry")
+
+
+@pytest.mark.parametrize(
+    "operation",
+    [
+        {"kind": "add_state", "state": "IDLE", "fields": {"loop": None}},
+        {"kind": "add_layer", "layer": "hat", "fields": {"mode": None}},
+        {
+            "kind": "add_parameter",
+            "name": "heat",
+            "fields": {"default": 0, "min": 0, "max": 1, "smooth": None},
+        },
+        {"kind": "add_sense", "name": "DRAUGHT", "fields": {"when": "speed > 1", "release": None}},
+        {"kind": "add_key", "name": "z", "fields": {"press": "STOP", "hold": None}},
+        {"kind": "add_collider", "name": "brow", "fields": {"sphere": 0.1, "joint": "Head", "at": None}},
+    ],
+    ids=lambda operation: operation["kind"],
+)
+async def test_null_is_nothing_in_what_is_new(client: httpx.AsyncClient, operation: dict[str, Any]) -> None:
+    """It was a 500."""
+    fields = {name: value for name, value in operation["fields"].items() if value is not None}
+    texts = []
+    for edit in (operation, operation | {"fields": fields}):
+        body, match = {"operations": [edit]}, {"If-Match": '"1"'}
+        answer = await client.patch(WALKER, json=body, headers=match, params={"dry": True})
+        texts.append(answer.raise_for_status().json())
+    assert texts[0] == texts[1]

@@ -24,6 +24,10 @@ def test_the_first_entry_makes_the_section():
     ]
 
 
+def test_none_takes_nothing_away_from_a_new_entry():
+    assert came(AddEntry("keys", "s", {"press": "PULL", "hold": None})) == ["  s:       {press: PULL}"]
+
+
 def test_values_stay_in_their_column():
     assert came(AddEntry("keys", "s", {"press": "PULL"})) == ["  s:       {press: PULL}"]
 

@@ -43,12 +43,14 @@ NO_MOTION = "none"
 
 @dataclass(frozen=True)
 class AddState(EditOperation):
-    """Adds a state with a row of blank cells; `fields` as in the file. Without a `motion` it is at rest (in a
-    layer above the base: `none`). It comes before the state `before`, or last.
+    """Adds a state with a row of blank cells; `fields` as in the file, None as if left out.
+
+    Without a `motion` it is at rest (in a layer above the base: `none`). It comes before the state `before`,
+    or last.
     """
 
     state: str
-    fields: Mapping[str, Value] = field(default_factory=dict)
+    fields: Mapping[str, Value | None] = field(default_factory=dict)
     before: str | None = None
     layer: str = BASE
 
@@ -62,7 +64,7 @@ class AddState(EditOperation):
         if name in level.states():
             raise MachineError(f"there is a state {self.state} already")
         before = own_name(level, self.before)
-        fields = dict(self.fields)
+        fields = known_fields(self.fields)
         if not {"motion", "machine"} & fields.keys():
             fields = {"motion": AT_REST if self.layer == BASE else NO_MOTION, **fields}
         if (table := raw_table(text, level)) is not None and name not in table.names():
@@ -202,6 +204,11 @@ def entries_at(root: Node, key: str) -> dict[str, Node]:
     """Returns the entries of a section of the file; none if it is missing or empty."""
     node = root.entries().get(key)
     return node.entries() if node is not None and node.is_mapping else {}
+
+
+def known_fields(fields: Mapping[str, Value | None]) -> dict[str, Value]:
+    """Returns the fields of a new entry: None takes nothing away there."""
+    return {name: value for name, value in fields.items() if value is not None}
 
 
 def with_fields(text: MachineText, path: Path, fields: Mapping[str, Value | None]) -> MachineText:
