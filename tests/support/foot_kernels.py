@@ -10,6 +10,7 @@ from statwalk.maths.reference import by_reference
 from statwalk.solve.foot_aside import way_out
 from statwalk.solve.foot_height import floor_of
 from statwalk.solve.foot_path import along_path, choose_landing, stretch_path
+from statwalk.solve.foot_points import ankle_of
 from statwalk.solve.foot_tables import FEET, TO_X, TO_Z
 from statwalk.solve.footing import height_over, points_supported, slope_under
 
@@ -52,3 +53,9 @@ def raised(feet: Any, legs: Any, keep: Any, level: float) -> Any:
     """Returns by how much foot 0 of an actor at the origin is at least above its animated one."""
     f, root = by_reference(feet), (0.0, 0.0, 0.0, 0.0, 1.0)
     return floor_of(f, legs, keep, 0, 0, 0, (0.0, 0.0, 0.0, 0.0), (0, 0.0, 0.0, 0.0), root, level, 1 / 60)
+
+
+@late_kernel(FEET, types.Array(types.float32, 4, "C", readonly=True), returns=DOUBLE)
+def yaw(feet: Any, legs: Any) -> Any:
+    """Returns the yaw of foot 0 of an actor at the origin."""
+    return ankle_of(by_reference(feet), legs, 0, 0, (0.0, 0.0, 0.0, 0.0, 1.0))[3]

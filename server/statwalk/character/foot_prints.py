@@ -74,20 +74,20 @@ def joints_below(character: Character, feet: Sequence[Foot], joints: Ints) -> li
 def landings(
     character: Character,
     feet: Sequence[Foot],
-    ahead: NDArray[np.float64],
+    left: NDArray[np.float64],
     places: Sequence[Floats],
     contacts: Sequence[Contacts],
 ) -> NDArray[np.float64]:
-    """Returns (spans, 3) as `FootTables.landing`; `ahead` (F, 3) the directions of the feet in the frames of
-    their ankles; `places` (K, 2) for each foot, where the points of its sole are on its print.
+    """Returns (spans, 3) as `FootTables.landing`; `left` (F, 3) the directions to the left of the feet in the
+    frames of their ankles; `places` (K, 2) for each foot, where the points of its sole are on its print.
     """
     rows = [np.zeros((0, 3))]
     for motion, number, spans in contacts:
         times = np.array([down % 1.0 for down, _ in spans]) * motion.clip.duration
         if len(times):
             world = world_from_local(character.skeleton, motion.clip.sample(times)).astype(np.float64)
-            forward = (world[:, feet[number].ankle, :, :3] * ahead[number]).sum(-1)
-            yaw = atan2(forward[:, 0], forward[:, 2])
+            to_left = (world[:, feet[number].ankle, :, :3] * left[number]).sum(-1)
+            yaw = atan2(-to_left[:, 2], to_left[:, 0])
             sine, cosine = sincos(yaw)
             points = feet[number].skin.at(world)
             first = points[..., 1].round(DECIMALS).argmin(1)  # it rolls over the point that touches first

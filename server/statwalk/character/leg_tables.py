@@ -91,7 +91,12 @@ def leg_tables(
         stands = [(motion, foot, joined(spans) if motion.loop else spans) for motion, foot, spans in stands]
     spans = [span for _, _, span in stands]
     forward = [_ahead(foot, rest) for foot in feet]
-    ahead = _rows([_local(rest, foot.ankle, way) for foot, way in zip(feet, forward, strict=True)])
+    left = _rows(
+        [
+            _local(rest, foot.ankle, np.array([z, 0.0, -x]))
+            for foot, (x, _, z) in zip(feet, forward, strict=True)
+        ]
+    )
     prints = [foot_print(foot, rest, way) for foot, way in zip(feet, forward, strict=True)]
     sizes = np.array(prints, np.float64).reshape(-1, 4)
     of_feet = list(zip(feet, forward, prints, strict=True))
@@ -109,7 +114,7 @@ def leg_tables(
             above_pelvis=joints.places(np.array([above])).astype(np.int32),
             hip=joints.places(np.array([foot.hip for foot in feet], np.int64)).astype(np.int32),
             ankle=joints.places(np.array([foot.ankle for foot in feet], np.int64)).astype(np.int32),
-            ahead=ahead,
+            left=left,
             bend=_rows([bend_of(character, foot) for foot in feet]),
             length=np.array([foot.length(rest) for foot in feet], np.float64) / unit,
             unit=np.array([unit]),
@@ -128,7 +133,7 @@ def leg_tables(
             print=sizes / unit,
             first_below=_firsts([len(rows) for rows in below]),
             below=np.concatenate([np.zeros(0, np.int64), *below]).astype(np.int32),
-            landing=landings(character, feet, ahead, skins, stands if columns[1] >= 0 else ()),
+            landing=landings(character, feet, left, skins, stands if columns[1] >= 0 else ()),
         )
     )
 

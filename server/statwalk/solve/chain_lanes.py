@@ -82,10 +82,11 @@ def place_joints(scratch: Any, count: int, local: int) -> Any:
     point, turn = (zero, zero, zero), (zero, zero, zero, one)
     for place in range(count):
         at = place * JOINT
+        if place > 0:
+            turn = mul(turn, load4(scratch, at - JOINT + local))
         point = plus(point, rotated(turn, load3(scratch, at + OFFSET)))
         store3(scratch, at + POINT, point)
         store4(scratch, at + TURN, turn)
-        turn = mul(turn, load4(scratch, at + local))
     return point
 
 

@@ -59,7 +59,8 @@ def solve_fabrik(
     if is_free:
         distance = length(minus(goal, turn_along(scratch, count)))
         better = where_below(distance, best, before, zero)
-        take_better(scratch, count - 1, better)
+        if any_above(one, better):
+            take_better(scratch, count - 1, better)
         return iterations, either(better, distance, best)
     take_best(scratch, count - 1)
     return iterations, best
@@ -163,13 +164,14 @@ def turn_along(scratch: Any, count: int) -> Any:
         at = place * JOINT
         q, offset = load4(scratch, at + LOCAL), load3(scratch, at + JOINT + OFFSET)
         way, bone = minus(load3(scratch, at + JOINT + POINT), load3(scratch, at + POINT)), rotated(q, offset)
-        sizes = root(vector_square(bone) * vector_square(way))
+        square_of_way = most(vector_square(way), of(1e-30))
+        sizes = root(vector_square(bone) * square_of_way)
         turn, square = half_way(bone, rotated_back(above, way), sizes)
         q, factor = mul(turn, renormalized(q)), per_root(square)
         q = q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor
         store4(scratch, at + LOCAL, q)
         above = mul(above, q)
-        end = plus(end, rotated(above, offset))
+        end = added(end, way, sizes / square_of_way)
     return end
 
 

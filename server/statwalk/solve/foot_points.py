@@ -124,11 +124,11 @@ def speeds_of(f: Any, legs: Any, keep: Any, row: int, at: int, low: Any, root: A
 def ankle_of(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
     """Returns x, y, z on the stage and the yaw of an animated ankle."""
     block, lane = place_of(row)
-    place, a = f.ankle[foot], f.ahead[foot]
-    x = legs[block, place, 0, lane] * a[0] + legs[block, place, 1, lane] * a[1]
-    x += legs[block, place, 2, lane] * a[2]
-    z = legs[block, place, 8, lane] * a[0] + legs[block, place, 9, lane] * a[1]
-    z += legs[block, place, 10, lane] * a[2]
+    place, a = f.ankle[foot], f.left[foot]
+    z = legs[block, place, 0, lane] * a[0] + legs[block, place, 1, lane] * a[1]
+    z += legs[block, place, 2, lane] * a[2]
+    x = -legs[block, place, 8, lane] * a[0] - legs[block, place, 9, lane] * a[1]
+    x -= legs[block, place, 10, lane] * a[2]
     yaw = atan2(x * root[4] + z * root[3], z * root[4] - x * root[3])
     px, py, pz = in_units(
         f, legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root

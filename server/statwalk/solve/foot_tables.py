@@ -27,8 +27,10 @@ class FootTables(NamedTuple):
     """index in `joints`"""
     ankle: Annotated[NDArray[np.int32], "foot"]
     """index in `joints`"""
-    ahead: Annotated[NDArray[np.float64], "foot, xyz"]
-    """the direction of the foot in the frame of the ankle"""
+    left: Annotated[NDArray[np.float64], "foot, xyz"]
+    """the direction to the left of the foot, in the frame of the ankle: it tells the foot's yaw however steep
+    the foot is
+    """
     bend: Annotated[NDArray[np.float64], "foot, xyz"]
     """the direction in which the knee bends, in the frame of the hip"""
     length: Annotated[NDArray[np.float64], "foot"]

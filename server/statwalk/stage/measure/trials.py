@@ -22,11 +22,12 @@ from statwalk.rig.evaluate import world_from_local
 from statwalk.stage.advance import advance
 from statwalk.stage.effects.effects import Effects
 from statwalk.stage.measure.measured_ground import Spot, mean_heights
-from statwalk.stage.state.cast import CastState
+from statwalk.stage.state.cast import Cast, CastState
 from statwalk.stage.state.commands import Press
 from statwalk.stage.state.stage_state import StageState
 from statwalk.stage.steps.enter import enter
 from statwalk.stage.steps.sample import poses_ahead
+from statwalk.stage.steps.stand import stand
 
 RATE = 60
 WARM_UP = 12
@@ -178,7 +179,15 @@ def _cast(role: Role, trials: Sequence[CellTrial], start: Floats) -> CastState:
     shown, previous = (poses_ahead(role, machines_at(role, states, times)) for times in (start, before))
     delta = np.stack([_way(role, *trip) for trip in zip(states, before, start, strict=True)])
     machine = machines_at(role, states, start)
-    return replace(cast, machine=machine, shown=shown, previous=previous, root_delta=delta)
+    kept = role.solver_memory.fresh(len(trials))
+    cast = replace(
+        cast, machine=machine, shown=shown, previous=previous, root_delta=delta, solver_memory=kept
+    )
+    cast.position[:, 1] = height  # `enter` has moved them for the feet of another motion
+    begins = (states == role.machine.initial) | (role.machine.layer_of[states] > 0)
+    if begins.all():  # the legs play the motion in which new actors stand
+        stand(Cast.of(role, cast))
+    return cast
 
 
 def _way(role: Role, state: int, start: float, end: float) -> Floats:
