@@ -136,6 +136,7 @@ def main() -> None:
     two_bone_table(limb)
     with CcdOfThree() as node:
         limited = {"statwalk": limb.job("two-bone", CONES, pole_kind=POLE_DIRECTION)}
+        limited["statwalk, 1 iteration"] = limb.job("two-bone", CONES, pole_kind=POLE_DIRECTION, iterations=1)
         limited[f"CCDIKSolver, {CCD_ITERATIONS} iterations"] = three_job(node, limb, CCD_ITERATIONS, BEND)
         limited["CCDIKSolver, 1 iteration"] = three_job(node, limb, 1, BEND)
         table("two-bone, pole, cones", limited, {f"CCDIKSolver, {CCD_ITERATIONS} iterations": 150})
