@@ -101,6 +101,21 @@ def test_gpu_and_server_agree_in_all_ways(at_stage: Opened, machine: str) -> Non
     page.get_by_text("GPU and server differ by at most 0.00").wait_for()
 
 
+COVERED = """words => {
+  const { left, right, top, bottom } = words.getBoundingClientRect();
+  const places = [left + 2, (left + right) / 2, right - 2];
+  return places.filter(x => !words.contains(document.elementFromPoint(x, (top + bottom) / 2))).length;
+}"""
+
+
+def test_the_box_of_controls_does_not_cover_what_prove_says(at_stage: Opened) -> None:
+    page = at_stage(1, actors=[{"machine": "faq-walker"}])
+    controls(page).get_by_role("button", name="prove").click()
+    words = page.get_by_text("GPU and server differ by at most 0.00")
+    words.wait_for()
+    assert words.evaluate(COVERED) == 0
+
+
 WEIGHTS = "JSON.stringify(__viewer.weights())"
 
 

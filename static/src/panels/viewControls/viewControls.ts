@@ -150,7 +150,8 @@ export function viewControlsPanel(host: HTMLElement, app: App): void {
     detailControls(stageView),
     el("div", { class: "group" }, prove, picture),
   );
-  picture.addEventListener("click", () => looks.hidePopover());
+  // What they show lies beside the box, or below it.
+  for (const made of [picture, prove]) made.addEventListener("click", () => looks.hidePopover());
   const [camera, cameras] = popover("camera", "camera and framing", ...cameraControls(stageView));
   const aims = el("div", { class: "aims" }, ...cameraButtons(stageView));
   const more = el("div", { class: "group" }, look, camera, aims);
