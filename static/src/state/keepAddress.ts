@@ -12,12 +12,12 @@ const REST_MS = 350;
 
 /** Returns the address of what the page shows. */
 export function shownAddress({ stage, stages, selection, playback, viewpoint }: State): Address {
-  const { stage: id = "main", casts = [] } = stage.hello.value ?? {};
+  const { stage: id = "main" } = stage.hello.value ?? {};
   const actor = selection.actor.value;
   return {
     stage: id === "main" ? null : id,
     opening: stages.openingOf(id),
-    actor: actor === casts[0]?.actors[0]?.id ? null : actor,
+    actor: actor === stage.firstActor ? null : actor,
     layer: selection.layer.value > 0 ? (selection.cast?.layers[selection.layer.value] ?? null) : null,
     tick: playback.looking.value,
     camera: viewpoint.chosen.value,

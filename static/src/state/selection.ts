@@ -33,7 +33,7 @@ export class Selection {
 
   /** Watches the first actor if the stage has no watched one. */
   settle(): void {
-    if (!this.place()) this.actor.value = this.stage.hello.value?.casts[0]?.actors[0]?.id ?? null;
+    if (!this.place()) this.actor.value = this.stage.firstActor;
   }
 
   forgetStates(): void {

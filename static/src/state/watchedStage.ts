@@ -22,6 +22,12 @@ export class WatchedStage {
     return this.hello.value?.rate ?? RATE;
   }
 
+  /** The id of the actor that came to the stage before all others; null: nobody is there. */
+  get firstActor(): number | null {
+    const ids = (this.hello.value?.casts ?? []).flatMap(({ actors }) => actors.map(({ id }) => id));
+    return ids.length > 0 ? Math.min(...ids) : null;
+  }
+
   greet(hello: Hello): void {
     this.id = hello.stage;
     Object.assign(this, { tick: hello.tick, head: hello.head, first: hello.first });

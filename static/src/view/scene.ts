@@ -37,6 +37,8 @@ export class Scene {
   calls = 0;
   /** Controls over the lower end of the picture. */
   private controls: HTMLElement | null = null;
+  /** A panel over the right side of the picture. */
+  private panel: HTMLElement | null = null;
   private dirty = true;
   /** Seconds since the last drawing. */
   private undrawn = Infinity;
@@ -111,19 +113,27 @@ export class Scene {
     this.dirty = true;
   }
 
-  /** Keeps what is framed above the element, which lies over the lower end of the picture. */
+  /** Keeps what is framed above these controls, which lie over the lower end of the picture. */
   leaveRoomFor(controls: HTMLElement): void {
     this.controls = controls;
     new ResizeObserver(() => this.resize()).observe(controls);
   }
 
+  /** Keeps what is framed left of the panel, which lies over the right side of the picture, or over all of it. */
+  leaveRoomBeside(panel: HTMLElement): void {
+    this.panel = panel;
+    new ResizeObserver(() => this.resize()).observe(panel);
+  }
+
   private resize(): void {
     const box = (this.canvas.parentElement ?? this.canvas).getBoundingClientRect();
     const over = this.controls?.getBoundingClientRect();
-    // Controls in a corner leave the middle free.
-    const covered = over && over.width > box.width / 2 ? box.bottom - over.top : 0;
+    const beside = this.panel?.getBoundingClientRect();
+    // Controls in a corner leave the middle free; beside a panel that covers all there is no room.
+    const below = over && over.width > box.width / 2 ? box.bottom - over.top : 0;
+    const right = beside && beside.width > 0 && beside.left > box.left ? box.right - beside.left : 0;
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
-    this.view.resize(box.width, box.height, Math.max(0, covered));
+    this.view.resize(box.width, box.height, Math.max(0, below), Math.max(0, right));
     this.drawNow(); // a canvas of another size is blank, and would be shown so until the next frame
   }
 

@@ -19,6 +19,7 @@ const TABS: readonly (readonly [NonNullable<Drawer>, string])[] = [
 
 export function drawerPanel(host: HTMLElement, app: App): void {
   const { drawer } = app.inspection;
+  app.view.scene.leaveRoomBeside(host);
   const parts = [...host.querySelectorAll<HTMLElement>("[data-drawer]")];
   let opener: Element | null = null;
   const close = (): void => {

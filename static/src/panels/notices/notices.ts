@@ -1,4 +1,4 @@
-/** Shows sentences for the user for a few seconds, longer with a button; screen readers read them out. */
+/** Shows sentences for the user for a few seconds, longer with a button, each once; screen readers read them out. */
 
 import "./notices.css";
 import type { Notice } from "../../state/notice";
@@ -24,6 +24,8 @@ function noteOf(notice: Notice): HTMLElement {
 export function noticesPanel(host: HTMLElement, { notices }: App): void {
   notices.on((notice) => {
     const note = noteOf(notice);
+    for (const shown of [...host.children])
+      if (shown.firstChild?.textContent === note.firstChild?.textContent) shown.remove();
     host.append(note);
     while (host.children.length > MOST) host.firstElementChild?.remove();
     setTimeout(() => note.remove(), typeof notice === "string" ? SHOWN_MS : WITH_BUTTON_MS);

@@ -28,6 +28,14 @@ test.each(kept.shots)("films $framing at $aspect as the package does", (shot) =>
   near([camera.fov, camera.near, camera.far], [shot.field_deg, shot.near, shot.far]);
 });
 
+test("what is framed is in the middle of what nothing covers", () => {
+  const view = filmed("whole");
+  view.resize(1000, 500, 100, 400);
+  view.camera.updateMatrixWorld();
+  const middle = view.controls.target.clone().project(view.camera);
+  near([500 * (middle.x + 1), 250 * (1 - middle.y)], [300, 200], 3);
+});
+
 test("follows as the package does", () => {
   const view = filmed("whole", 16 / 9);
   kept.path.forEach((root, tick) => {

@@ -17,8 +17,8 @@ const LAG_S = 0.18;
 const CUT_HEIGHTS = 0.8;
 /** Of the turntable. */
 const SECONDS_PER_TURN = 12;
-/** The share of the picture that controls may take from what is framed. */
-const MOST_COVERED = 0.4;
+/** The shares of the picture's height and width that may be taken from what is framed. */
+const [MOST_BELOW, MOST_RIGHT] = [0.4, 0.6];
 const ALONE: Side = { azimuth: 0.52, elevation: 0.14 };
 /** With several actors: from behind and above, so that you see what lies ahead. */
 const COMPANY: Side = { azimuth: Math.PI + 0.45, elevation: 0.34 };
@@ -236,10 +236,11 @@ export class FollowCamera {
     return true;
   }
 
-  /** Fits a picture of `width` × `height` pixels; what is framed stays above the lowest `covered` pixels. */
-  resize(width: number, height: number, covered = 0): void {
-    const free = Math.max(height - Math.min(covered, MOST_COVERED * height), 1);
-    this.camera.aspect = width / free;
-    this.camera.setViewOffset(width, free, 0, 0, width, height);
+  /** Fits a picture of `width` × `height` pixels, of which the lowest `below` and the last `right` are covered. */
+  resize(width: number, height: number, below = 0, right = 0): void {
+    const freeWidth = Math.max(width - Math.min(right, MOST_RIGHT * width), 1);
+    const freeHeight = Math.max(height - Math.min(below, MOST_BELOW * height), 1);
+    this.camera.aspect = freeWidth / freeHeight;
+    this.camera.setViewOffset(freeWidth, freeHeight, 0, 0, width, height);
   }
 }
