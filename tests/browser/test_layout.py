@@ -157,3 +157,17 @@ def test_a_phone_has_its_controls_beside_the_character(
     until(page, "arg < document.querySelector('#modes').getBoundingClientRect().left", right)
     until(page, "arg > document.querySelector('.feet').getBoundingClientRect().right", box[0] * width)
     controls(page, "camera").get_by_role("button", name="turntable").wait_for()
+
+
+IN_SIGHT = """(() => {
+  const [left, , right] = window.__viewer.pixels().box, drawer = document.querySelector('#drawer');
+  const picture = document.querySelector('#stage-view').getBoundingClientRect();
+  return left > 0 && picture.left + right * picture.width < drawer.getBoundingClientRect().left;
+})()"""
+
+
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1280, 800)])
+def test_the_drawer_leaves_the_character_in_sight(viewer: Page, width: int, height: int) -> None:
+    viewer.set_viewport_size({"width": width, "height": height})
+    viewer.get_by_role("button", name="stage main").click()
+    until(viewer, IN_SIGHT)

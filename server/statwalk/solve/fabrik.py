@@ -171,7 +171,7 @@ def turn_along(scratch: Any, count: int) -> Any:
         q = q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor
         store4(scratch, at + LOCAL, q)
         above = mul(above, q)
-        end = added(end, way, sizes / square_of_way)
+        end = added(end, way, sizes / square_of_way)  # the turned bone is parallel to the way
     return end
 
 

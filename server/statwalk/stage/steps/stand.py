@@ -27,8 +27,8 @@ _feet, _chains, _clamps = opened(FEET), opened(CHAINS), opened(CLAMP_TABLE)
 
 
 def stand(cast: Cast) -> None:
-    """Puts the feet of new actors on the ground, as the foot lock has them after a while; changes the poses
-    shown, the places and the solvers' memory.
+    """Puts the feet of new actors on the ground, as the foot lock has them after a while: changes the poses
+    shown, the positions and the solvers' memory in place.
     """
     role = cast.role
     if not len(role.solvers.legs.hip):

@@ -150,7 +150,7 @@ export function viewControlsPanel(host: HTMLElement, app: App): void {
     detailControls(stageView),
     el("div", { class: "group" }, prove, picture),
   );
-  // What they show lies beside the box, or below it.
+  // The box would cover what they show.
   for (const made of [picture, prove]) made.addEventListener("click", () => looks.hidePopover());
   const [camera, cameras] = popover("camera", "camera and framing", ...cameraControls(stageView));
   const aims = el("div", { class: "aims" }, ...cameraButtons(stageView));

@@ -9,7 +9,7 @@ from typing import Literal
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
 from statwalk.files.machine_yaml.edit.renaming import check_name
-from statwalk.files.machine_yaml.edit.state_edits import entries_at, known_fields, with_fields
+from statwalk.files.machine_yaml.edit.state_edits import entries_at, given_fields, with_fields
 from statwalk.files.machine_yaml.edit.table_levels import read
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_value, without
@@ -45,7 +45,7 @@ class AddEntry(EditOperation):
         if self.before is not None:
             check_entry(text, self.section, self.before)
         return text._replace(
-            yaml=with_value(text.yaml, (self.section, self.name), known_fields(self.fields), self.before)
+            yaml=with_value(text.yaml, (self.section, self.name), given_fields(self.fields), self.before)
         )
 
     def touched(self) -> Iterable[Part]:

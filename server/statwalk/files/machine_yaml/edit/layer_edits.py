@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
 from statwalk.files.machine_yaml.edit.renaming import check_name
-from statwalk.files.machine_yaml.edit.state_edits import NO_MOTION, entries_at, known_fields, with_fields
+from statwalk.files.machine_yaml.edit.state_edits import NO_MOTION, entries_at, given_fields, with_fields
 from statwalk.files.machine_yaml.edit.table_levels import read
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_key, with_value, without
@@ -40,7 +40,7 @@ class AddLayer(EditOperation):
             check_layer(text, self.before)
         width = max(len(self.state), len("state"))
         value = {
-            **known_fields(self.fields),
+            **given_fields(self.fields),
             "initial": self.state,
             "states": {self.state: {"motion": NO_MOTION}},
             "table": f"{'state'.ljust(width)} | {END}\n{self.state.ljust(width)} |\n",

@@ -64,7 +64,7 @@ class AddState(EditOperation):
         if name in level.states():
             raise MachineError(f"there is a state {self.state} already")
         before = own_name(level, self.before)
-        fields = known_fields(self.fields)
+        fields = given_fields(self.fields)
         if not {"motion", "machine"} & fields.keys():
             fields = {"motion": AT_REST if self.layer == BASE else NO_MOTION, **fields}
         if (table := raw_table(text, level)) is not None and name not in table.names():
@@ -206,7 +206,7 @@ def entries_at(root: Node, key: str) -> dict[str, Node]:
     return node.entries() if node is not None and node.is_mapping else {}
 
 
-def known_fields(fields: Mapping[str, Value | None]) -> dict[str, Value]:
+def given_fields(fields: Mapping[str, Value | None]) -> dict[str, Value]:
     """Returns the fields of a new entry: None takes nothing away there."""
     return {name: value for name, value in fields.items() if value is not None}
 
