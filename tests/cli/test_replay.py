@@ -57,8 +57,9 @@ def test_a_machine_of_ones_own(tmp_path: Path, capsys: pytest.CaptureFixture[str
 def test_a_log_of_another_engine_is_refused(played: tuple[Path, Stage]) -> None:
     path, _ = played
     made_by = f'"engine":{ENGINE},"version":"0.1.0"'
-    path.write_text(path.read_text().replace(made_by, '"engine":7,"version":"3.2.1"'))
-    words = rf"engine 7 \(statwalk 3.2.1\) played the log; this is engine {ENGINE}"
+    other = f'"engine":{ENGINE + 1},"version":"3.2.1"'
+    path.write_text(path.read_text().replace(made_by, other))
+    words = rf"engine {ENGINE + 1} \(statwalk 3.2.1\) played the log; this is engine {ENGINE}"
     with pytest.raises(StageError, match=words):
         replay(path)
 
