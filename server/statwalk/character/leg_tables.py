@@ -91,12 +91,7 @@ def leg_tables(
         stands = [(motion, foot, joined(spans) if motion.loop else spans) for motion, foot, spans in stands]
     spans = [span for _, _, span in stands]
     forward = [_ahead(foot, rest) for foot in feet]
-    left = _rows(
-        [
-            _local(rest, foot.ankle, np.array([z, 0.0, -x]))
-            for foot, (x, _, z) in zip(feet, forward, strict=True)
-        ]
-    )
+    left = _rows([_left(foot, rest, way) for foot, way in zip(feet, forward, strict=True)])
     prints = [foot_print(foot, rest, way) for foot, way in zip(feet, forward, strict=True)]
     sizes = np.array(prints, np.float64).reshape(-1, 4)
     of_feet = list(zip(feet, forward, prints, strict=True))
@@ -168,6 +163,12 @@ def _ahead(foot: Foot, rest: Floats) -> Floats:
     ahead = points.mean(0) * (1.0, 0.0, 1.0) if len(points) else np.zeros(3)
     length = float(vector.length(ahead))
     return ahead / length if length > 1e-6 else np.array([0.0, 0.0, 1.0])
+
+
+def _left(foot: Foot, rest: Floats, ahead: Floats) -> Floats:
+    """The horizontal direction to the left of the foot, in the frame of its ankle."""
+    x, _, z = ahead
+    return _local(rest, foot.ankle, np.array([z, 0.0, -x]))
 
 
 def _local(rest: Floats, joint: int, direction: Floats) -> Floats:

@@ -125,6 +125,7 @@ def ankle_of(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
     """Returns x, y, z on the stage and the yaw of an animated ankle."""
     block, lane = place_of(row)
     place, a = f.ankle[foot], f.left[foot]
+    # x, z: where the foot points, a quarter of a turn from its left
     z = legs[block, place, 0, lane] * a[0] + legs[block, place, 1, lane] * a[1]
     z += legs[block, place, 2, lane] * a[2]
     x = -legs[block, place, 8, lane] * a[0] - legs[block, place, 9, lane] * a[1]

@@ -28,8 +28,8 @@ class FootTables(NamedTuple):
     ankle: Annotated[NDArray[np.int32], "foot"]
     """index in `joints`"""
     left: Annotated[NDArray[np.float64], "foot, xyz"]
-    """the direction to the left of the foot, in the frame of the ankle: it tells the foot's yaw however steep
-    the foot is
+    """the direction to the left of the foot, in the frame of the ankle: the foot's yaw is computed from it,
+    since it stays level however steep the foot is
     """
     bend: Annotated[NDArray[np.float64], "foot, xyz"]
     """the direction in which the knee bends, in the frame of the hip"""

@@ -22,7 +22,7 @@ export class WatchedStage {
     return this.hello.value?.rate ?? RATE;
   }
 
-  /** The id of the actor that came to the stage before all others; null: nobody is there. */
+  /** Returns the lowest id of an actor: the first actor of a scene has it. Null on a stage without actors. */
   get firstActor(): number | null {
     const ids = (this.hello.value?.casts ?? []).flatMap(({ actors }) => actors.map(({ id }) => id));
     return ids.length > 0 ? Math.min(...ids) : null;

@@ -113,13 +113,13 @@ export class Scene {
     this.dirty = true;
   }
 
-  /** Keeps what is framed above these controls, which lie over the lower end of the picture. */
+  /** Keeps what is framed above controls that lie over the lower end of the picture. */
   leaveRoomFor(controls: HTMLElement): void {
     this.controls = controls;
     new ResizeObserver(() => this.resize()).observe(controls);
   }
 
-  /** Keeps what is framed left of the panel, which lies over the right side of the picture, or over all of it. */
+  /** Keeps what is framed to the left of a panel that lies over the right side of the picture. */
   leaveRoomBeside(panel: HTMLElement): void {
     this.panel = panel;
     new ResizeObserver(() => this.resize()).observe(panel);
@@ -129,7 +129,7 @@ export class Scene {
     const box = (this.canvas.parentElement ?? this.canvas).getBoundingClientRect();
     const over = this.controls?.getBoundingClientRect();
     const beside = this.panel?.getBoundingClientRect();
-    // Controls in a corner leave the middle free; beside a panel that covers all there is no room.
+    // Narrow controls stand in a corner, where nothing is framed. A panel over the whole picture leaves no room.
     const below = over && over.width > box.width / 2 ? box.bottom - over.top : 0;
     const right = beside && beside.width > 0 && beside.left > box.left ? box.right - beside.left : 0;
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
