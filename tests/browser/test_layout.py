@@ -171,3 +171,18 @@ def test_the_drawer_leaves_the_character_in_sight(viewer: Page, width: int, heig
     viewer.set_viewport_size({"width": width, "height": height})
     viewer.get_by_role("button", name="stage main").click()
     until(viewer, IN_SIGHT)
+
+
+BESIDE = """(() => {
+  const edge = document.querySelector('#drawer').getBoundingClientRect().left;
+  const parts = [...document.querySelectorAll('#modes button, #notices')].filter((part) => part.offsetParent);
+  return parts.length > 2 && parts.every((part) => part.getBoundingClientRect().right <= edge);
+})()"""
+
+
+@pytest.mark.parametrize("tab", ["stages", "YAML"])
+def test_the_drawer_covers_neither_controls_nor_what_is_said(viewer: Page, tab: str) -> None:
+    """The controls that have no room beside it are in the boxes of *look* and *camera*."""
+    viewer.get_by_role("button", name="stage main").click()
+    viewer.get_by_role("tab", name=tab).click()
+    until(viewer, BESIDE)

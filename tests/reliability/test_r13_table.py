@@ -53,6 +53,7 @@ REACHED_BY = {
     "LONGEST_VIEWER_NAME": f"{HERE}::test_a_longer_name_of_a_viewer_is_refused",
     "MOST_UPLOADS": f"{HERE}::test_one_character_or_machine_more_is_refused",
     "requests": "web/test_rate_limits.py::test_requests_of_one_address_are_limited_and_others_are_not",
+    "TURN_SECONDS": "web/test_turns.py::test_a_long_request_holds_nobody_up_for_long",
     "stage_requests": "web/test_rate_limits.py"
     "::test_requests_about_one_stage_are_limited_and_other_stages_are_not",
     "inputs": "web/test_rate_limits.py::test_inputs_are_limited_and_questions_are_not",
@@ -74,6 +75,7 @@ REACHED_BY = {
     "MOST_CONNECTIONS": f"{HERE}::test_one_connection_more_is_told_that_the_server_is_busy",
     "header_seconds": "web/test_client_protocol.py::test_half_a_header_is_a_408",
     "body_rate": "web/test_client_protocol.py::test_a_body_that_does_not_come_leaves_its_place",
+    "SOCKET_BYTES": "web/test_client_protocol.py::test_a_socket_is_read_in_small_parts",
     "ARRIVAL_SECONDS": f"{HERE}::test_an_upload_that_takes_too_long_is_refused",
     "UNREAD_SECONDS": f"{HERE}::test_a_client_that_does_not_read_its_answer_is_cut",
     "LARGEST_BODY_BYTES": "web/test_matrix.py::test_a_body_without_a_length_is_cut_off_at_the_limit",

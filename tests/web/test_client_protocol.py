@@ -1,6 +1,7 @@
 """Connections that stand idle or are slow end; of too many from one address one makes room, or one waits."""
 
 import re
+import select
 import socket
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
@@ -14,6 +15,7 @@ from statwalk.services.limits import Limits
 from statwalk.web import client_protocol
 from statwalk.web.app import create_app
 from statwalk.web.settings import Settings
+from statwalk.web.socket.protocol import ViewerProtocol
 from watcher import Watcher
 
 HALF_HEADER = b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n"
@@ -151,3 +153,44 @@ def _answer(address: str) -> bytes:
             return client.recv(64)
         except ConnectionResetError:
             return b"429, and what was sent is lost"
+
+
+POST = (
+    b"POST /api/stages/none/events HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
+    b"Content-Length: 19\r\n\r\n" + b'{"event":"FORWARD"}'
+)
+
+
+def test_what_is_sent_before_an_answer_waits_with_the_client(tmp_path: Path) -> None:
+    """After 100 answers, the server has read no more than it had at the first one: the system's buffers, and
+    one read of asyncio's.
+    """
+    with limited(tmp_path, requests=1e6) as (address, _), dial(address) as client:
+        client.setblocking(False)
+        sent, answers = 0, b""
+        while answers.count(b"HTTP/1.1 404") < 100:
+            readable, writable, _ = select.select([client], [client], [], PATIENT)
+            if readable:
+                answers += client.recv(1 << 16)
+            if writable:
+                sent += client.send(POST * 2_000)
+    assert sent < 12 << 20
+
+
+def test_a_socket_is_read_in_small_parts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All that is read at once is parsed at once, and meanwhile nobody gets a frame."""
+    sizes: list[int] = []
+    take = ViewerProtocol.data_received
+
+    def noted(protocol: ViewerProtocol, data: bytes) -> None:
+        sizes.append(len(data))
+        take(protocol, data)
+
+    monkeypatch.setattr(ViewerProtocol, "data_received", noted)
+    with limited(tmp_path, stages=5) as (address, _):
+        stage = httpx.post(f"http://{address}/api/stages", json={}, timeout=PATIENT).headers["location"]
+        viewer = open_and_never_read(address, f"{stage}/stream")
+        viewer.sendall(bytes([0x8A, 0x80, 0, 0, 0, 0]) * 50_000)  # pongs that nobody asked for
+        wait_for(lambda: sum(sizes) >= 300_000)
+        viewer.close()
+    assert max(sizes) <= 4_096

@@ -1,6 +1,7 @@
 """uvicorn's HTTP protocol, which also ends connections that send or read too slowly, or are too many.
 
-uvicorn waits for ever for the first byte, for the rest of a header or a body, and for a client to read.
+uvicorn waits for ever for the first byte, for the rest of a header or a body, and for a client to read. It
+keeps whatever a client sends while an application is at work on a request that has come whole.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from typing import Any
 
 import h11
 import orjson
+from uvicorn.protocols.http.flow_control import FlowControl
 from uvicorn.protocols.http.h11_impl import H11Protocol, RequestResponseCycle
 
 from statwalk.web.connections import Connections, Seat
@@ -20,9 +22,24 @@ from statwalk.web.socket.protocol import ViewerProtocol
 WINDOW_SECONDS = 10.0
 """in each such window a body must bring `body_rate` bytes a second"""
 UNREAD_SECONDS = 30.0
+SOCKET_BYTES = 4_096
+"""read at once from a socket: uvicorn parses all that is read, and meanwhile nobody gets a frame"""
 LATE_HEADER = "the header took too long; send it at once"
 LATE_BODY = "the body came too slowly; send it faster, or in a smaller file"
 TOO_MANY = "your address has too many connections; close some, or send requests one after another on one"
+
+
+class _RequestByRequest(FlowControl):
+    """Reads nothing of the next requests before the answer to a whole one."""
+
+    def __init__(self, transport: asyncio.Transport, conn: h11.Connection) -> None:
+        super().__init__(transport)
+        self._conn = conn
+
+    def resume_reading(self) -> None:
+        """Reads on, unless only the answer is awaited: an application asks for more of a whole body, too."""
+        if self._conn.their_state is not h11.DONE or self._conn.our_state is h11.DONE:
+            super().resume_reading()
 
 
 class ClientProtocol(H11Protocol):
@@ -40,6 +57,7 @@ class ClientProtocol(H11Protocol):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Takes a place, and waits for a header; refuses the connection if there is no place."""
         super().connection_made(transport)
+        self.flow = _RequestByRequest(transport, self.conn)
         self.place = self.places.open(self.client, transport)
         if self.place is None:
             self._refuse(429, TOO_MANY)
@@ -65,6 +83,7 @@ class ClientProtocol(H11Protocol):
         super().handle_websocket_upgrade(event)
         viewer = self.transport.get_protocol()
         if self.place is not None and isinstance(viewer, ViewerProtocol):
+            self.transport.max_size = SOCKET_BYTES  # type: ignore[attr-defined]
             self.place.busy = True
             viewer.give_back = self._give_back
 

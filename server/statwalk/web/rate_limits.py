@@ -16,6 +16,7 @@ from statwalk.web.dependencies import ENDING
 from statwalk.web.errors import Problem, answer
 from statwalk.web.request_log import note_limit, note_scope
 from statwalk.web.token_bucket import MOST_BUCKETS, TokenBuckets
+from statwalk.web.turns import Turns
 
 UNLIMITED = frozenset({"/healthz", "/readyz"})
 STAGE = re.compile(r"/api/stages/([^/]+)(?:/(events|parameters|actors/[^/]+/travel))?(?:/.*)?")
@@ -97,13 +98,16 @@ class RateLimits:
 
 
 class RateGuard:
-    """The middleware that refuses what comes too often, before any route runs."""
+    """The middleware that refuses what comes too often, before any route runs, and lets the requests of one
+    address begin one after another.
+    """
 
     def __init__(self, app: ASGIApp, rates: RateLimits, registry: Registry) -> None:
         self.app, self.rates, self.registry = app, rates, registry
+        self.turns = Turns()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Counts a request, and passes it on; answers a refused request itself."""
+        """Counts a request, and passes it on when it is its turn; answers a refused request itself."""
         if scope["type"] != "lifespan":
             note_scope(scope)
             try:
@@ -112,7 +116,9 @@ class RateGuard:
                 note_limit(scope, problem.limit)
                 await answer(problem.body(), dict(problem.headers or {}))(scope, receive, send)
                 return
-        await self.app(scope, receive, send)
+        waits = scope["type"] == "http" and scope["path"] not in UNLIMITED
+        async with self.turns.of(address_of(scope) if waits else ""):
+            await self.app(scope, receive, send)
 
     def check(self, scope: Scope) -> None:
         """Counts a request, and its input if it has one.

@@ -129,9 +129,9 @@ export class Scene {
     const box = (this.canvas.parentElement ?? this.canvas).getBoundingClientRect();
     const over = this.controls?.getBoundingClientRect();
     const beside = this.panel?.getBoundingClientRect();
-    // Narrow controls stand in a corner, where nothing is framed. A panel over the whole picture leaves no room.
-    const below = over && over.width > box.width / 2 ? box.bottom - over.top : 0;
+    // A panel over the whole picture leaves no room. Narrow controls stand in a corner, where nothing is framed.
     const right = beside && beside.width > 0 && beside.left > box.left ? box.right - beside.left : 0;
+    const below = over && over.width > (box.width - right) / 2 ? box.bottom - over.top : 0;
     this.renderer.setSize(Math.max(1, box.width), Math.max(1, box.height), false);
     this.view.resize(box.width, box.height, Math.max(0, below), Math.max(0, right));
     this.drawNow(); // a canvas of another size is blank, and would be shown so until the next frame

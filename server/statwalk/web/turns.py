@@ -1,0 +1,44 @@
+"""Lets the requests of one address begin one after another.
+
+Requests that begin at once keep the event loop for as long as they take together, and meanwhile nobody gets a
+frame.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+
+TURN_SECONDS = 0.005
+"""after which the next request begins though the one before has no answer yet"""
+
+
+class Turns:
+    """The newest request of each address. Use it in the thread of the event loop only."""
+
+    def __init__(self) -> None:
+        self._newest: dict[str, asyncio.Event] = {}
+
+    @asynccontextmanager
+    async def of(self, address: str) -> AsyncIterator[None]:
+        """Waits for the turn of a request, which lasts until the block ends, but at most `TURN_SECONDS`; no
+        request without an address waits.
+        """
+        if not address:
+            yield
+            return
+        before, over = self._newest.get(address), asyncio.Event()
+        self._newest[address] = over
+        try:
+            if before is not None:
+                await before.wait()
+            timer = asyncio.get_running_loop().call_later(TURN_SECONDS, over.set)
+            try:
+                yield
+            finally:
+                timer.cancel()
+        finally:
+            over.set()
+            if self._newest[address] is over:
+                del self._newest[address]
