@@ -70,6 +70,7 @@ def test_a_part_of_the_past_is_found_looped_and_saved(
     shift_drag(page, 0, 0.9)
     page.get_by_role("button", name="compare").click()
     page.locator(".span-comparison .differs").first.wait_for()
+    page.locator("#compare-popover .joint-table tbody tr").first.wait_for()
     page.keyboard.press("Escape")
     page.get_by_role("button", name="select nothing").click()
     page.get_by_label("filter the events of the timeline").wait_for()

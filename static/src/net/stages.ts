@@ -7,11 +7,14 @@ export const rename = (stage_id: string, name: string) =>
 /** Forks a stage at a tick; null: at its playhead. */
 export const fork = (stage_id: string, tick: number | null, name: string) =>
   ask("post", "/api/stages/{stage_id}/fork", { stage_id }, { body: { tick, name } });
-/** Compares two stages at a tick; null: in the newest ticks that both have. */
-export const differences = (stage_id: string, other: string, tick: number | null) =>
-  ask(
-    "get",
-    "/api/stages/{stage_id}/differences",
-    { stage_id },
-    { query: { with: other, ...(tick === null ? {} : { from: tick, to: tick }) } },
-  );
+/** The ticks to compare; without them the newest that both stages have. `with_from`: where the others begin. */
+export interface ComparedTicks {
+  from?: number;
+  to?: number;
+  with_from?: number;
+  space?: "stage" | "model";
+}
+
+/** Compares two stages, or two spans of one. */
+export const differences = (stage_id: string, other: string, ticks: ComparedTicks) =>
+  ask("get", "/api/stages/{stage_id}/differences", { stage_id }, { query: { with: other, ...ticks } });

@@ -120,3 +120,47 @@ async def test_too_long_a_span_and_too_many_details_are_refused(
 async def test_a_stage_that_is_not_there_is_named(client: httpx.AsyncClient, pair: tuple[str, str]) -> None:
     refused = await compared(client, pair[0], "nobody")
     assert refused.status_code == 422
+
+
+async def test_two_spans_of_one_stage_are_compared_tick_by_tick(
+    client: httpx.AsyncClient, pair: tuple[str, str]
+) -> None:
+    stage = pair[1]
+    query = {"from": 12, "to": 20, "with_from": 21, "detail": "joints"}
+    found = (await compared(client, stage, stage, **query)).json()
+    (actor,) = found["actors"]
+    assert (found["from"], found["to"], found["with_from"]) == (12, 20, 21)
+    assert actor["ticks"] == list(range(12, 21))
+    one, other = await pose(client, stage, 14), await pose(client, stage, 23)
+    apart = np.linalg.norm(one["places"] - other["places"], axis=1)
+    assert actor["by_tick"]["distance"][2] == pytest.approx(apart, abs=2e-6)
+
+
+async def test_a_pose_is_the_same_in_model_space_wherever_the_actor_stands(client: httpx.AsyncClient) -> None:
+    spot = {"position": [3, 0, -2], "heading_deg": 40}
+    actors = [WALKER["actors"][0], WALKER["actors"][0] | spot]
+    stages = []
+    for actor in actors:
+        opened = await client.post("/api/stages", json={"clock": "manual", "actors": [actor]})
+        stages.append(opened.headers["location"])
+        await client.post(f"{stages[-1]}/events", json={"event": "FORWARD"})
+        await client.post(f"{stages[-1]}/step", json={"ticks": 40})
+    (on_stage,) = (await compared(client, *stages)).json()["actors"]
+    (within,) = (await compared(client, *stages, space="model")).json()["actors"]
+    assert min(on_stage["joint_distance"]) > 1
+    assert max(within["joint_distance"]) < 1e-4
+
+
+async def test_a_second_span_without_a_first_is_refused(
+    client: httpx.AsyncClient, pair: tuple[str, str]
+) -> None:
+    refused = await compared(client, *pair, with_from=3)
+    assert (refused.status_code, "with_from needs from" in refused.json()["detail"]) == (422, True)
+
+
+async def test_a_second_span_that_is_not_there_is_named(
+    client: httpx.AsyncClient, pair: tuple[str, str]
+) -> None:
+    refused = await compared(client, *pair, **{"from": 3, "to": 12, "with_from": 25})
+    assert refused.status_code == 409
+    assert "from 3 to 12, and from 25 to 34" in refused.json()["detail"]

@@ -1,14 +1,15 @@
-"""Compares two stages tick by tick: how far apart the joints of the same actor are."""
+"""Compares two stages, or two spans of one, tick by tick: how far apart the joints of the same actor are."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
 from statwalk.errors import ConflictError
+from statwalk.maths import quat
 from statwalk.maths.arrays import Floats, Ints
 from statwalk.services.hosting.stage_replies import JointTrack, StageStatus
 
@@ -22,6 +23,10 @@ class Span(NamedTuple):
 
     first: int
     last: int
+
+    def later(self, ticks: int) -> Span:
+        """Returns the span so many ticks later."""
+        return Span(self.first + ticks, self.last + ticks)
 
 
 @dataclass(frozen=True)
@@ -51,18 +56,32 @@ class ActorDifference:
         return self.first + int(ticks[0]) if len(ticks) else None
 
 
-def common_span(here: StageStatus, there: StageStatus, first: int | None, last: int | None) -> Span:
-    """Returns the ticks to compare; None: the newest that both stages have, and `USUAL_TICKS` up to there.
+def common_span(
+    here: StageStatus, there: StageStatus, first: int | None, last: int | None, later: int = 0
+) -> Span:
+    """Returns the ticks of the first stage that are compared with those of the other one `later` ticks on;
+    None: the newest that both stages have, and `USUAL_TICKS` up to there.
 
     :raises ConflictError: when one of the stages does not have the ticks.
     """
-    oldest, newest = max(here.first, there.first), min(here.head, there.head)
+    oldest, newest = max(here.first, there.first - later), min(here.head, there.head - later)
     last = newest if last is None else last
     first = max(oldest, last - USUAL_TICKS + 1) if first is None else first
     if not oldest <= first <= last <= newest:
         spans = f"{here.first} … {here.head} and {there.first} … {there.head}"
-        raise ConflictError(f"the stages have the ticks {spans}; both have no span from {first} to {last}")
+        asked = f"{first} to {last}" + (f", and from {first + later} to {last + later}" if later else "")
+        raise ConflictError(f"the stages have the ticks {spans}; they have no span from {asked}")
     return Span(first, last)
+
+
+def within_actors(tracks: Sequence[JointTrack]) -> list[JointTrack]:
+    """Returns tracks with the joints' places in model space: the same wherever an actor stands and looks."""
+    return [replace(track, places=_in_model_space(track)) for track in tracks]
+
+
+def moved(tracks: Sequence[JointTrack], ticks: int) -> list[JointTrack]:
+    """Returns tracks as if all had happened so many ticks later."""
+    return [replace(track, first=track.first + ticks) for track in tracks]
 
 
 def differences(here: Sequence[JointTrack], there: Sequence[JointTrack]) -> list[ActorDifference]:
@@ -117,6 +136,12 @@ def _cut(track: JointTrack, first: int, length: int, joints: Sequence[str]) -> J
         track.root_positions[ticks],
         track.headings[ticks],
     )
+
+
+def _in_model_space(track: JointTrack) -> Floats:
+    """The places (T, J, 3) as they are where an actor stands at the origin and looks along +Z."""
+    back = quat.from_axis_angle((0.0, 1.0, 0.0), -track.headings)
+    return quat.rotate(back[:, None], track.places - track.root_positions[:, None])
 
 
 def _angle(a: Floats, b: Floats) -> Floats:

@@ -1,4 +1,4 @@
-"""GET /api/stages/{id}/differences: how far the actors of two stages are apart."""
+"""GET /api/stages/{id}/differences: how far the actors of two stages, or in two spans of one, are apart."""
 
 from __future__ import annotations
 
@@ -15,14 +15,23 @@ from statwalk.services.hosting.differences import (
     check_detailed,
     common_span,
     differences,
+    moved,
+    within_actors,
 )
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_replies import JointTrack
 from statwalk.web.bounded_json import BoundedRoute
 from statwalk.web.dependencies import LongWorkToken, registry_of, stage_of
+from statwalk.web.errors import Problem
 from statwalk.web.schemas.base import Name, Tick
-from statwalk.web.schemas.difference import ActorDifferenceView, Detail, DifferencesView, JointDifferences
+from statwalk.web.schemas.difference import (
+    ActorDifferenceView,
+    Detail,
+    DifferencesView,
+    JointDifferences,
+    Space,
+)
 
 METRE_DIGITS, DEGREE_DIGITS = 6, 4
 router = APIRouter(prefix="/api/stages", tags=["stages"], route_class=BoundedRoute)
@@ -36,15 +45,22 @@ def get_differences(
     other_id: Annotated[Name, Query(alias="with")],
     start: Annotated[Tick | None, Query(alias="from")] = None,
     end: Annotated[Tick | None, Query(alias="to")] = None,
+    other_start: Annotated[Tick | None, Query(alias="with_from")] = None,
+    space: Space = "stage",
     detail: Detail = "summary",
 ) -> DifferencesView:
-    """Compares the ticks `from` … `to` of two stages, by default the newest 600 that both have.
+    """Compares the ticks `from` … `to` of two stages, by default the newest 600 that both have. With
+    `with_from`, the ticks of the other stage, or of the same one, begin there.
 
-    Actors are matched by id, their joints by name.
+    Actors are matched by id, their joints by name. `space`: places on the stage, or in model space, which are
+    the same wherever an actor stands and looks.
     """
-    other = registry.find(other_id)
-    span = common_span(host.handle(ask.Status()), other.handle(ask.Status()), start, end)
-    here, there = (each.handle(ask.Joints(*span), token).actors for each in (host, other))
+    other, later = registry.find(other_id), _later(start, other_start)
+    span = common_span(host.handle(ask.Status()), other.handle(ask.Status()), start, end, later)
+    here: Sequence[JointTrack] = host.handle(ask.Joints(*span), token).actors
+    there = moved(other.handle(ask.Joints(*span.later(later)), token).actors, -later)
+    if space == "model":
+        here, there = within_actors(here), within_actors(there)
     found = differences(here, there)
     if detail == "joints":
         check_detailed(found)
@@ -55,12 +71,22 @@ def get_differences(
         other=other.id,
         start=span.first,
         end=span.last,
+        other_start=span.first + later,
         first_difference=min(ticks, default=None),
         note="" if found else _why_nothing(here, there),
         only_here=sorted(ids - others),
         only_there=sorted(others - ids),
         actors=[_view(each, is_detailed=detail == "joints") for each in found],
     )
+
+
+def _later(start: int | None, other_start: int | None) -> int:
+    """By how many ticks the span of the other stage is later."""
+    if other_start is None:
+        return 0
+    if start is None:
+        raise Problem(422, "with_from needs from: say where both spans begin", field="from")
+    return other_start - start
 
 
 def _why_nothing(here: Sequence[JointTrack], there: Sequence[JointTrack]) -> str:

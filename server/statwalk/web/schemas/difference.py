@@ -9,6 +9,7 @@ from pydantic import Field
 from statwalk.web.schemas.base import ResponseModel
 
 Detail = Literal["summary", "joints"]
+Space = Literal["stage", "model"]
 
 
 class JointDifferences(ResponseModel):
@@ -54,6 +55,8 @@ class DifferencesView(ResponseModel):
     other: str
     start: Annotated[int, Field(alias="from")]
     end: Annotated[int, Field(alias="to")]
+    other_start: Annotated[int, Field(alias="with_from")]
+    """the tick of the other stage that is compared with `from`"""
     first_difference: int | None
     """the first of these ticks at which an actor differs; null: none does"""
     note: str

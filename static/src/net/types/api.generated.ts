@@ -889,9 +889,11 @@ export interface paths {
         };
         /**
          * Get Differences
-         * @description Compares the ticks `from` … `to` of two stages, by default the newest 600 that both have.
+         * @description Compares the ticks `from` … `to` of two stages, by default the newest 600 that both have. With
+         *     `with_from`, the ticks of the other stage, or of the same one, begin there.
          *
-         *     Actors are matched by id, their joints by name.
+         *     Actors are matched by id, their joints by name. `space`: places on the stage, or in model space, which are
+         *     the same wherever an actor stands and looks.
          */
         get: operations["get_differences_api_stages__stage_id__differences_get"];
         put?: never;
@@ -2008,6 +2010,8 @@ export interface components {
             other: string;
             from: number;
             to: number;
+            /** @description the tick of the other stage that is compared with `from` */
+            with_from: number;
             /** @description the first of these ticks at which an actor differs; null: none does */
             first_difference: number | null;
             /** @description why nothing is compared; empty if something is */
@@ -6381,6 +6385,8 @@ export interface operations {
                 with: string;
                 from?: number | null;
                 to?: number | null;
+                with_from?: number | null;
+                space?: "stage" | "model";
                 detail?: "summary" | "joints";
             };
             header?: never;

@@ -5,8 +5,9 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import type { StageDifferences } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import { differences } from "../../net/stages";
+import { jointLines, spanWords } from "../../state/jointLines";
+import { jointTable } from "../../ui/jointTable";
 import type { App } from "../../view/app";
-import { type JointLine, jointLines, spanWords } from "./jointLines";
 
 /** How often the present is compared. */
 const COMPARE_MS = 2000;
@@ -20,7 +21,8 @@ export function ghostDifference({ ghost, inspection, playback, selection, stage 
     const [other, tick, drawer] = [ghost.stage.value, playback.looking.value, inspection.drawer.value];
     if (other === null || isAsking || drawer !== "stages") return;
     isAsking = true;
-    const answer = await differences(stage.id, other, tick).catch(reasonOf);
+    const span = tick === null ? {} : { from: tick, to: tick };
+    const answer = await differences(stage.id, other, span).catch(reasonOf);
     isAsking = false;
     if (other !== ghost.stage.value || tick !== playback.looking.value) return compare();
     said.value = answer;
@@ -31,29 +33,6 @@ export function ghostDifference({ ghost, inspection, playback, selection, stage 
     void compare();
   });
   setInterval(() => playback.isLive && void compare(), COMPARE_MS);
-
-  const table = (lines: JointLine[]): TemplateResult | typeof nothing => {
-    if (!lines.length) return nothing;
-    return html`<table>
-      <thead>
-        <tr>
-          <th scope="col">joint</th>
-          <th scope="col">cm</th>
-          <th scope="col">degrees</th>
-        </tr>
-      </thead>
-      <tbody>
-        ${lines.map(
-          ({ joint, distance, angle }) =>
-            html`<tr>
-              <th scope="row" .textContent=${joint}></th>
-              <td .textContent=${distance}></td>
-              <td .textContent=${angle}></td>
-            </tr>`,
-        )}
-      </tbody>
-    </table>`;
-  };
 
   const first = (tick: number | null): TemplateResult | typeof nothing =>
     tick === null || tick === playback.looking.value
@@ -73,7 +52,7 @@ export function ghostDifference({ ghost, inspection, playback, selection, stage 
     const lines = jointLines(answer, selection.actor.value);
     return html`<section id="difference" aria-label="difference by joint">
       <p .textContent=${spanWords(answer, lines.length)}></p>
-      ${first(answer.first_difference)} ${table(lines)}
+      ${first(answer.first_difference)} ${jointTable(lines)}
     </section>`;
   };
 }

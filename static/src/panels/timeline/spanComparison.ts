@@ -1,4 +1,4 @@
-/** The box that compares the selected span with one that was kept: the states of both, side by side. */
+/** The box that compares the selected span with one that was kept: the states of both, side by side, and the joints. */
 
 import { html, type TemplateResult } from "lit-html";
 import { laneKey } from "../../state/history";
@@ -7,13 +7,21 @@ import { draw } from "../../ui/draw";
 import { popover } from "../../ui/popover";
 import type { App } from "../../view/app";
 import { compareSpans } from "./compareSpans";
+import { spanJoints } from "./spanJoints";
 
 const isSame = (one: Span | null, other: Span | null): boolean =>
   one?.from === other?.from && one?.to === other?.to;
 
 /** Makes the button of the span bar, and its box. */
-export function spanComparison({ past, selection, stage, timeline }: App): [HTMLElement, HTMLElement] {
+export function spanComparison(app: App): [HTMLElement, HTMLElement] {
+  const { past, selection, stage, timeline } = app;
   const [button, box] = popover("compare", "compare with another span");
+  const joints = spanJoints(app);
+  box.addEventListener("toggle", () => {
+    const [kept, selected] = [timeline.kept.value, timeline.selected.value];
+    if (box.matches(":popover-open") && kept && selected && !isSame(kept, selected))
+      void joints.ask(kept, selected);
+  });
 
   function table(kept: Span, selected: Span): TemplateResult {
     const lane = laneKey(selection.actor.value ?? -1, selection.layer.value);
@@ -48,7 +56,7 @@ export function spanComparison({ past, selection, stage, timeline }: App): [HTML
       return html`<p>Keep this span, then select another one.</p>
         ${keep}`;
     if (isSame(kept, selected)) return html`<p>It is kept. Select another span, and compare again.</p>`;
-    return html`${table(kept, selected)}${keep}`;
+    return html`${table(kept, selected)} ${keep} ${joints.drawn()}`;
   });
   return [button, box];
 }

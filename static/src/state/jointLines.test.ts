@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { StageDifferences } from "../../net/protocol";
+import type { StageDifferences } from "../net/protocol";
 import { jointLines, spanWords } from "./jointLines";
 
 const compared = (id: number, joint_distance: number[], joint_angle_deg: number[]) => ({
@@ -9,7 +9,7 @@ const compared = (id: number, joint_distance: number[], joint_angle_deg: number[
 });
 
 const difference: StageDifferences = {
-  ...{ stage: "a", other: "main", from: 4, to: 4, first_difference: 4, note: "" },
+  ...{ stage: "a", other: "main", from: 4, to: 4, with_from: 4, first_difference: 4, note: "" },
   ...{ only_here: [], only_there: [] },
   actors: [compared(1, [9, 9, 9], [0, 0, 0]), compared(2, [0.0001, 0.25, 0.5], [0.01, 30, 2])],
 };
@@ -30,5 +30,11 @@ it("says that all differences are too small to be listed", () => {
   const lines = jointLines(small, 2).length;
   expect(spanWords(small, lines)).toBe(
     "No joint differs by half a millimetre, or a twentieth of a degree, at tick 4.",
+  );
+});
+
+it("says where the second of two spans begins", () => {
+  expect(spanWords({ ...difference, to: 9, with_from: 30 }, 2)).toBe(
+    "The largest differences in the ticks 4 to 9, beside those from 30 on:",
   );
 });

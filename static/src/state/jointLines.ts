@@ -1,14 +1,7 @@
-/** The difference of two stages by joint, in words, the farthest joint first. */
+/** The difference of two stages, or of two spans, by joint, in words, the farthest joint first. */
 
-import type { StageDifferences } from "../../net/protocol";
-
-export interface JointLine {
-  joint: string;
-  /** Centimetres. */
-  distance: string;
-  /** Degrees. */
-  angle: string;
-}
+import type { StageDifferences } from "../net/protocol";
+import type { JointLine } from "../ui/jointTable";
 
 /** Returns the joints of an actor that differ; without it those of the first actor. */
 export function jointLines({ actors }: StageDifferences, actor: number | null): JointLine[] {
@@ -27,9 +20,11 @@ export function jointLines({ actors }: StageDifferences, actor: number | null): 
 }
 
 /** Says of which ticks the numbers of these lines are, or why there are none. */
-export function spanWords({ from, to, note, first_difference }: StageDifferences, lines: number): string {
+export function spanWords(difference: StageDifferences, lines: number): string {
+  const { from, to, with_from, note, first_difference } = difference;
   if (note) return note;
-  const ticks = from === to ? `at tick ${from}` : `in the ticks ${from} to ${to}`;
+  const beside = with_from === from ? "" : `, beside those from ${with_from} on`;
+  const ticks = (from === to ? `at tick ${from}` : `in the ticks ${from} to ${to}`) + beside;
   if (lines) return `The largest differences ${ticks}:`;
   return first_difference === null
     ? `No joint differs ${ticks}.`
