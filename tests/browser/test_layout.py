@@ -186,3 +186,24 @@ def test_the_drawer_covers_neither_controls_nor_what_is_said(viewer: Page, tab: 
     viewer.get_by_role("button", name="stage main").click()
     viewer.get_by_role("tab", name=tab).click()
     until(viewer, BESIDE)
+
+
+INSIDE = """[...document.querySelectorAll(arg)].some((part) => {
+  const { left, right, width } = part.getBoundingClientRect();
+  return width > 0 && left >= 0 && right <= innerWidth;
+})"""
+
+
+def test_a_small_phone_has_menus_tabs_and_dialogs_in_sight(viewer: Page) -> None:
+    viewer.set_viewport_size({"width": 320, "height": 640})
+    viewer.get_by_role("button", name="machine menu").click()
+    until(viewer, INSIDE, ".machine-menu")
+    viewer.keyboard.press("Escape")
+    viewer.keyboard.press("o")
+    viewer.get_by_role("tab", name="people").click()
+    for part in ('#drawer [aria-selected="true"]', '#drawer [aria-label="close"]'):
+        until(viewer, INSIDE, part)
+    viewer.get_by_role("button", name="close").click()
+    viewer.get_by_role("button", name="more").click()
+    viewer.get_by_role("menuitem", name="IK rules").click()
+    until(viewer, INSIDE, ".deduce textarea")

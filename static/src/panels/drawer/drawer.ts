@@ -55,6 +55,11 @@ export function drawerPanel(host: HTMLElement, app: App): void {
           ×
         </button>`,
   );
+  // A phone has no room for all tabs.
+  effect(() => {
+    const chosen = drawer.value && host.querySelector('[role="tab"][aria-selected="true"]');
+    if (chosen) chosen.scrollIntoView({ block: "nearest", inline: "nearest" });
+  });
   // Keys in the drawer are for its fields, not for the character.
   for (const kind of ["keydown", "keyup"] as const)
     host.addEventListener(kind, (press) => {

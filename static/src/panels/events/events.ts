@@ -1,6 +1,6 @@
 /**
- * Shows a button for every event. It does what its key does; without a key, a tap presses and a long press
- * holds.
+ * Shows a button for every event of the user's. It does what its key does; without a key, a tap presses and a
+ * long press holds.
  */
 
 import "./events.css";
@@ -15,6 +15,7 @@ import { flash } from "../../ui/dom";
 import { draw } from "../../ui/draw";
 import { EventPresses } from "./eventPresses";
 import { Keyboard } from "./keyboard";
+import { usersEvents } from "./usersEvents";
 
 /** With more buttons than this they are drawn smaller. */
 const MANY = 8;
@@ -41,7 +42,7 @@ export function eventsPanel(host: HTMLElement, app: App): void {
     down.value = new Set(isDown ? [...others, event] : others);
   });
 
-  const events = (): string[] => (machine.info.value?.events ?? []).filter((event) => event !== "END");
+  const events = (): string[] => (machine.info.value ? usersEvents(machine.info.value) : []);
 
   function button(event: string): TemplateResult {
     const keyed = keysFor(event, machine.info.value?.keys ?? {});
