@@ -20,11 +20,13 @@ def crowd(rest: httpx.Client) -> Iterator[str]:
     rest.delete(opened.headers["Location"])
 
 
+@pytest.mark.parametrize("spaces", [0, 200_000])
 def test_a_stage_stands_still_when_the_client_that_steps_it_has_gone(
-    address: str, crowd: str, rest: httpx.Client
+    address: str, crowd: str, rest: httpx.Client, spaces: int
 ):
+    """Also after a long body: meanwhile the server stops reading now and then."""
     impatient = HTTPConnection(address)
-    impatient.request("POST", f"{crowd}/step", json.dumps({"ticks": FOR_EVER}), IS_JSON)
+    impatient.request("POST", f"{crowd}/step", json.dumps({"ticks": FOR_EVER}) + spaces * " ", IS_JSON)
     wait_for(lambda: rest.get(crowd).json()["head"] > 0)
     impatient.close()
 

@@ -30,15 +30,20 @@ TOO_MANY = "your address has too many connections; close some, or send requests 
 
 
 class _RequestByRequest(FlowControl):
-    """Reads nothing of the next requests before the answer to a whole one."""
+    """Reads no more requests while one has come that waits for the answer to the one before."""
 
     def __init__(self, transport: asyncio.Transport, conn: h11.Connection) -> None:
         super().__init__(transport)
         self._conn = conn
 
     def resume_reading(self) -> None:
-        """Reads on, unless only the answer is awaited: an application asks for more of a whole body, too."""
-        if self._conn.their_state is not h11.DONE or self._conn.our_state is h11.DONE:
+        """Reads on, unless a whole request waits for its answer, and the next one has come.
+
+        An application that has a whole body asks for more, too.
+        """
+        conn = self._conn
+        waits = conn.their_state is h11.DONE and conn.our_state is not h11.DONE
+        if not (waits and conn.trailing_data[0]):
             super().resume_reading()
 
 

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { StageDifferences } from "../net/protocol";
-import { jointLines, spanWords } from "./jointLines";
+import { jointLines, comparedWords } from "./jointLines";
 
 const compared = (id: number, joint_distance: number[], joint_angle_deg: number[]) => ({
   ...{ id, name: "walker", joints: ["Hip", "Knee", "Toe"], ticks: [4], by_tick: null },
@@ -22,19 +22,19 @@ it("lists the joints of the watched actor that differ, the farthest first", () =
 });
 
 it("says that no joint differs, and at which tick", () => {
-  expect(spanWords({ ...difference, first_difference: null }, 0)).toBe("No joint differs at tick 4.");
+  expect(comparedWords({ ...difference, first_difference: null }, 0)).toBe("No joint differs at tick 4.");
 });
 
 it("says that all differences are too small to be listed", () => {
   const small = { ...difference, actors: [compared(2, [0.0001, 0, 0], [0.01, 0, 0])] };
   const lines = jointLines(small, 2).length;
-  expect(spanWords(small, lines)).toBe(
+  expect(comparedWords(small, lines)).toBe(
     "No joint differs by half a millimetre, or a twentieth of a degree, at tick 4.",
   );
 });
 
 it("says where the second of two spans begins", () => {
-  expect(spanWords({ ...difference, to: 9, with_from: 30 }, 2)).toBe(
+  expect(comparedWords({ ...difference, to: 9, with_from: 30 }, 2)).toBe(
     "The largest differences in the ticks 4 to 9, beside those from 30 on:",
   );
 });

@@ -20,7 +20,7 @@ export function jointLines({ actors }: StageDifferences, actor: number | null): 
 }
 
 /** Says of which ticks the numbers of these lines are, or why there are none. */
-export function spanWords(difference: StageDifferences, lines: number): string {
+export function comparedWords(difference: StageDifferences, lines: number): string {
   const { from, to, with_from, note, first_difference } = difference;
   if (note) return note;
   const beside = with_from === from ? "" : `, beside those from ${with_from} on`;

@@ -5,7 +5,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import type { StageDifferences } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import { differences } from "../../net/stages";
-import { jointLines, spanWords } from "../../state/jointLines";
+import { jointLines, comparedWords } from "../../state/jointLines";
 import { jointTable } from "../../ui/jointTable";
 import type { App } from "../../view/app";
 
@@ -51,7 +51,7 @@ export function ghostDifference({ ghost, inspection, playback, selection, stage 
       return html`<section id="difference"><p .textContent=${answer}></p></section>`;
     const lines = jointLines(answer, selection.actor.value);
     return html`<section id="difference" aria-label="difference by joint">
-      <p .textContent=${spanWords(answer, lines.length)}></p>
+      <p .textContent=${comparedWords(answer, lines.length)}></p>
       ${first(answer.first_difference)} ${jointTable(lines)}
     </section>`;
   };

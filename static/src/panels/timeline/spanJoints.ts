@@ -5,7 +5,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import type { StageDifferences } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import { differences } from "../../net/stages";
-import { jointLines, spanWords } from "../../state/jointLines";
+import { jointLines, comparedWords } from "../../state/jointLines";
 import type { Span } from "../../state/timelineWindow";
 import { jointTable } from "../../ui/jointTable";
 import type { App } from "../../view/app";
@@ -27,7 +27,7 @@ export function spanJoints({ selection, stage }: App) {
     if (answer === null) return html`<p>comparing …</p>`;
     if (typeof answer === "string") return html`<p .textContent=${answer}></p>`;
     const lines = jointLines(answer, selection.actor.value);
-    return html`<p .textContent=${spanWords(answer, lines.length)}></p>
+    return html`<p .textContent=${comparedWords(answer, lines.length)}></p>
       ${jointTable(lines)}`;
   }
 
