@@ -86,6 +86,15 @@ async def test_a_long_request_holds_nobody_up_for_long(monkeypatch: pytest.Monke
         await requests.until("a", "b", "c")
 
 
+async def test_a_long_request_may_end_after_those_that_came_later(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(turns, "TURN_SECONDS", 0.001)
+    async with begun(("a", FIRST), ("b", FIRST)) as requests:
+        await requests.until("a", "b")
+        await requests.end("b")
+        await requests.end("a")
+        assert not requests.turns._newest
+
+
 async def test_a_request_that_is_given_up_makes_room() -> None:
     async with begun(("a", FIRST), ("b", FIRST), ("c", FIRST)) as requests:
         requests.tasks["b"].cancel()

@@ -40,5 +40,5 @@ class Turns:
                 timer.cancel()
         finally:
             over.set()
-            if self._newest[address] is over:
+            if self._newest.get(address) is over:
                 del self._newest[address]
