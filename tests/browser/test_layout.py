@@ -183,6 +183,7 @@ BESIDE = """(() => {
 @pytest.mark.parametrize("tab", ["stages", "YAML"])
 def test_the_drawer_covers_neither_controls_nor_what_is_said(viewer: Page, tab: str) -> None:
     """The controls that have no room beside it are in the boxes of *look* and *camera*."""
+    viewer.set_viewport_size({"width": 1440, "height": 900})
     viewer.get_by_role("button", name="stage main").click()
     viewer.get_by_role("tab", name=tab).click()
     until(viewer, BESIDE)
