@@ -178,7 +178,7 @@ def test_what_is_sent_before_an_answer_waits_with_the_client(tmp_path: Path) -> 
 
 
 def test_a_socket_is_read_in_small_parts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """All that is read at once is parsed at once, and meanwhile nobody gets a frame."""
+    """The server parses all that it has read before any viewer gets its next frame."""
     sizes: list[int] = []
     take = ViewerProtocol.data_received
 
@@ -190,7 +190,7 @@ def test_a_socket_is_read_in_small_parts(tmp_path: Path, monkeypatch: pytest.Mon
     with limited(tmp_path, stages=5) as (address, _):
         stage = httpx.post(f"http://{address}/api/stages", json={}, timeout=PATIENT).headers["location"]
         viewer = open_and_never_read(address, f"{stage}/stream")
-        viewer.sendall(bytes([0x8A, 0x80, 0, 0, 0, 0]) * 50_000)  # pongs that nobody asked for
+        viewer.sendall(bytes([0x8A, 0x80, 0, 0, 0, 0]) * 50_000)  # unsolicited pongs
         wait_for(lambda: sum(sizes) >= 300_000)
         viewer.close()
     assert max(sizes) <= 4_096

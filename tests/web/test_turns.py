@@ -1,4 +1,6 @@
-"""Requests of one address begin one after another; a long one, or one of another address, holds nobody up."""
+"""The requests of one address begin one after another; a long request delays them only for a moment, and the
+requests of another address not at all.
+"""
 
 import asyncio
 from collections.abc import AsyncIterator

@@ -1,7 +1,7 @@
 """uvicorn's HTTP protocol, which also ends connections that send or read too slowly, or are too many.
 
-uvicorn waits for ever for the first byte, for the rest of a header or a body, and for a client to read. It
-keeps whatever a client sends while an application is at work on a request that has come whole.
+uvicorn waits for ever for the first byte, for the rest of a header or a body, and for a client to read. While
+an application works on a request, uvicorn keeps all that the client sends.
 """
 
 from __future__ import annotations
@@ -23,23 +23,22 @@ WINDOW_SECONDS = 10.0
 """in each such window a body must bring `body_rate` bytes a second"""
 UNREAD_SECONDS = 30.0
 SOCKET_BYTES = 4_096
-"""read at once from a socket: uvicorn parses all that is read, and meanwhile nobody gets a frame"""
+"""of a socket, read at once: uvicorn parses them all before any viewer gets its next frame"""
 LATE_HEADER = "the header took too long; send it at once"
 LATE_BODY = "the body came too slowly; send it faster, or in a smaller file"
 TOO_MANY = "your address has too many connections; close some, or send requests one after another on one"
 
 
 class _RequestByRequest(FlowControl):
-    """Reads no more requests while one has come that waits for the answer to the one before."""
+    """Stops reading while the next request waits for the answer to the request before it."""
 
     def __init__(self, transport: asyncio.Transport, conn: h11.Connection) -> None:
         super().__init__(transport)
         self._conn = conn
 
     def resume_reading(self) -> None:
-        """Reads on, unless a whole request waits for its answer, and the next one has come.
-
-        An application that has a whole body asks for more, too.
+        """Reads on, unless the next request waits for the answer to this one: an application asks for more
+        even when it has the whole body.
         """
         conn = self._conn
         waits = conn.their_state is h11.DONE and conn.our_state is not h11.DONE

@@ -59,8 +59,8 @@ class ActorDifference:
 def common_span(
     here: StageStatus, there: StageStatus, first: int | None, last: int | None, later: int = 0
 ) -> Span:
-    """Returns the ticks of the first stage that are compared with those of the other one `later` ticks on;
-    None: the newest that both stages have, and `USUAL_TICKS` up to there.
+    """Returns the span of the stage `here` to compare; the span of the stage `there` begins `later` ticks
+    after it. `last` None: the newest tick that both have; `first` None: `USUAL_TICKS` up to `last`.
 
     :raises ConflictError: when one of the stages does not have the ticks.
     """
@@ -74,13 +74,13 @@ def common_span(
     return Span(first, last)
 
 
-def within_actors(tracks: Sequence[JointTrack]) -> list[JointTrack]:
+def in_model_space(tracks: Sequence[JointTrack]) -> list[JointTrack]:
     """Returns tracks with the joints' places in model space: the same wherever an actor stands and looks."""
-    return [replace(track, places=_in_model_space(track)) for track in tracks]
+    return [replace(track, places=_model_places(track)) for track in tracks]
 
 
 def moved(tracks: Sequence[JointTrack], ticks: int) -> list[JointTrack]:
-    """Returns tracks as if all had happened so many ticks later."""
+    """Returns tracks that begin so many ticks later."""
     return [replace(track, first=track.first + ticks) for track in tracks]
 
 
@@ -138,7 +138,7 @@ def _cut(track: JointTrack, first: int, length: int, joints: Sequence[str]) -> J
     )
 
 
-def _in_model_space(track: JointTrack) -> Floats:
+def _model_places(track: JointTrack) -> Floats:
     """The places (T, J, 3) as they are where an actor stands at the origin and looks along +Z."""
     back = quat.from_axis_angle((0.0, 1.0, 0.0), -track.headings)
     return quat.rotate(back[:, None], track.places - track.root_positions[:, None])

@@ -15,8 +15,8 @@ from statwalk.services.hosting.differences import (
     check_detailed,
     common_span,
     differences,
+    in_model_space,
     moved,
-    within_actors,
 )
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
@@ -60,7 +60,7 @@ def get_differences(
     here: Sequence[JointTrack] = host.handle(ask.Joints(*span), token).actors
     there = moved(other.handle(ask.Joints(*span.later(later)), token).actors, -later)
     if space == "model":
-        here, there = within_actors(here), within_actors(there)
+        here, there = in_model_space(here), in_model_space(there)
     found = differences(here, there)
     if detail == "joints":
         check_detailed(found)

@@ -2,7 +2,7 @@
 
 import type { MachineInfo } from "../../net/protocol";
 
-/** Returns the events but for those that motions raise: their ends, and markers to which no key is bound. */
+/** Returns the events that a user raises: all but END and the markers of motions. A marker that has a key is a user's event. */
 export function usersEvents({ events, keys, states, layers }: MachineInfo): string[] {
   const all = [...states, ...layers.flatMap((layer) => layer.states)];
   const markers = new Set(all.flatMap((state) => state.markers.map(({ name }) => name)));

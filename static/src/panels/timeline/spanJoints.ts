@@ -13,13 +13,16 @@ import type { App } from "../../view/app";
 /** Returns what asks for the differences of two spans, and what draws them; the shorter span counts. */
 export function spanJoints({ selection, stage }: App) {
   const said = signal<StageDifferences | string | null>(null);
+  let newest: Promise<StageDifferences | string> | null = null;
 
   async function ask(kept: Span, selected: Span): Promise<void> {
     said.value = null;
     const length = Math.min(kept.to - kept.from, selected.to - selected.from);
     const ticks = { from: kept.from, to: kept.from + length, with_from: selected.from };
     // In model space, so that a walker who has come farther is still the same walker.
-    said.value = await differences(stage.id, stage.id, { ...ticks, space: "model" }).catch(reasonOf);
+    const asked = (newest = differences(stage.id, stage.id, { ...ticks, space: "model" }).catch(reasonOf));
+    const answer = await asked;
+    if (asked === newest) said.value = answer;
   }
 
   function drawn(): TemplateResult | typeof nothing {
