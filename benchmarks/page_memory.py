@@ -5,8 +5,8 @@
 A round walks, jumps, scrubs time, forks, goes back, edits a cell and undoes it, visits another machine
 and comes back. After each round, garbage is collected, and the script prints the JavaScript heap, what the
 graphics hold, DOM nodes and listeners; then errors of the console. Each round makes two versions of the table
-and a fork, and the lists of versions and stages get rows for them. Chromium without a graphics card, with a
-server of its own.
+and a fork. The stages that nobody watches any more are deleted: a server holds no more than 64. The list of
+versions gets rows. Chromium without a graphics card, with a server of its own.
 """
 
 from __future__ import annotations
@@ -79,6 +79,13 @@ def visit_another(page: Page) -> None:
         page.wait_for_timeout(1000 * CRAWL_S)
 
 
+def delete_unwatched(url: str) -> None:
+    """Deletes what the round has left behind."""
+    for stage in httpx.get(f"{url}/api/stages", timeout=60).raise_for_status().json():
+        if stage["id"] != "main" and not stage["viewers"]:
+            httpx.delete(f"{url}/api/stages/{stage['id']}", timeout=60).raise_for_status()
+
+
 ROUND = (walk_and_jump, fork_with_ghost, edit_and_undo, visit_another)
 
 
@@ -95,12 +102,13 @@ def megabytes(page: Page, devtools: CDPSession) -> str:
     )
 
 
-def use(page: Page, devtools: CDPSession, minutes: float) -> None:
+def use(page: Page, url: str, devtools: CDPSession, minutes: float) -> None:
     """Plays rounds for `minutes`, and prints a line after each."""
     start, number = time.monotonic(), 0
     while time.monotonic() - start < 60 * minutes:
         for act in ROUND:
             act(page)
+        delete_unwatched(url)
         number += 1
         print(
             f"{(time.monotonic() - start) / 60:5.1f} min  round {number:3d}  {megabytes(page, devtools)}",
@@ -123,7 +131,7 @@ def main(minutes: float) -> None:
         page.goto(url)
         wait(page, "window.__viewer?.ready ?? false")
         choose(page, OWN)
-        use(page, page.context.new_cdp_session(page), minutes)
+        use(page, url, page.context.new_cdp_session(page), minutes)
         print(f"{len(errors)} errors in the console", *errors, sep="\n")
         browser.close()
 

@@ -29,6 +29,7 @@
  * pixels()     draws the characters alone: { covered: share of the picture 0…1,
  *              box: [left, top, right, bottom] 0…1, colour: mean [r, g, b] 0…255 of what is covered }
  * camera()     { position, target }, metres
+ * around()     both, six numbers, from the root that the camera follows, metres
  * ghost()      the tick at which the ghost is drawn; -1: there is none
  * listen(s)    counts messages for s seconds: { perSecond, gapP99Ms, ticks: number of distinct ticks }
  */
@@ -48,6 +49,16 @@ interface Pixels {
   covered: number;
   box: [number, number, number, number];
   colour: [number, number, number];
+}
+
+const millimetres = (places: readonly number[]): number[] =>
+  places.map((metres) => Math.round(1000 * metres) / 1000);
+
+function cameraOf({ scene: { view } }: StageView): Record<string, number[]> {
+  return {
+    position: millimetres(view.camera.position.toArray()),
+    target: millimetres(view.controls.target.toArray()),
+  };
 }
 
 /** Draws the characters alone; returns RGBA rows, bottom row first. */
@@ -211,7 +222,8 @@ export function exposeForTests(app: App): void {
     handles: () => handlesOf(stageView),
     joint: () => stageView.watched.joint.value,
     circle: (name: string) => circleAt(stageView, name),
-    camera: () => stageView.scene.view.place,
+    camera: () => cameraOf(stageView),
+    around: () => millimetres(stageView.scene.view.around),
     ghost: () => stageView.ghost.posed,
     pixels: () => measure(drawBodies(stageView)),
     listen: (seconds: number) => listen(state, seconds),

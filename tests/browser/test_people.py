@@ -1,7 +1,7 @@
 """Two people at one stage: they have names, are told who paused, and follow each other's cameras."""
 
 import pytest
-from browser.conftest import until
+from browser.conftest import controls, until
 from playwright.sync_api import Page
 from serving import wait_for
 
@@ -13,6 +13,12 @@ def other(viewer: Page) -> Page:
     page.goto(viewer.url)
     until(page, "window.__viewer?.ready")
     return page
+
+
+def follow(page: Page) -> None:
+    """Has the page follow the camera of the only other viewer."""
+    page.get_by_role("button", name="2 viewers").click()
+    page.get_by_role("button", name="follow the camera").click()
 
 
 def test_the_others_are_told_by_name_who_paused(viewer: Page, other: Page) -> None:
@@ -30,10 +36,44 @@ def test_the_others_are_told_by_name_who_paused(viewer: Page, other: Page) -> No
 
 def test_a_page_follows_the_camera_of_another(viewer: Page, other: Page) -> None:
     before = viewer.evaluate("__viewer.camera()")
-    viewer.get_by_role("button", name="2 viewers").click()
-    viewer.get_by_role("button", name="follow the camera").click()
+    follow(viewer)
     other.mouse.move(200, 300)
     other.mouse.down()
     other.mouse.move(300, 310)
     other.mouse.up()
     wait_for(lambda: viewer.evaluate("__viewer.camera()") == other.evaluate("__viewer.camera()") != before)
+
+
+STEPS = """(() => {
+  const places = [];
+  const note = () => {
+    places.push(__viewer.around());
+    if (places.length < 90) requestAnimationFrame(note);
+    else window.longest = Math.max(...places.slice(1).map((place, k) =>
+      Math.max(...place.map((metres, axis) => Math.abs(metres - places[k][axis])))));
+  };
+  note();
+})()"""
+
+
+def test_the_camera_that_is_followed_walks_along_evenly(viewer: Page, other: Page) -> None:
+    """Nothing is told while the other's character walks: its camera moves with it on both pages."""
+    follow(viewer)
+    other.keyboard.down("ArrowUp")
+    until(viewer, "__viewer.state() === 'WALK'")
+    viewer.evaluate(STEPS)
+    until(viewer, "window.longest !== undefined")
+    other.keyboard.up("ArrowUp")
+    assert viewer.evaluate("longest") < 0.002
+
+
+def test_a_free_camera_that_is_followed_stays_when_the_character_goes(viewer: Page, other: Page) -> None:
+    follow(viewer)
+    other.keyboard.press("0")
+    camera = controls(viewer, "camera").get_by_label("camera", exact=True)
+    wait_for(lambda: camera.input_value() == "free")
+    stood = viewer.evaluate("__viewer.camera().position")
+    other.keyboard.down("ArrowUp")
+    until(viewer, "__viewer.joints().Root?.[2] > 1 || Object.values(__viewer.joints())[0][2] > 1")
+    other.keyboard.up("ArrowUp")
+    assert viewer.evaluate("__viewer.camera().position") == stood == other.evaluate("__viewer.camera().position")

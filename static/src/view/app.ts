@@ -5,6 +5,7 @@ import { onTheme, reducedMotion } from "../ui/dom";
 import type { FollowCamera } from "./camera/followCamera";
 import { chooseQuality } from "./quality";
 import { Scene } from "./scene";
+import { shareCamera } from "./sharedCamera";
 import { teachCutaway } from "./cutaway";
 import { teachSkinning } from "./skinShader";
 import { StageView } from "./stageView";
@@ -27,15 +28,8 @@ export function makeApp(canvas: HTMLCanvasElement, renderer: string): App {
   const quality = chooseQuality(renderer, location.search);
   const view = new StageView(new Scene(canvas, quality, reducedMotion), state);
   state.frame.on(() => view.update());
-  const { people, frame } = state;
   const { view: camera } = view.scene;
-  frame.on(({ now }) => people.look(camera.place, now));
-  people.cameras.on((place) => camera.stand(place));
-  camera.controls.addEventListener("start", () => people.follow(null));
-  people.following.subscribe((viewer) => {
-    if (viewer !== null) camera.mode.value = "follow";
-  });
-  camera.mode.subscribe((mode) => mode === "follow" || people.follow(null));
+  shareCamera(state, camera);
   camera.mode.subscribe((mode) => (state.viewpoint.mode.value = mode));
   state.viewpoint.mode.subscribe((mode) => (camera.mode.value = mode));
   noteViewpoints(state, camera);

@@ -86,9 +86,9 @@ async def test_a_person_is_whose_token_it_is(stage: Stage, grant: Grant, person:
 
 async def test_the_newest_camera_goes_to_those_who_follow(stage: Stage) -> None:
     shown, follower, other = (stage.viewer() for _ in range(3))
-    stage.audience.show_camera(shown, (0.0, 1.0, 3.0), (0.0, 1.0, 0.0))
+    stage.audience.show_camera(shown, (0.0, 1.0, 3.0), (0.0, 1.0, 0.0), 1)
     stage.audience.follow(follower, 1)
-    stage.audience.show_camera(shown, (9.0, 1.0, 3.0), (0.0, 1.0, 0.0))
+    stage.audience.show_camera(shown, (9.0, 1.0, 3.0), (0.0, 1.0, 0.0), None)
     cameras = [text for text in follower.take_texts() if hasattr(text, "target")]
     assert [(camera.viewer, camera.position[0]) for camera in cameras] == [(1, 9.0)]
     assert not any(hasattr(text, "target") for text in (*shown.take_texts(), *other.take_texts()))
@@ -96,7 +96,7 @@ async def test_the_newest_camera_goes_to_those_who_follow(stage: Stage) -> None:
 
 async def test_who_follows_gets_the_newest_camera_at_once(stage: Stage) -> None:
     shown, follower = stage.viewer(), stage.viewer()
-    stage.audience.show_camera(shown, (5.0, 1.0, 3.0), (0.0, 1.0, 0.0))
+    stage.audience.show_camera(shown, (5.0, 1.0, 3.0), (0.0, 1.0, 0.0), None)
     stage.audience.follow(follower, 1)
     assert follower.take_texts()[-1].position[0] == 5.0  # type: ignore[attr-defined]
 
@@ -106,7 +106,7 @@ async def test_who_follows_no_more_gets_no_camera(stage: Stage) -> None:
     stage.audience.follow(follower, 1)
     stage.audience.follow(follower, None)
     follower.take_texts()
-    stage.audience.show_camera(shown, (0.0, 1.0, 3.0), (0.0, 1.0, 0.0))
+    stage.audience.show_camera(shown, (0.0, 1.0, 3.0), (0.0, 1.0, 0.0), None)
     assert follower.take_texts() == []
 
 

@@ -60,13 +60,14 @@ def test_a_name_that_is_no_short_line_is_refused(address: str, stage: str, name:
     assert (error["status"], error["errors"][0]["field"]) == (422, "name.name")
 
 
-def test_a_viewer_gets_the_camera_that_it_follows(address: str, stage: str) -> None:
+@pytest.mark.parametrize("origin", [{}, {"actor": 1}], ids=["of the stage", "of an actor"])
+def test_a_viewer_gets_the_camera_that_it_follows(address: str, stage: str, origin: dict[str, int]) -> None:
     with Watcher(address, stage) as shown, Watcher(address, stage) as follower:
         follower.say(type="follow", viewer=shown.hello["viewer"])
         assert listed(shown, follows=shown.hello["viewer"])["id"] == follower.hello["viewer"]
-        shown.say(type="camera", **CAMERA)
+        shown.say(type="camera", **CAMERA, **origin)
         camera = follower.text("camera")
-    assert camera == {"type": "camera", "viewer": shown.hello["viewer"], **CAMERA}
+    assert camera == {"type": "camera", "viewer": shown.hello["viewer"], "actor": None, **CAMERA, **origin}
 
 
 def test_nobody_follows_a_viewer_that_is_not_there(address: str, stage: str) -> None:

@@ -112,10 +112,10 @@ class Audience:
         if viewer in self._cameras:
             outbox.put_newest("camera", self._encode(self._cameras[viewer]))
 
-    def show_camera(self, outbox: Outbox, position: Point, target: Point) -> None:
-        """Keeps the newest camera of a viewer, and sends it to those that follow the viewer."""
+    def show_camera(self, outbox: Outbox, position: Point, target: Point, actor: int | None) -> None:
+        """Keeps the newest camera of a viewer (see `Camera`), and sends it to those that follow the viewer."""
         viewer = self._present[outbox].id
-        camera = self._cameras[viewer] = Camera(viewer, position, target)
+        camera = self._cameras[viewer] = Camera(viewer, position, target, actor)
         followers = [other for other, each in self._present.items() if each.follows == viewer]
         text = self._encode(camera) if followers else b""
         for follower in followers:

@@ -54,11 +54,12 @@ class StageStatus:
 
 
 class Camera(NamedTuple):
-    """Where a viewer looks from, and at what, in metres."""
+    """Where a viewer looks from, and at what, in metres: from the root of an actor, None: on the stage."""
 
     viewer: int
     position: Point
     target: Point
+    actor: int | None
 
 
 @dataclass(frozen=True)

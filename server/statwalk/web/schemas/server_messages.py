@@ -164,6 +164,8 @@ class CameraMessage(ResponseModel):
     viewer: int
     position: Vector
     target: Vector
+    actor: int | None
+    """both places are from the root of this actor, and move with it; null: they are of the stage"""
 
 
 class AcceptedMessage(Accepted):

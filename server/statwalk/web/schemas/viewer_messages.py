@@ -93,6 +93,8 @@ class MoveCamera(PresenceMessage):
     type: Literal["camera"]
     position: Place3
     target: Place3
+    actor: ActorId | None = None
+    """both places are from the root of this actor, and move with it; null: they are of the stage"""
 
 
 class Follow(PresenceMessage):

@@ -29,10 +29,10 @@ class PresenceInbox:
                 self.audience.change(self.outbox, name=name.strip())
             case Watch(actor=actor):
                 self.audience.change(self.outbox, actor=actor)
-            case MoveCamera(position=position, target=target):
+            case MoveCamera(position=position, target=target, actor=actor):
                 if not self.cameras.spend():
                     detail = f"more than {CAMERAS_PER_SECOND:g} cameras a second; send the newest later"
                     raise Problem(429, detail, field="camera")
-                self.audience.show_camera(self.outbox, position, target)
+                self.audience.show_camera(self.outbox, position, target, actor)
             case Follow(viewer=viewer):
                 self.audience.follow(self.outbox, viewer)

@@ -3920,6 +3920,8 @@ export interface components {
                 number,
                 number
             ];
+            /** @description both places are from the root of this actor, and move with it; null: they are of the stage */
+            actor: number | null;
         };
         /** @description A collider in metres, in the space of joint number `joint` (-1: the root's). */
         CastCollider: {
@@ -4150,6 +4152,11 @@ export interface components {
                 number,
                 number
             ];
+            /**
+             * @description both places are from the root of this actor, and move with it; null: they are of the stage
+             * @default null
+             */
+            actor?: number | null;
         };
         /** @description Asks for a pong, to measure the round trip. */
         Ping: {

@@ -19,8 +19,8 @@ export type {
   ViewerView as Viewer,
 } from "./api.generated";
 
-/** Where a viewer stands, and what it looks at: metres on the stage. */
-export type CameraAt = Pick<CameraMessage, "position" | "target">;
+/** Where a viewer stands, and what it looks at: metres from the root of an actor; null: on the stage. */
+export type CameraAt = Pick<CameraMessage, "position" | "target" | "actor">;
 export type Skinning = CastView["skinning"];
 export type FrameKind = ChooseFrames["frames"];
 export type EventKind = NonNullable<PostEvent["kind"]>;

@@ -5,11 +5,11 @@
 
 import * as THREE from "three";
 import { signal } from "@preact/signals-core";
-import type { CameraAt } from "../../net/protocol";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { CameraMode } from "../../state/viewpoint";
 import { awayTo, type Side, sideFrom, sideOf, turnTo } from "./cameraModes";
-import { Glide, GLIDE_S } from "./glide";
+import { Glide } from "./glide";
+import { Lead } from "./lead";
 
 /** Time constant of the following, seconds. */
 const LAG_S = 0.18;
@@ -25,12 +25,6 @@ const COMPANY: Side = { azimuth: Math.PI + 0.45, elevation: 0.34 };
 /** A drag that turns the camera by more, radians, leaves the side of its mode. */
 const LEAVES_SIDE = 0.03;
 
-const millimetres = ({ x, y, z }: THREE.Vector3): CameraAt["position"] => [
-  Math.round(1000 * x) / 1000,
-  Math.round(1000 * y) / 1000,
-  Math.round(1000 * z) / 1000,
-];
-
 export class FollowCamera {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 500);
   readonly controls: OrbitControls;
@@ -42,7 +36,8 @@ export class FollowCamera {
   private radius = 1;
   private heading = 0;
   private dragging = false;
-  private gliding: Glide | null = null;
+  /** On its way by itself. */
+  private going: Glide | Lead | null = null;
 
   constructor(
     element: HTMLElement,
@@ -125,20 +120,24 @@ export class FollowCamera {
   /** Frames the subject without haste and from where it looks; a drag stops the camera where it is. */
   glide(): void {
     if (this.mode.value === "free") return this.land();
-    this.gliding = new Glide(this.controls, this.followed.clone().add(this.centre), this.distance);
+    this.go(new Glide(this.controls, this.followed.clone().add(this.centre), this.distance));
+  }
+
+  private go(going: Glide | Lead): void {
+    this.going = going;
     Object.assign(this.controls, { minDistance: 0, maxDistance: Infinity });
   }
 
-  /** Ends a glide where the camera is. */
+  /** Ends a way where the camera is. */
   private land(): void {
-    this.gliding = null;
+    this.going = null;
     Object.assign(this.controls, { minDistance: this.radius * 0.4, maxDistance: this.radius * 14 });
   }
 
-  /** Goes on with a glide; returns whether there is one. */
-  private glideOn(dt: number): boolean {
-    if (!this.gliding) return false;
-    if (this.gliding.go(this.share(dt, false, GLIDE_S))) this.land();
+  /** Goes on; returns whether the camera is on a way. */
+  private goOn(dt: number): boolean {
+    if (!this.going) return false;
+    if (this.going.go(this.still() ? Infinity : dt)) this.land();
     return true;
   }
 
@@ -158,24 +157,29 @@ export class FollowCamera {
     this.heading = heading;
   }
 
-  /** Where the camera stands and what it looks at, to a millimetre. */
-  get place(): CameraAt {
-    return { position: millimetres(this.camera.position), target: millimetres(this.controls.target) };
+  /** With what the camera moves: the followed root, or, if it is free, the stage. */
+  private get origin(): Readonly<THREE.Vector3> {
+    return this.mode.value === "free" ? new THREE.Vector3() : this.followed;
   }
 
-  /** Stands where another camera stands; from there it goes on with the character. */
-  stand({ position, target }: CameraAt): void {
-    this.land();
-    this.followed.copy(this.goal);
-    this.camera.position.fromArray(position);
-    this.controls.target.fromArray(target);
-    this.controls.update();
+  /** Where the camera stands and what it looks at, metres, from the followed root; of a free camera, on the stage. */
+  get place(): number[] {
+    return this.placeFrom(this.origin);
+  }
+
+  /** Goes to the `place` of another camera. */
+  lead(place: readonly number[]): void {
+    this.go(new Lead(this.controls, place, this.origin));
   }
 
   /** Where the camera stands and what it looks at, from the followed root, metres. */
   get around(): number[] {
+    return this.placeFrom(this.followed);
+  }
+
+  private placeFrom(origin: Readonly<THREE.Vector3>): number[] {
     return [this.camera.position, this.controls.target].flatMap((place) =>
-      place.clone().sub(this.followed).toArray(),
+      place.clone().sub(origin).toArray(),
     );
   }
 
@@ -191,21 +195,21 @@ export class FollowCamera {
   update(dt: number): boolean {
     const followed = this.follow(dt);
     const turned = this.keepSide(dt);
-    const glided = this.glideOn(dt);
-    return this.controls.update(dt) || followed || turned || glided;
+    const went = this.goOn(dt);
+    return this.controls.update(dt) || followed || turned || went;
   }
 
   /** Goes at once where it is on the way to. */
   catchUp(): void {
     this.follow(Infinity);
     this.keepSide(Infinity);
-    this.glideOn(Infinity);
+    this.goOn(Infinity);
     this.controls.update();
   }
 
   /** The share of a way that the camera makes in `dt` seconds. */
-  private share(dt: number, cut: boolean, lag_s = LAG_S): number {
-    return cut || this.still() ? 1 : 1 - Math.exp(-dt / lag_s);
+  private share(dt: number, cut: boolean): number {
+    return cut || this.still() ? 1 : 1 - Math.exp(-dt / LAG_S);
   }
 
   /** Moves with the character, unless the camera is free; returns whether it moved. */

@@ -3,11 +3,12 @@
 import * as THREE from "three";
 
 /** Time constant, seconds. */
-export const GLIDE_S = 0.3;
+const GLIDE_S = 0.3;
 /** A glide ends that is as near, in metres and in the logarithm of the distance. */
 const ARRIVED = 1e-4;
 
-interface Controls {
+/** What a camera looks at, and the camera. */
+export interface Controls {
   readonly object: THREE.Camera;
   readonly target: THREE.Vector3;
 }
@@ -30,8 +31,9 @@ export class Glide {
     return this.controls.object.position.clone().sub(this.controls.target);
   }
 
-  /** Makes a share of the way; returns whether the camera has arrived. */
-  go(share: number): boolean {
+  /** Makes the way of `dt` seconds; returns whether the camera has arrived. */
+  go(dt: number): boolean {
+    const share = 1 - Math.exp(-dt / GLIDE_S);
     const step = this.way.clone().multiplyScalar(share);
     const away = this.away.multiplyScalar(this.zoom ** share);
     this.way.sub(step);
