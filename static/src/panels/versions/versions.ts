@@ -17,12 +17,16 @@ interface Opened {
   said: VersionDifferences | string | null;
 }
 
+/** Rows that are shown until the user asks for more: after an hour of edits there are hundreds. */
+const NEWEST = 50;
+
 const when = (seconds: number): string =>
   new Date(seconds * 1000).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit", second: "2-digit" });
 
 export function versionsPanel(host: HTMLElement, app: App): void {
   const { editing, machine, inspection } = app;
   const opened = signal<Opened | null>(null);
+  const isWhole = signal(false);
   let shown: string | undefined;
 
   async function compare(version: number, since: number): Promise<void> {
@@ -109,12 +113,25 @@ export function versionsPanel(host: HTMLElement, app: App): void {
   draw(host, () => {
     const versions = editing.versions.value;
     const newest = versions.at(-1)?.version ?? 0;
+    const older = isWhole.value ? 0 : Math.max(0, versions.length - NEWEST);
     return html`<ol aria-label="versions, newest first">
-      ${versions.map((version, i) => row(version, i, newest)).reverse()}
-    </ol>`;
+        ${versions
+          .slice(older)
+          .map((version, i) => row(version, older + i, newest))
+          .reverse()}
+      </ol>
+      ${
+        older > 0
+          ? html`<button type="button" class="older" @click=${() => (isWhole.value = true)}>
+              ${older} older
+            </button>`
+          : nothing
+      }`;
   });
   effect(() => {
-    if (machine.info.value?.name !== shown) opened.value = null;
+    if (machine.info.value?.name === shown) return;
+    opened.value = null;
+    isWhole.value = false;
     shown = machine.info.value?.name;
   });
 }
