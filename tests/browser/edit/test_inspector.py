@@ -27,6 +27,15 @@ def test_a_blend_time_is_one_edit(own: Server, table: Page) -> None:
     assert (cell["blend"], cell["curve"], cell["to"]) == (0.45, "quintic", "TLFT")
 
 
+def test_on_a_phone_the_report_of_a_cell_leads_to_its_inspector(table: Page) -> None:
+    table.set_viewport_size({"width": 390, "height": 844})
+    table.get_by_role("tab", name="table").click()
+    table.locator(CELL).click()
+    table.get_by_role("button", name="inspect").click()
+    table.locator("#cell h2").filter(has_text="LEFT").wait_for()
+    assert table.locator(".cell-field").is_hidden()
+
+
 def test_a_condition_makes_an_alternative(own: Server, table: Page) -> None:
     """A wrong name is told at the field while it is typed; the right one is kept."""
     inspect(table, CELL)

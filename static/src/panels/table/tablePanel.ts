@@ -12,8 +12,18 @@ export function tablePanel(_host: HTMLElement, app: App): void {
   const table: Table = new Table(byId("table"), byId("verdict"), app, (cell, typed) =>
     editor.open(cell, typed),
   );
-  const inspector = new TrialReport(byId("cell-inspector"), app.editing, (finding) => table.go(finding));
-  const editor = new CellEditor(byId("table"), app, inspector, (state, event) => table.cell(state, event));
+  const inspector = new TrialReport(
+    byId("cell-inspector"),
+    app.editing,
+    (finding) => table.go(finding),
+    () => {
+      editor.leave();
+      app.inspection.drawer.value = "cell";
+    },
+  );
+  const editor: CellEditor = new CellEditor(byId("table"), app, inspector, (state, event) =>
+    table.cell(state, event),
+  );
   versionBar(byId("version"), app, () => inspector.toggle());
   app.inspection.cells.on(({ layer, state, event, text }: CellRequest) => {
     table.go({ state, event, layer: app.machine.info.value?.layers[layer]?.name ?? "" });

@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import type { Finding } from "../../net/protocol";
 import { cell, finding } from "../../net/types/examples";
 import { exampleApp } from "../../view/exampleApp";
@@ -12,7 +12,7 @@ function shown() {
   const app = exampleApp();
   const host = document.createElement("div");
   const gone: Finding[] = [];
-  const inspector = new TrialReport(host, app.editing, (one) => gone.push(one));
+  const inspector = new TrialReport(host, app.editing, (one) => gone.push(one), vi.fn());
   app.editing.findings.value = [old];
   const items = (): string[] =>
     [...host.querySelectorAll(".findings li")].map((item) => item.textContent.replace(/\s+/g, " ").trim());

@@ -60,6 +60,7 @@ export class TrialReport {
     private readonly host: HTMLElement,
     private readonly editing: Editing,
     private readonly go: (finding: Finding) => void,
+    private readonly inspect: () => void,
   ) {
     effect(() => {
       host.hidden = !this.trial.value && !this.isOpen.value;
@@ -129,7 +130,10 @@ export class TrialReport {
     // Everything about a refused text is new.
     const before = trial?.kind === "refused" ? [] : table;
     return html`${this.suggestions}
-      <p class="cell-says" ?hidden=${!trial} .textContent=${trial?.cell ?? ""}></p>
+      <p class="cell-says" ?hidden=${!trial}>
+        <span .textContent=${trial?.cell ?? ""}></span>
+        <button type="button" title="the cell, field by field" @click=${this.inspect}>inspect</button>
+      </p>
       <p class="trial" role="status" .textContent=${trial?.words ?? countWords(table)}></p>
       <ul class="findings">
         ${findingItems(marked(before, trial?.findings ?? table), this.go)}
