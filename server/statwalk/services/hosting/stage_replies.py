@@ -54,7 +54,7 @@ class StageStatus:
 
 
 class Camera(NamedTuple):
-    """Where a viewer looks from, and at what, in metres: from the root of an actor, None: on the stage."""
+    """Where a viewer looks from, and at what: metres from the root of `actor`, None: on the stage."""
 
     viewer: int
     position: Point

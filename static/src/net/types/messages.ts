@@ -19,7 +19,7 @@ export type {
   ViewerView as Viewer,
 } from "./api.generated";
 
-/** Where a viewer stands, and what it looks at: metres from the root of an actor; null: on the stage. */
+/** Where a viewer stands, and what it looks at: metres from the root of `actor`; null: on the stage. */
 export type CameraAt = Pick<CameraMessage, "position" | "target" | "actor">;
 export type Skinning = CastView["skinning"];
 export type FrameKind = ChooseFrames["frames"];
