@@ -79,8 +79,10 @@ def served(url: str, *machines: str) -> Iterator[str]:
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
         assert server.stdout
         found = next(match[0] for line in server.stdout if (match := re.search(r"http://[\d.:]+", line)))
-        yield found
-        server.terminate()
+        try:
+            yield found
+        finally:
+            server.terminate()
 
 
 def wait(page: Page, condition: str) -> None:

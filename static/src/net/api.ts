@@ -4,6 +4,11 @@ import type { Finding, LogHeader, LogLine, NewClip, Problem, Skinning } from "./
 import type { NewCurves, NewRig, NewSolve } from "./types/api.generated";
 import type { Answer, Extras, Method, Places, Route } from "./types/routes";
 
+/** Bytes of a long answer: a table of 12,000 cells takes as long to read as to show, and the picture goes on between. */
+const LONG = 1e6;
+/** A hidden page does not draw. */
+const LONGEST_DRAWING_MS = 100;
+
 export class ApiError extends Error {
   constructor(
     readonly status: number,
@@ -80,6 +85,14 @@ async function send(
   return reply;
 }
 
+/** Waits until the browser has drawn, or for a moment if it does not draw. */
+function drawing(): Promise<void> {
+  return new Promise((done) => {
+    setTimeout(done, LONGEST_DRAWING_MS);
+    requestAnimationFrame(() => setTimeout(done));
+  });
+}
+
 /** Sends a request to a route; returns its JSON. */
 export async function ask<M extends Method, P extends Route<M>>(
   method: M,
@@ -89,7 +102,9 @@ export async function ask<M extends Method, P extends Route<M>>(
 ): Promise<Answer<M, P>> {
   const { query, ...sent } = extras;
   const reply = await send(method, filled(path, places as object, query ?? {}), sent);
-  return (reply.status === 204 ? undefined : await reply.json()) as Answer<M, P>;
+  const answer = (reply.status === 204 ? undefined : await reply.json()) as Answer<M, P>;
+  if (Number(reply.headers.get("content-length")) > LONG) await drawing();
+  return answer;
 }
 
 /** Reads the file of a stage's posed frame at `tick`; `skinning`: of all characters, null: each its own. */

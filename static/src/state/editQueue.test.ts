@@ -55,6 +55,20 @@ test("an edit of the next cell waits for the one before", async () => {
   expect(await Promise.all(answers)).toEqual(["first", "second"]);
 });
 
+test("is busy until the server has answered all, unless it is away", async () => {
+  const { server, queue } = begun();
+  const answers = [queue.keep("A WALK"), queue.try("B S")];
+  await Promise.resolve();
+  expect(queue.isBusy).toBe(true);
+  await server.fail(new TypeError("away"));
+  expect(queue.isBusy).toBe(false);
+  await server.answer("first");
+  expect(queue.isBusy).toBe(true);
+  await server.answer("second");
+  await Promise.all(answers);
+  expect(queue.isBusy).toBe(false);
+});
+
 test("a trial that waits is left out where something newer was asked", async () => {
   const { server, queue } = begun();
   const answers = [queue.keep("A WALK"), queue.try("B S"), queue.try("B ST")];

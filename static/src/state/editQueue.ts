@@ -34,6 +34,7 @@ export class EditQueue<Edit, Answer> {
   private newest: { text: string; answer: Promise<Answer> } | null = null;
   /** Counts requests: a waiting trial is left out if a newer request follows. */
   private count = 0;
+  private unanswered = 0;
 
   constructor(private readonly sender: Sender<Edit, Answer>) {}
 
@@ -66,9 +67,15 @@ export class EditQueue<Edit, Answer> {
 
   /** Runs another request after all that wait. */
   next<T>(request: () => Promise<T>): Promise<T> {
+    this.unanswered++;
     const answer = this.last.then(request);
-    this.last = answer.catch(() => undefined);
+    this.last = answer.catch(() => undefined).finally(() => this.unanswered--);
     return answer;
+  }
+
+  /** Whether the server is about to answer an edit or a trial. */
+  get isBusy(): boolean {
+    return this.unanswered > 0 && !this.away.value;
   }
 
   private enqueue(waiting: Waiting<Edit>): Promise<Answer> {

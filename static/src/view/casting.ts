@@ -12,6 +12,16 @@ import { type Model, Models } from "./model";
 import { PosedModel } from "./posedModel";
 import type { Scene } from "./scene";
 
+/** What a hello says of machines; the rest is what is drawn. */
+const OF_MACHINES: ReadonlySet<string> = new Set(["version", "layers", "states", "state_layers", "events"]);
+
+/** Returns what is drawn of a hello: an edit of a machine changes none of it. */
+function drawnOf({ stage, casts }: Hello): string {
+  return JSON.stringify([stage, casts], (name, value: unknown) =>
+    OF_MACHINES.has(name) ? undefined : value,
+  );
+}
+
 export class Casting {
   casts: readonly CastView[] = [];
   readonly actors = new Map<number, PosedModel>();
@@ -22,7 +32,7 @@ export class Casting {
   readonly built = new Event<void>();
   private readonly models = new Models();
   private generation = 0;
-  /** The stage and epoch that are shown. */
+  /** What is drawn, or loaded for it. */
   private shown = "";
 
   constructor(
@@ -33,8 +43,7 @@ export class Casting {
 
   /** Loads the models of a hello and puts its actors on the stage. */
   async take(hello: Hello): Promise<void> {
-    // A change of stream brings a hello, too; the same epoch means the same actors.
-    const wanted = `${hello.stage}/${hello.epoch}`;
+    const wanted = drawnOf(hello);
     if (wanted === this.shown) return;
     this.shown = wanted;
     const generation = ++this.generation;

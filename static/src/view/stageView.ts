@@ -35,6 +35,8 @@ export interface Modes {
 
 /** Seconds: after a pause of the page the camera moves on by no more. */
 const LONGEST_STEP_S = 0.1;
+/** Milliseconds that drawing waits for the answer to an edit. */
+const LONGEST_WAIT_MS = 1000;
 
 /** Limits of more joints hide the body: they are drawn on request. */
 const FEW_LIMITS = 6;
@@ -52,6 +54,7 @@ export class StageView {
   private readonly casting: Casting;
   /** Counts drawings. */
   readonly drawn = new Meter();
+  private drawnAt = 0;
   /** Tick and stream of the drawn frame. */
   posed = -1;
   stream: FrameKind = "pose";
@@ -123,9 +126,17 @@ export class StageView {
     this.state.frames.stream("glb");
   }
 
+  /** Without a graphics card, drawing waits for the answer to an edit: together they would hold up the keyboard. */
+  private waits(now: number): boolean {
+    const { quality } = this.scene;
+    return quality === "low" && this.state.editing.queue.isBusy && now - this.drawnAt < LONGEST_WAIT_MS;
+  }
+
   /** Draws if something changed; `now`: the browser's time, milliseconds. */
   draw(now: number, dt: number): void {
-    if (this.scene.draw(Math.min(LONGEST_STEP_S, dt))) this.drawn.add(now);
+    if (this.waits(now) || !this.scene.draw(Math.min(LONGEST_STEP_S, dt))) return;
+    this.drawn.add(now);
+    this.drawnAt = now;
   }
 
   /** Shows the newest frame, if the models are loaded. */

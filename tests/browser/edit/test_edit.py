@@ -32,6 +32,46 @@ def test_enter_keeps_what_is_typed(own: Server, folder: Path, table: Page) -> No
     ]
 
 
+NOTE_ABSENCE = """(() => {
+  const note = () => {
+    if (!__viewer.ready) window.gone = true;
+    requestAnimationFrame(note);
+  };
+  window.gone = false;
+  note();
+})()"""
+
+
+def test_the_character_stays_in_the_picture_while_its_table_changes(table: Page) -> None:
+    table.evaluate(NOTE_ABSENCE)
+    type_in_cell(table, "TRGT at end")
+    table.keyboard.press("Enter")
+    edited(table)
+    until(table, "__viewer.played() > window.played")
+    tick = table.evaluate("__viewer.posed()")
+    until(table, "__viewer.posed() > arg", tick)
+    assert not table.evaluate("window.gone")
+
+
+DRAWN_IN_FRAMES = """async frames => {
+  const before = __viewer.stats().drawn;
+  for (let frame = 0; frame < frames; frame++) await new Promise(requestAnimationFrame);
+  return __viewer.stats().drawn - before;
+}"""
+
+
+def test_a_software_renderer_lets_an_edit_go_first(table: Page) -> None:
+    held: list[Route] = []
+    table.route(f"**/api/machines/{NAME}?dry=true", lambda route: held.append(route))
+    with table.expect_request(f"**/api/machines/{NAME}?dry=true"):
+        table.locator(CELL).click()
+        table.keyboard.type("TRGT")
+    assert table.evaluate(DRAWN_IN_FRAMES, 8) == 0
+    held[0].continue_()
+    until(table, "document.querySelector('#cell-inspector').dataset.trial === 'fine'")
+    until(table, "__viewer.stats().drawn > arg", table.evaluate("__viewer.stats().drawn"))
+
+
 def test_a_busy_server_gets_each_edit_once(own: Server, table: Page) -> None:
     """You type in the next cell before the first one is stored: two edits, no text is lost."""
     first: list[Route] = []
