@@ -66,7 +66,7 @@ def test_a_software_renderer_lets_an_edit_go_first(table: Page) -> None:
     with table.expect_request(f"**/api/machines/{NAME}?dry=true"):
         table.locator(CELL).click()
         table.keyboard.type("TRGT")
-    assert table.evaluate(DRAWN_IN_FRAMES, 8) == 0
+    assert table.evaluate(DRAWN_IN_FRAMES, 4) == 0
     held[0].continue_()
     until(table, "document.querySelector('#cell-inspector').dataset.trial === 'fine'")
     until(table, "__viewer.stats().drawn > arg", table.evaluate("__viewer.stats().drawn"))
