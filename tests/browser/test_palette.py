@@ -31,3 +31,21 @@ def test_escape_leaves_the_palette_and_nothing_happens(standing: Page) -> None:
     standing.keyboard.press("Escape")
     until(standing, "!document.querySelector('dialog[open]')")
     assert standing.evaluate("__viewer.state()") == "STAT"
+
+
+OPENED = {
+    "inspect the selected": "#cell:not([hidden])",
+    "YAML of": "#drawer[data-shown=text]",
+    "versions of the machine": "#drawer[data-shown=versions]",
+    "machine: rename": "#machine-menu form",
+    "IK rules": "dialog[open].deduce",
+    "download the character": "dialog[open].download",
+    "findings of the verifier": "#cell-inspector:not([hidden])",
+}
+
+
+@pytest.mark.parametrize("words", OPENED, ids=lambda words: words.split()[0].strip(":"))
+def test_what_buttons_and_menus_open_is_found_too(standing: Page, words: str) -> None:
+    standing.keyboard.type(words)
+    standing.keyboard.press("Enter")
+    standing.locator(OPENED[words]).wait_for()

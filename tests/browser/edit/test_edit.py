@@ -72,6 +72,22 @@ def test_a_software_renderer_lets_an_edit_go_first(table: Page) -> None:
     until(table, "__viewer.stats().drawn > arg", table.evaluate("__viewer.stats().drawn"))
 
 
+def test_a_trial_that_no_server_answers_refuses_nothing_and_keeps_what_is_typed(
+    table: Page, allowed: list[str]
+) -> None:
+    allowed.append("Failed to load resource")
+    table.route(f"**/api/machines/{NAME}?dry=true", lambda route: route.abort())
+    table.locator(CELL).click()
+    table.keyboard.type("TRGT at end")
+    report = table.locator("#cell-inspector")
+    report.filter(has_text="The server does not answer.").wait_for()
+    assert "Refused" not in report.inner_text()
+    table.locator("#stage-view").click(position={"x": 20, "y": 200})
+    assert table.locator(".cell-field").input_value() == "TRGT at end"
+    table.locator(".cell-field").press("Enter")
+    edited(table)
+
+
 def test_a_busy_server_gets_each_edit_once(own: Server, table: Page) -> None:
     """You type in the next cell before the first one is stored: two edits, no text is lost."""
     first: list[Route] = []

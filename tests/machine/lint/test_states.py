@@ -14,6 +14,12 @@ def test_undefined_states_are_named_once_with_all_their_cells():
     ]
 
 
+def test_an_undefined_state_that_no_name_is_like():
+    assert found("state | GO | END\nALFA | BETA | XYZ\nBETA | | ALFA", "ALFA BETA") == [
+        ("undefined state", "XYZ is no state. It stands in ALFA/END (line 8)")
+    ]
+
+
 def test_unreachable_and_states_without_exit():
     assert found("state | GO\nA | B\nB | B\nC | A", "A B C") == [
         ("unreachable state", "C cannot be reached from A"),

@@ -26,7 +26,7 @@ def undefined_states(context: LintContext) -> Iterator[Finding]:
         yield Finding(
             "undefined state",
             "error",
-            f"{name} is no state{hint or ';'} It stands in {listed}",
+            f"{name} is no state{hint or '.'} It stands in {listed}",
             line,
             state,
             event,

@@ -30,6 +30,7 @@ class ActionCounter {
     host.append(this.list, this.mute);
     this.mute.addEventListener("click", () => this.toggle());
     this.mute.hidden = true;
+    app.commands.add({ keys: [], words: "sound of actions: on, off", act: () => this.toggle() });
     this.label();
     app.session.actions.on((action) => this.count(action));
     app.stage.hello.subscribe((hello) => {

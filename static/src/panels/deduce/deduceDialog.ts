@@ -8,6 +8,7 @@ import { deduce } from "../../net/api";
 import type { DeducedBone } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import { el, say, svg } from "../../ui/dom";
+import type { App } from "../../view/app";
 import { segments } from "./skeletonDrawing";
 
 const EXAMPLE = `bones:
@@ -113,7 +114,8 @@ class DeduceDialog {
 }
 
 /** The button `host` opens the dialog. */
-export function deducePanel(host: HTMLElement): void {
+export function deducePanel(host: HTMLElement, { commands }: App): void {
   const dialog = new DeduceDialog();
   host.addEventListener("click", () => dialog.open());
+  commands.add({ keys: [], words: "IK rules: deduce bones", act: () => dialog.open() });
 }

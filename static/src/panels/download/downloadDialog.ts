@@ -63,7 +63,8 @@ class DownloadDialog {
 }
 
 /** The button `host` opens the dialog. */
-export function downloadPanel(host: HTMLElement, { machine }: App): void {
+export function downloadPanel(host: HTMLElement, { machine, commands }: App): void {
   const dialog = new DownloadDialog(() => machine.info.value?.character ?? null);
   host.addEventListener("click", () => void dialog.open());
+  commands.add({ keys: [], words: "download the character", act: () => void dialog.open() });
 }

@@ -8,6 +8,14 @@ import { byId } from "../../ui/dom";
 import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
 
+/** The stages and the people have commands of their own. */
+const COMMANDS: readonly (readonly [NonNullable<Drawer>, string])[] = [
+  ["cell", "inspect the selected cell or state"],
+  ["machine", "machine: states, events, layers, parameters, keys"],
+  ["versions", "versions of the machine"],
+  ["text", "YAML of the machine"],
+];
+
 const TABS: readonly (readonly [NonNullable<Drawer>, string])[] = [
   ["cell", "cell"],
   ["machine", "machine"],
@@ -29,6 +37,8 @@ export function drawerPanel(host: HTMLElement, app: App): void {
     if (opener instanceof HTMLElement && opener.isConnected) opener.focus({ preventScroll: true });
   };
   for (const part of parts) Object.assign(part, { role: "tabpanel", tabIndex: -1 });
+  for (const [name, words] of COMMANDS)
+    app.commands.add({ keys: [], words, act: () => (drawer.value = name) });
   effect(() => {
     if (drawer.value !== null && host.hidden) opener = document.activeElement;
     host.hidden = drawer.value === null;

@@ -1,4 +1,4 @@
-/** What the help says of the marks in cells and of the pointer. */
+/** What the help says of fixed keys, of the marks in cells and of the pointer. */
 
 type Lines = readonly (readonly [string, string])[];
 
@@ -14,6 +14,22 @@ export const MARKS: Lines = [
   ["↦", "entered at this phase"],
   ["◆", "with an action"],
   ["⑂ 2", "alternatives: conditions or chance"],
+];
+
+/** Keys that can't be changed: they act where the focus is. */
+export const FOCUSED: Lines = [
+  ["ctrl Z", "undo: the version before"],
+  ["ctrl Y", "redo; ctrl shift Z, too"],
+  ["alt Enter", "inspect the focused cell or state"],
+  ["arrows", "in the table: the next cell; in the graph: the next state"],
+  ["Enter", "in the table: edit the cell; in the graph: open the state"],
+  ["N, P", "in the graph: the state's arrows"],
+  ["A", "in the graph: a new arrow"],
+  ["Delete", "in the graph: delete the arrow's cell"],
+  ["T", "in the graph: travel there, or unfold"],
+  ["shift arrows", "in the graph: move the state"],
+  ["ctrl S", "in the YAML: keep the text"],
+  ["Esc", "close, drop what is typed"],
 ];
 
 export const POINTER: Lines = [

@@ -10,7 +10,7 @@ import type { KeyBinding } from "../../net/protocol";
 import type { App } from "../../view/app";
 import { el } from "../../ui/dom";
 import { draw } from "../../ui/draw";
-import { MARKS, POINTER } from "./gestures";
+import { FOCUSED, MARKS, POINTER } from "./gestures";
 
 /** Describes a key binding. */
 export function bindingWords(binding: KeyBinding): string {
@@ -110,6 +110,10 @@ class HelpDialog {
         ${section(
           "commands: click to change",
           all.value.map((command) => this.command(command, machine?.keys ?? {})),
+        )}
+        ${section(
+          "keys where the focus is",
+          FOCUSED.map(([key, words]) => row([key], words)),
         )}
         ${section(
           "marks in cells",

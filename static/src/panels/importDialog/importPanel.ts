@@ -29,4 +29,9 @@ export function importPanel(host: HTMLElement, app: App): void {
   );
   dropZone((files) => void dialog.take(files));
   host.addEventListener("click", () => dialog.choose());
+  app.commands.add({
+    keys: [],
+    words: "add your own: a model, a machine, a motion",
+    act: () => dialog.choose(),
+  });
 }

@@ -6,6 +6,7 @@ import { effect, signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
 import * as machines from "../../net/machines";
 import { reasonOf } from "../../net/reason";
+import { el } from "../../ui/dom";
 import { draw } from "../../ui/draw";
 import { stepThrough } from "../../ui/menuKeys";
 import type { App } from "../../view/app";
@@ -26,7 +27,7 @@ export function freeName(name: string, taken: readonly string[]): string {
 }
 
 export function machineMenuPanel(host: HTMLElement, app: App): void {
-  const { library, machine, notices } = app;
+  const { library, machine, notices, commands } = app;
   const isOpen = signal(false);
   const ask = signal<Ask | null>(null);
   const typed = signal("");
@@ -79,23 +80,50 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
     return { words: `Delete ${name} and its versions?`, yes: "delete it", proposal: null, act };
   }
 
+  function copying(name: string): Ask {
+    const copyName = freeName(`${name}-copy`, taken());
+    return making("name of the copy", copyName, (to) => machines.copy(to, name));
+  }
+
+  const taken = (): string[] => library.machines.value.map((other) => other.name);
+  const beginning = (): Ask => making("name", freeName("machine", taken()), machines.fromNothing);
+  const questions: readonly (readonly [string, (name: string) => Ask])[] = [
+    ["delete …", deletion],
+    ["copy and change …", copying],
+    ["new, from nothing …", beginning],
+    ["rename …", renaming],
+  ];
+
   function choices(name: string): TemplateResult {
-    const taken = library.machines.value.map((other) => other.name);
-    const item = (words: string, act: () => void): TemplateResult =>
-      html`<button type="button" role="menuitem" .textContent=${words} @click=${act}></button>`;
-    const copyName = freeName(`${name}-copy`, taken);
+    const [remove, ...others] = questions.map(
+      ([words, made]) =>
+        html`<button
+          type="button"
+          role="menuitem"
+          .textContent=${words}
+          @click=${() => question(made(name))}
+        ></button>`,
+    );
     return html`<div role="menu" aria-label="machine">
-      ${item("copy and change …", () =>
-        question(making("name of the copy", copyName, (to) => machines.copy(to, name))),
-      )}
-      ${item("new, from nothing …", () =>
-        question(making("name", freeName("machine", taken), machines.fromNothing)),
-      )}
-      ${item("rename …", () => question(renaming(name)))}
+      ${others}
       <a role="menuitem" href=${machines.zipAddress(name)} download @click=${close}>export .zip</a>
-      ${item("delete …", () => question(deletion(name)))}
+      ${remove}
     </div>`;
   }
+
+  /** A command about the shown machine. */
+  const command = (words: string, act: (name: string) => void): void =>
+    commands.add({
+      keys: [],
+      words: `machine: ${words}`,
+      act: () => machine.info.value && act(machine.info.value.name),
+    });
+  for (const [words, made] of questions)
+    command(words, (name) => {
+      isOpen.value = true;
+      question(made(name));
+    });
+  command("export .zip", (name) => el("a", { href: machines.zipAddress(name), download: "" }).click());
 
   function form({ words, yes, proposal }: Ask): TemplateResult {
     const submitted = (submit: Event): void => {

@@ -3,6 +3,7 @@
 import "./editor.css";
 import type { Answer, CellPlace } from "../../state/editAnswer";
 import type { LayerInfo, Operation } from "../../net/protocol";
+import { isUnheard } from "../../net/once";
 import { reasonOf } from "../../net/reason";
 import type { App } from "../../view/app";
 import { el, flash } from "../../ui/dom";
@@ -16,6 +17,7 @@ const TRIAL_PAUSE_MS = 180;
 
 const cellOf = ({ layer, state, event }: CellPlace): string => JSON.stringify([layer, state, event]);
 const setting = (place: CellPlace, text: string): Operation[] => [{ kind: "set_cell", ...place, text }];
+const UNHEARD = "unheard";
 const failed = (error: unknown): Answer => ({ kind: "refused", words: reasonOf(error), findings: [] });
 
 export class CellEditor {
@@ -167,8 +169,11 @@ export class CellEditor {
       return;
     }
     this.inspector.trying();
-    const answer = await this.app.editing.try(setting(place, this.field.value)).catch(failed);
-    if (answer && place === this.place) this.show(answer);
+    const trial = this.app.editing.try(setting(place, this.field.value));
+    const answer = await trial.catch((error: unknown) => (isUnheard(error) ? UNHEARD : failed(error)));
+    if (!answer || place !== this.place) return;
+    if (answer === UNHEARD) this.inspector.unheard();
+    else this.show(answer);
   }
 
   /**

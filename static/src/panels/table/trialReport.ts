@@ -14,6 +14,7 @@ import { cellSentence } from "./cellText";
 import { countWords, findingItems, fixed, marked } from "./findings";
 
 const HOW = "STATE, STATE!, STATE at end, STATE at MARKER, - or nothing";
+const AWAY = "The server does not answer. Enter sends this text as soon as it does.";
 const REFUSED = "Refused: you cannot keep this text.";
 
 /** What is shown about the edited cell. */
@@ -92,6 +93,11 @@ export class TrialReport {
   /** Shows the state before anything is typed. */
   unchanged(): void {
     this.change({ kind: "", words: this.stays || HOW, findings: null });
+  }
+
+  /** The server did not answer: it has refused nothing. */
+  unheard(): void {
+    this.change({ kind: "", words: AWAY, findings: null });
   }
 
   trying(): void {

@@ -97,18 +97,28 @@ export function versionBar(host: HTMLElement, app: App, showFindings: () => void
       </button>`;
   });
   window.addEventListener("keydown", (press) => pressed(press, app));
+  app.commands.add(
+    { keys: [], words: "undo: the version before", act: () => void step(app, false) },
+    { keys: [], words: "redo: take the undo back", act: () => void step(app, true) },
+    { keys: [], words: "findings of the verifier", act: showFindings },
+    { keys: [], words: "measure every transition", act: () => void measure() },
+  );
 }
 
 /** Undoes by Ctrl+Z, redoes by Ctrl+Shift+Z or Ctrl+Y; text fields have their own undo. */
-function pressed(press: KeyboardEvent, { machine, editing }: App): void {
+function pressed(press: KeyboardEvent, app: App): void {
   const key = press.key.toLowerCase();
   if (isTyping(press.composedPath()[0]) || !(press.ctrlKey || press.metaKey) || (key !== "z" && key !== "y"))
     return;
+  if (step(app, press.shiftKey || key === "y")) press.preventDefault();
+}
+
+/** Undoes, or redoes (`again`); returns whether there is something to. */
+function step({ machine, editing }: App, again: boolean): boolean {
   const { undo, redo } = machine.info.value ?? { undo: 0, redo: 0 };
-  const again = press.shiftKey || key === "y";
-  if (!(again ? redo : undo)) return;
-  press.preventDefault();
+  if (!(again ? redo : undo)) return false;
   void (again ? editing.redo() : editing.undo());
+  return true;
 }
 
 function isTyping(target: EventTarget | undefined): boolean {
