@@ -1,6 +1,7 @@
 """Keys and buttons: they change the state, and the pose moves."""
 
 import json
+import math
 
 import httpx
 import pytest
@@ -70,3 +71,14 @@ def test_question_mark_lists_the_keys(viewer: Page) -> None:
     dialog.filter(has_text="FORWARD").wait_for()
     viewer.keyboard.press("Escape")
     dialog.wait_for(state="detached")
+
+
+def test_a_click_walks_some_steps_and_stops(standing: Page) -> None:
+    """A tap lasts until the motion has answered: the start of the walk is played to its end."""
+    tick, start = standing.evaluate("[__viewer.tick(), Object.values(__viewer.joints())[0]]")
+    standing.click("[data-event=FORWARD]")
+    until(standing, "__viewer.state() === 'CSTP'")
+    until(standing, "__viewer.state() === 'STAT'")
+    lanes = standing.evaluate("__viewer.lanes()")
+    assert [state for begin, _, state in lanes if begin > tick] == ["STWK", "WALK", "CSTP", "STAT"]
+    assert math.dist(start, standing.evaluate("Object.values(__viewer.joints())[0]")) > 0.8

@@ -1,4 +1,7 @@
-/** Turns presses of buttons into events: what the key does; without a key, a tap presses and a long press holds. */
+/**
+ * Turns presses of buttons into events: what the key does; a tap lasts until the motion has answered. Without a key, a
+ * tap presses and a long press holds.
+ */
 
 import { HeldKeys, type Intent } from "../../state/keyBindings";
 import type { KeyBinding } from "../../net/protocol";
@@ -13,17 +16,37 @@ const keyFor = (event: string, hold: boolean): KeyBinding => ({
   change: {},
 });
 
+/** A press of a button whose release is an event, too. */
+interface Tap {
+  readonly began: number;
+  readonly answer: Promise<void>;
+  isOver: boolean;
+}
+
 export class EventPresses {
   private readonly held: HeldKeys;
   private readonly timers = new Map<string, ReturnType<typeof setTimeout>>();
+  private readonly taps = new Map<string, Tap>();
 
-  constructor(send: (intent: Intent) => void) {
+  /** `answer` begins to wait for a motion's answer. */
+  constructor(
+    send: (intent: Intent) => void,
+    private readonly answer: () => Promise<void>,
+  ) {
     this.held = new HeldKeys(send);
-    for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.held.releaseAll());
+    for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.letGo());
+  }
+
+  /** Releases all at once. */
+  letGo(): void {
+    this.taps.clear();
+    this.held.releaseAll();
   }
 
   /** Begins to press the button of `event`; `binding`: of its first key, if it has one. */
   begin(event: string, binding: KeyBinding | undefined): void {
+    if (binding?.release)
+      this.taps.set(event, { began: performance.now(), answer: this.answer(), isOver: false });
     this.held.press(event, binding ?? keyFor(event, false));
     if (binding) return;
     const hold = (): void => void this.held.press(`${event} held`, keyFor(event, true));
@@ -33,6 +56,17 @@ export class EventPresses {
   end(event: string): void {
     clearTimeout(this.timers.get(event));
     this.held.release(`${event} held`);
+    const tap = this.taps.get(event);
+    if (tap?.isOver) return; // the pointer leaves the button later
+    if (!tap || performance.now() - tap.began >= LONG_PRESS_MS) return this.release(event);
+    tap.isOver = true;
+    void tap.answer.then(() => {
+      if (this.taps.get(event) === tap) this.release(event);
+    });
+  }
+
+  private release(event: string): void {
+    this.taps.delete(event);
     this.held.release(event);
   }
 }

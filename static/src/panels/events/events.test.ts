@@ -24,10 +24,33 @@ test("each event has a button with its keys; the end of a motion is no event", (
   expect([...host.children].map((button) => button.textContent.trim())).toEqual(["FORWARD↑", "STOP"]);
 });
 
-test("a button does what its key does", () => {
+test("a button that is held does what its key does", () => {
+  vi.useFakeTimers();
   const { sent, button } = shown();
   point(button("FORWARD"), "pointerdown");
+  vi.advanceTimersByTime(400);
   point(button("FORWARD"), "pointerup");
+  vi.useRealTimers();
+  expect(sent).toEqual(["press FORWARD", "press STOP"]);
+});
+
+test("a tap lasts until the state that it begins has ended", async () => {
+  const { app, sent, button } = shown();
+  for (const type of ["pointerdown", "pointerup", "pointerleave"]) point(button("FORWARD"), type);
+  app.selection.state.value = 1;
+  await Promise.resolve();
+  expect(sent).toEqual(["press FORWARD"]);
+  app.selection.state.value = 2;
+  await Promise.resolve();
+  expect(sent).toEqual(["press FORWARD", "press STOP"]);
+});
+
+test("a tap that no state answers lasts for a while", async () => {
+  vi.useFakeTimers();
+  const { sent, button } = shown();
+  for (const type of ["pointerdown", "pointerup"]) point(button("FORWARD"), type);
+  await vi.advanceTimersByTimeAsync(3000);
+  vi.useRealTimers();
   expect(sent).toEqual(["press FORWARD", "press STOP"]);
 });
 

@@ -1,6 +1,6 @@
 /**
- * Shows a button for every event of the user's. It does what its key does; without a key, a tap presses and a
- * long press holds.
+ * Shows a button for every event of the user's. It does what its key does; a tap lasts until the motion has answered.
+ * Without a key, a tap presses and a long press holds.
  */
 
 import "./events.css";
@@ -15,6 +15,7 @@ import { flash } from "../../ui/dom";
 import { draw } from "../../ui/draw";
 import { EventPresses } from "./eventPresses";
 import { Keyboard } from "./keyboard";
+import { motionAnswer } from "./motionAnswer";
 import { usersEvents } from "./usersEvents";
 
 /** With more buttons than this they are drawn smaller. */
@@ -33,8 +34,13 @@ export function keysFor(event: string, keys: Record<string, KeyBinding>): Keyed[
 }
 
 export function eventsPanel(host: HTMLElement, app: App): void {
-  const { machine, session } = app;
-  const presses = new EventPresses(({ kind, event }) => session.event(kind, event));
+  const { machine, session, selection } = app;
+  const presses = new EventPresses(
+    ({ kind, event }) => session.event(kind, event),
+    () => motionAnswer(selection.state),
+  );
+  selection.actor.subscribe(() => presses.letGo());
+  session.leaving.on(() => presses.letGo());
   /** The events whose keys are down. */
   const down = signal<ReadonlySet<string>>(new Set());
   new Keyboard(app, (event, isDown) => {

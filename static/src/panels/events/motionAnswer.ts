@@ -1,0 +1,24 @@
+/** Waits until a motion has answered an input: the state that the input began has ended. */
+
+import type { ReadonlySignal } from "@preact/signals-core";
+
+/** Milliseconds after which an input counts as answered, whatever the state does. */
+const LONGEST_MS = 2500;
+
+/** Resolves when the state, from now on, has changed twice. */
+export function motionAnswer(state: ReadonlySignal<unknown>): Promise<void> {
+  return new Promise((done) => {
+    let [before, changes] = [state.peek(), 0];
+    const answered = (): void => {
+      clearTimeout(timer);
+      forget();
+      done();
+    };
+    const timer = setTimeout(answered, LONGEST_MS);
+    const forget = state.subscribe((now) => {
+      if (now === before) return;
+      before = now;
+      if (++changes === 2) answered();
+    });
+  });
+}
