@@ -61,7 +61,7 @@ def test_rule_2_an_event_is_taken_waits_or_is_dropped_and_the_reason_is_kept():
     actor = Ticking("state | GO | LATER | NEVER | END\nA | A | A at end | - |", {"A": 9})
     actor.step("GO", "LATER", "NEVER")
     assert [(one.verdict, one.reason) for one in actor.verdicts] == [
-        ("taken", "the cell keeps the state"),
+        ("taken", "stays"),
         ("waits", "the cell says: at end"),
         ("dropped", "the cell is -"),
     ]

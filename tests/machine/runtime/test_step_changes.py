@@ -39,7 +39,7 @@ def test_a_stay_goes_on_and_its_action_comes_out():
         4,
         ["wave"],
         0,
-        ["the cell keeps the state"],
+        ["stays"],
     )
 
 

@@ -92,7 +92,7 @@ def sentence(program: Program, text: ProgramText, line: Line) -> str:
     if reasons.VERDICTS[line.verdict] == "taken":
         parts += [_because(program, text, line), "arrived, the journey is over" if line.arrived else ""]
         if not any(parts[1:]) and line.to_state < 0:
-            parts.append("the cell keeps the state")
+            parts.append("stays")
     return "; ".join(filter(None, parts))
 
 

@@ -2,7 +2,7 @@
 
 import type { Explained } from "../../net/protocol";
 import { el } from "../../ui/dom";
-import { blendWords, isSeen, movedWords, resultWords, valueWords } from "./words";
+import { blendWords, isSeen, movedWords, reasonWords, resultWords, valueWords } from "./words";
 
 /** Makes a bar of the length `share`, 0…1. */
 function bar(share: number): HTMLElement {
@@ -67,7 +67,7 @@ export function explanation(
     row("cell", cellButton(explained, go)),
     row("values", valueWords(explained.values).join(", ")),
     row("so", resultWords(explained)),
-    row("because", explained.reason),
+    row("because", reasonWords(explained)),
     row("blend", blendWords(explained)),
     row("joints", joints(explained)),
   ];

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { blendWords, movedWords, resultWords, valueWords } from "./words";
+import { blendWords, movedWords, reasonWords, resultWords, valueWords } from "./words";
 
 describe("the why-panel", () => {
   it("gives values shortly", () =>
@@ -18,4 +18,11 @@ describe("the why-panel", () => {
 
   it("leaves out what a joint did not do", () =>
     expect(movedWords({ degrees: 0, millimetres: 30.2 })).toBe("30 mm"));
+
+  it("a reason that says no more than the result is left out", () => {
+    expect(["stays", "END of the motion"].map((reason) => reasonWords({ reason }))).toEqual([
+      "",
+      "END of the motion",
+    ]);
+  });
 });

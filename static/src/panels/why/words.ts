@@ -17,6 +17,10 @@ export function resultWords({
   return to ? `${from} → ${to}` : `stays in ${from}`;
 }
 
+/** Writes the reason; empty if it says no more than the result. */
+export const reasonWords = ({ reason }: Pick<Explained, "reason">): string =>
+  reason === "stays" ? "" : reason;
+
 /** Writes a blend: `0.25 s, cubic`; empty if no motion started. */
 export function blendWords({
   blend_seconds: seconds,
