@@ -35,13 +35,13 @@ def test_the_others_are_told_by_name_who_paused(viewer: Page, other: Page) -> No
 
 
 def test_a_page_follows_the_camera_of_another(viewer: Page, other: Page) -> None:
-    before = viewer.evaluate("__viewer.camera()")
+    before = viewer.evaluate("__viewer.around()")
     follow(viewer)
     other.mouse.move(200, 300)
     other.mouse.down()
     other.mouse.move(300, 310)
     other.mouse.up()
-    wait_for(lambda: viewer.evaluate("__viewer.camera()") == other.evaluate("__viewer.camera()") != before)
+    wait_for(lambda: viewer.evaluate("__viewer.around()") == other.evaluate("__viewer.around()") != before)
 
 
 STEPS = """(() => {
