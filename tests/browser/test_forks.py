@@ -1,5 +1,7 @@
 """Forks stay, the list of stages names and deletes them, ghosts compare them; the ways back from one."""
 
+from collections.abc import Callable
+
 import httpx
 from browser.conftest import Server, until
 from browser.test_time import SCRUB
@@ -9,12 +11,12 @@ from serving import wait_for
 AT_MAIN = "__viewer.stage() === 'main' && __viewer.ready && __viewer.link() === 'live'"
 
 
-def fork(page: Page) -> str:
-    """Sends an event to the past; returns the stage that this makes."""
+def fork(page: Page, act: Callable[[], None] | None = None) -> str:
+    """Sends an event to the past, by default with a key; returns the stage that this makes."""
     until(page, "__viewer.tick() > 60 && __viewer.state() === 'STAT'")
     page.evaluate(SCRUB, page.evaluate("__viewer.tick()") - 10)
     until(page, "__viewer.looking() === __viewer.tick()")
-    page.keyboard.press("c")
+    (act or (lambda: page.keyboard.press("c")))()
     until(page, "__viewer.stage() !== 'main' && __viewer.ready && __viewer.link() === 'live'")
     return str(page.evaluate("__viewer.stage()"))
 
@@ -55,6 +57,13 @@ def test_a_key_tapped_in_the_past_makes_one_fork_with_its_release(server: Server
     wait_for(lambda: "release CROUCH" in httpx.get(address).json()["newest_input"]["text"])
     stages = httpx.get(f"{server.url}/api/stages").json()
     assert [stage["id"] for stage in stages if stage["origin"]] == [made]
+
+
+def test_a_click_in_the_past_walks_on_the_fork_and_stops(viewer: Page) -> None:
+    fork(viewer, lambda: viewer.click("[data-event=FORWARD]"))
+    until(viewer, "__viewer.state() === 'CSTP'")
+    until(viewer, "__viewer.state() === 'STAT'")
+    assert {"STWK", "WALK", "CSTP"} <= {state for _, _, state in viewer.evaluate("__viewer.lanes()")}
 
 
 def test_the_ghost_of_the_origin_stands_at_the_same_tick_and_is_compared_by_joint(viewer: Page) -> None:

@@ -203,6 +203,11 @@ export class Session {
     this.access.value = await api.access().catch(() => this.access.value);
   }
 
+  /** Whether an input has made a fork that is not watched yet: what is sent now waits for the fork. */
+  get isForking(): boolean {
+    return this.waiting !== null;
+  }
+
   /** Sends an event to the watched actor; in the past it makes a fork. */
   event(kind: EventKind, event: string): void {
     const actor = this.parts.selection.actor.value;

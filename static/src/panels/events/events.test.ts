@@ -37,7 +37,7 @@ test("a button that is held does what its key does", () => {
 test("a tap lasts until the state that it begins has ended", async () => {
   const { app, sent, button } = shown();
   for (const type of ["pointerdown", "pointerup", "pointerleave"]) point(button("FORWARD"), type);
-  app.selection.state.value = 1;
+  for (const state of [1, null, 1]) app.selection.state.value = state;
   await Promise.resolve();
   expect(sent).toEqual(["press FORWARD"]);
   app.selection.state.value = 2;

@@ -40,7 +40,7 @@ export function eventsPanel(host: HTMLElement, app: App): void {
     () => motionAnswer(selection.state),
   );
   selection.actor.subscribe(() => presses.letGo());
-  session.leaving.on(() => presses.letGo());
+  session.leaving.on(() => session.isForking || presses.letGo());
   /** The events whose keys are down. */
   const down = signal<ReadonlySet<string>>(new Set());
   new Keyboard(app, (event, isDown) => {

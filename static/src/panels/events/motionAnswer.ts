@@ -5,8 +5,8 @@ import type { ReadonlySignal } from "@preact/signals-core";
 /** Milliseconds after which an input counts as answered, whatever the state does. */
 const LONGEST_MS = 2500;
 
-/** Resolves when the state, from now on, has changed twice. */
-export function motionAnswer(state: ReadonlySignal<unknown>): Promise<void> {
+/** Resolves when the state, from now on, has changed twice; null, while a fork is fetched, is no state. */
+export function motionAnswer(state: ReadonlySignal<number | null>): Promise<void> {
   return new Promise((done) => {
     let [before, changes] = [state.peek(), 0];
     const answered = (): void => {
@@ -16,7 +16,7 @@ export function motionAnswer(state: ReadonlySignal<unknown>): Promise<void> {
     };
     const timer = setTimeout(answered, LONGEST_MS);
     const forget = state.subscribe((now) => {
-      if (now === before) return;
+      if (now === before || now === null) return;
       before = now;
       if (++changes === 2) answered();
     });
