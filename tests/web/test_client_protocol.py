@@ -178,7 +178,7 @@ def test_what_is_sent_before_an_answer_waits_with_the_client(tmp_path: Path) -> 
 
 
 def test_a_socket_is_read_in_small_parts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The server parses all that it has read before any viewer gets its next frame."""
+    """Before any viewer gets its next frame, the server parses all bytes that it has read."""
     sizes: list[int] = []
     take = ViewerProtocol.data_received
 

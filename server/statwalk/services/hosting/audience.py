@@ -113,7 +113,7 @@ class Audience:
             outbox.put_newest("camera", self._encode(self._cameras[viewer]))
 
     def show_camera(self, outbox: Outbox, position: Point, target: Point, actor: int | None) -> None:
-        """Keeps a viewer's newest `Camera`, and sends it to those that follow the viewer."""
+        """Keeps the newest camera of a viewer, and sends the camera to the followers of this viewer."""
         viewer = self._present[outbox].id
         camera = self._cameras[viewer] = Camera(viewer, position, target, actor)
         followers = [other for other, each in self._present.items() if each.follows == viewer]

@@ -165,7 +165,7 @@ class CameraMessage(ResponseModel):
     position: Vector
     target: Vector
     actor: int | None
-    """both places are from the root of this actor, and move with it; null: they are of the stage"""
+    """`position` and `target` count from the root of this actor, and move with it; null: from the stage"""
 
 
 class AcceptedMessage(Accepted):

@@ -94,7 +94,7 @@ class MoveCamera(PresenceMessage):
     position: Place3
     target: Place3
     actor: ActorId | None = None
-    """both places are from the root of this actor, and move with it; null: they are of the stage"""
+    """`position` and `target` count from the root of this actor, and move with it; null: from the stage"""
 
 
 class Follow(PresenceMessage):

@@ -3920,7 +3920,7 @@ export interface components {
                 number,
                 number
             ];
-            /** @description both places are from the root of this actor, and move with it; null: they are of the stage */
+            /** @description `position` and `target` count from the root of this actor, and move with it; null: from the stage */
             actor: number | null;
         };
         /** @description A collider in metres, in the space of joint number `joint` (-1: the root's). */
@@ -4153,7 +4153,7 @@ export interface components {
                 number
             ];
             /**
-             * @description both places are from the root of this actor, and move with it; null: they are of the stage
+             * @description `position` and `target` count from the root of this actor, and move with it; null: from the stage
              * @default null
              */
             actor?: number | null;
