@@ -14,6 +14,7 @@ from numba import types
 
 from statwalk.character.character import Character
 from statwalk.character.expressions import channels_of, values_by_name
+from statwalk.character.length_lines import with_lengths
 from statwalk.errors import ContentError
 from statwalk.machine.definition.expression_lines import read_lines
 from statwalk.maths.arrays import Floats
@@ -66,7 +67,8 @@ def express(
     """
     given = dict(parameters or {})
     _check(frameid, rate, given)
-    lines = _read(expressions, tuple(given)) if expressions else character.expressions
+    written = _read(expressions, tuple(given)) if expressions else character.expressions
+    lines = with_lengths(character, written, _refuse)
     channels = channels_of(character, lines, _refuse, tuple(given))
     program = expression_program([lines], [], channels, tuple(given))
     muscles = contractions_of(character.muscles, character.targets)

@@ -4,18 +4,20 @@ numbers.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from statwalk.character.character import Character
-from statwalk.errors import StatwalkError, UnknownNameError
+from statwalk.character.length_lines import Refuse, with_lengths
+from statwalk.errors import UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine
 from statwalk.machine.definition.expression_definition import (
     CHANNELS,
     CLOCKS,
+    LENGTH,
     WEIGHT,
     ExpressionMotion,
     channel_of_name,
@@ -36,8 +38,6 @@ from statwalk.solve.expression_tables import (
 
 OWN = "."
 """begins the name of a variable of the character's own expressions, which the machine's never meet"""
-Refuse = Callable[[str, int], StatwalkError]
-"""makes the error about a line of a file"""
 
 
 class ExpressionValues(NamedTuple):
@@ -60,11 +60,11 @@ def expressions_of(
         sets a channel that the character sets itself, or forms a circle with the character's; with the line.
     """
     states = [state for table in definition.tables().values() for state in table.states.values()]
-    groups: list[tuple[Assignment, ...]] = [_with_own(character, definition)]
+    groups = [with_lengths(character, _with_own(character, definition), definition.refuse)]
     group_of_state: list[int] = []
     for state in states:
         if isinstance(state.motion, ExpressionMotion):
-            groups.append(state.motion.assignments)
+            groups.append(with_lengths(character, state.motion.assignments, definition.refuse))
         group_of_state.append(len(groups) - 1 if isinstance(state.motion, ExpressionMotion) else 0)
     parameters = [parameter.name for parameter in machine.parameters]
     every = [assignment for assignments in groups for assignment in assignments]
@@ -84,7 +84,7 @@ def _contractions(character: Character) -> list[list[int]]:
 def channels_of(
     character: Character, assignments: Iterable[Assignment], refuse: Refuse, parameters: Sequence[str] = ()
 ) -> dict[str, JointChannel | WeightChannel]:
-    """Returns the channels that assignments read and set, by name.
+    """Returns the channels that assignments read and set, by name; lengths are spelled out before.
 
     :raises StatwalkError: what `refuse` returns, when there is no joint or morph target of a name.
     """
@@ -94,6 +94,14 @@ def channels_of(
         for name in _channel_names(assignment)
         if name not in parameters
     }
+
+
+def check_channels(character: Character, assignments: Sequence[Assignment], refuse: Refuse) -> None:
+    """Refuses lines of a character whose channels it does not have.
+
+    :raises StatwalkError: what `refuse` returns, when there is no joint or morph target of a name.
+    """
+    channels_of(character, with_lengths(character, assignments, refuse), refuse)
 
 
 def values_by_name(program: ExpressionProgram, values: Sequence[float]) -> ExpressionValues:
@@ -141,7 +149,7 @@ def _own_name(name: str) -> str:
 
 def _channel_names(assignment: Assignment) -> Iterator[str]:
     names = (assignment.target, *assignment.formula.scope)
-    return (name for name in names if channel_of_name(name) is not None)
+    return (name for name in names if (channel_of_name(name) or ("", LENGTH))[1] != LENGTH)
 
 
 def _channel(

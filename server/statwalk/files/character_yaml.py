@@ -26,7 +26,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from statwalk.character.character import Character
-from statwalk.character.expressions import channels_of
+from statwalk.character.expressions import check_channels
 from statwalk.character.made_clips import Refuse, with_clips
 from statwalk.character.made_clips import changed as with_changes
 from statwalk.errors import ContentError, TextError, UnknownNameError
@@ -115,7 +115,7 @@ def _with_rules(root: Node, character: Character, scale: float, folder: Path) ->
     """Returns the character with its limits, expressions and way of skinning, before the model's own."""
     entries = root.entries(*_KEYS)
     lines = expressions(entries["expressions"]) if "expressions" in entries else character.expressions
-    channels_of(character, lines, _refuser(root))  # an unknown joint is an error now
+    check_channels(character, lines, _refuser(root))  # an unknown joint is an error now
     limits = {**character.limits, **_limits(root, character.skeleton, scale, folder)}
     skeleton = muscle_bones(entries.get("muscle_bones"), character.skeleton)
     ruled = replace(

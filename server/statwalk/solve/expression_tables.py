@@ -78,7 +78,7 @@ class ExpressionProgram(NamedTuple):
 
     tables: ExpressionTables
     lines: tuple[Assignment, ...]
-    """the assignments of group 0, in the order in which they run"""
+    """the assignments of group 0 that files have, in the order in which they run"""
     slots: Mapping[str, int]
     """the slot of each name that group 0 sets: channels and free variables"""
     values: int
@@ -100,9 +100,10 @@ def expression_program(
     builder = _Builder(channels, parameters)
     for assignments in groups:
         builder.add(assignments)
-    slots = {line.target: builder.slot_of(0, line.target) for line in groups[0]}
+    lines = tuple(line for line in groups[0] if not line.follows)
+    slots = {line.target: builder.slot_of(0, line.target) for line in lines}
     tables, deepest = builder.tables(group_of_state, contractions), max(builder.deepest, 1)
-    return ExpressionProgram(tables, tuple(groups[0]), slots, builder.count, deepest)
+    return ExpressionProgram(tables, lines, slots, builder.count, deepest)
 
 
 class _Builder:

@@ -11,7 +11,7 @@ import numpy as np
 from statwalk.character.bulge_targets import checked_bulges, expressions_of_bulges
 from statwalk.character.chain_of_names import chain_joints
 from statwalk.character.character import Character
-from statwalk.character.expressions import channels_of
+from statwalk.character.expressions import check_channels
 from statwalk.character.muscle_targets import check_targets
 from statwalk.errors import ModelError, StatwalkError
 from statwalk.files.bulges_part import read_bulges
@@ -141,7 +141,7 @@ class _ObjectReader:
                 expressions = expressions_of_bulges(expressions, bulges)
             except StatwalkError as error:
                 raise refuse(chunk, str(error)) from None
-        channels_of(character, expressions, lambda message, _line: refuse(self.chunk, message))
+        check_channels(character, expressions, lambda message, _line: refuse(self.chunk, message))
         return {"expressions": expressions, "bulges": bulges}
 
     def _target_names(self, count: int) -> tuple[str, ...]:

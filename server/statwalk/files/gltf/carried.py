@@ -17,7 +17,7 @@ import orjson
 
 from statwalk.character.bulge_targets import checked_bulges, expressions_of_bulges
 from statwalk.character.character import Character
-from statwalk.character.expressions import channels_of
+from statwalk.character.expressions import check_channels
 from statwalk.character.muscle_targets import check_targets
 from statwalk.errors import ModelError, StatwalkError
 from statwalk.files.bulges_part import bulges_in_words, read_bulges
@@ -127,7 +127,7 @@ def _character_said(root: Json, character: Character) -> Said:
         character.skeleton.index(name)
     bulges = checked_bulges(character, read_bulges(entries.get("bulges")))
     lines = expressions_of_bulges(expressions(entries.get("expressions")), bulges)
-    channels_of(character, lines, _refuse)
+    check_channels(character, lines, _refuse)
     muscles = read_muscles(entries.get("muscles"))
     check_targets(character, muscles)
     faces = read_faces(entries.get("faces"), muscles)

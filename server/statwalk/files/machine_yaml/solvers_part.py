@@ -16,7 +16,7 @@ from collections.abc import Collection, Mapping
 
 from statwalk.files.machine_yaml import fields
 from statwalk.files.yaml.yaml_text import Node
-from statwalk.machine.definition.expression_definition import ANGLES, channel_of_name
+from statwalk.machine.definition.expression_definition import ANGLES, LENGTH, channel_of_name
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
 from statwalk.machine.definition.solver_definition import SolverDefinition
 
@@ -150,9 +150,10 @@ def _one_weight(node: Node, parameters: Mapping[str, ParameterDefinition]) -> fl
     if node.text() in parameters:
         return _vector(node, parameters, ("number", "flag"))
     if channel := channel_of_name(node.text()):
-        if channel[1] in ANGLES:
+        if channel[1] in (*ANGLES, LENGTH):
+            kind = "a length" if channel[1] == LENGTH else "an angle"
             raise node.refuse(
-                f"{node.text()} is an angle; weights are parameters, translations, scales and morph weights"
+                f"{node.text()} is {kind}; weights are parameters, translations, scales and morph weights"
             )
         return node.text()
     if not node.text()[:1].isalpha():

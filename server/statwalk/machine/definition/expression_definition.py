@@ -4,8 +4,8 @@ variables.
     gear_b.rotate_z = -(10/8) * gear_a.rotate_z
 
 A channel is a joint's name, a dot, and `rotate_x`, `trans_y`, `scale_z` or another of CHANNELS: the joint's
-local Euler angles in degrees (about X first, then Y, then Z), its local translation in metres, its scale.
-Or the name of a morph target, and `weight`.
+local Euler angles in degrees (about X first, then Y, then Z), its local translation in metres, its scale; or
+`length`, its distance to its child in metres. Or the name of a morph target, and `weight`.
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ from statwalk.maths.formula.assignments import Assignment
 ANGLES = tuple(f"rotate_{axis}" for axis in "xyz")
 CHANNELS = (*ANGLES, *(f"{kind}_{axis}" for kind in ("trans", "scale") for axis in "xyz"))
 """the channels of a joint"""
+LENGTH = "length"
+"""the distance from a joint to its child, which is told by the child's translation"""
 WEIGHT = "weight"
 """the channel of a morph target"""
 FRAME, TIME = "frameid", "time"
@@ -40,7 +42,7 @@ def channel_of_name(name: str) -> tuple[str, str] | None:
     the name has no channel.
     """
     owner, dot, channel = name.rpartition(".")
-    return (owner, channel) if dot and (channel in CHANNELS or channel == WEIGHT) else None
+    return (owner, channel) if dot and channel in (*CHANNELS, LENGTH, WEIGHT) else None
 
 
 def free_variables(assignments: Iterable[Assignment]) -> tuple[str, ...]:

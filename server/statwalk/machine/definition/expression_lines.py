@@ -9,6 +9,7 @@ from statwalk.machine.definition.expression_definition import (
     CHANNELS,
     CLOCKS,
     FRAME,
+    LENGTH,
     TIME,
     WEIGHT,
     channel_of_name,
@@ -46,10 +47,10 @@ def _problem(
     if name == FRAME:
         return f"{FRAME} is for the machine's `expressions`; the clock of a state's motion is {TIME}"
     if "." in name:
-        channel = name.rpartition(".")[2]
+        channel, known = name.rpartition(".")[2], (*CHANNELS, LENGTH, WEIGHT)
         return (
-            f"{name[:60]!r} has no channel {channel[:40]!r}{nearest(channel, (*CHANNELS, WEIGHT)) or '.'} "
-            f"There are: {', '.join((*CHANNELS, WEIGHT))}"
+            f"{name[:60]!r} has no channel {channel[:40]!r}{nearest(channel, known) or '.'} "
+            f"There are: {', '.join(known)}"
         )
     names = (*parameters, *names_set, *clocks)
     return f"no variable is called {name[:40]!r}{nearest(name, names) or '.'} There are: {', '.join(names)}"

@@ -40,6 +40,8 @@ class Assignment:
     target: str
     formula: Formula
     line: int
+    follows: bool = False
+    """it follows from what another line says, and is no line of a file itself"""
 
     @property
     def text(self) -> str:
