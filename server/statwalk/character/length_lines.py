@@ -46,7 +46,9 @@ def with_lengths(
         for follower in added(character, name, line.line, refuse):
             if follower.target in lines:
                 taken = lines[follower.target].line
-                raise refuse(f"expressions: {name} sets {follower.target}, which line {taken} sets too", line.line)
+                raise refuse(
+                    f"expressions: {name} sets {follower.target}, which line {taken} sets too", line.line
+                )
             lines[follower.target] = follower
     try:
         return in_order(lines)
