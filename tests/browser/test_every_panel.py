@@ -54,7 +54,7 @@ def look_at_a_model(page: Page) -> None:
 
 def change_a_key(page: Page) -> None:
     page.keyboard.press("?")
-    page.get_by_label("key of “frame the character”").click()
+    page.get_by_label("key of “frame the character, or the chosen joint”").click()
     page.keyboard.press("F8")
 
 

@@ -138,6 +138,8 @@ def test_a_click_chooses_a_joint_and_another_beside_all_chooses_none(server: Ser
     until(page, "__viewer.joint() === 'B'")
     until(page, "'B swing' in __viewer.handles()")
     x, y, z = page.evaluate("__viewer.joints().B")
+    page.keyboard.press("f")
+    until(page, "Math.hypot(...__viewer.camera().target.map((at, i) => at - arg[i])) < 0.005", [x, y, z])
     panel = page.locator("#joint")
     panel.get_by_text(f"at {x:.3f} {y:.3f} {z:.3f} m").wait_for()
     panel.get_by_role("button", name="plot").click()

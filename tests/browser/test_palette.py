@@ -49,3 +49,40 @@ def test_what_buttons_and_menus_open_is_found_too(standing: Page, words: str) ->
     standing.keyboard.type(words)
     standing.keyboard.press("Enter")
     standing.locator(OPENED[words]).wait_for()
+
+
+def found(page: Page, words: str) -> None:
+    """Finds a command, and runs it."""
+    page.keyboard.press("Control+k")
+    page.get_by_role("combobox", name="find a command").wait_for()
+    page.keyboard.type(words)
+    page.keyboard.press("Enter")
+    until(page, "!document.querySelector('dialog.chooser[open]')")
+
+
+def test_what_is_done_with_a_span_is_found_too(standing: Page) -> None:
+    """Without a span the page says how to select one."""
+    standing.keyboard.press("Escape")
+    found(standing, "save the span")
+    standing.get_by_text("Select a span first").first.wait_for()
+    standing.keyboard.press("i")
+    until(standing, "__viewer.tick() > arg", standing.evaluate("__viewer.tick()") + 20)
+    standing.keyboard.press("k")
+    for words in ("save the span", "film strip of"):
+        with standing.expect_download() as download:
+            found(standing, words)
+        assert download.value.suggested_filename.rpartition(".")[2] in ("glb", "png")
+    found(standing, "compare the span")
+    standing.get_by_role("button", name="keep this span").wait_for()
+    standing.keyboard.press("Escape")
+    found(standing, "select nothing")
+    standing.locator("#span").wait_for(state="hidden")
+
+
+def test_a_fork_and_a_way_of_skinning_are_found_too(standing: Page) -> None:
+    standing.keyboard.press("Escape")
+    found(standing, "skinning: dual")
+    select = standing.get_by_label("way of skinning")
+    until(standing, "arg.value === 'dual-quaternion'", select.element_handle())
+    found(standing, "fork the stage")
+    until(standing, "__viewer.stage() !== 'main'")

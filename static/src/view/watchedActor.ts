@@ -9,7 +9,7 @@ import { type Signal, signal } from "@preact/signals-core";
 import type { Casting } from "./casting";
 import type { CastView } from "./castView";
 import { sideOf } from "./camera/cameraModes";
-import { framed, withCompany, withGhost, withHeadroom } from "./camera/framing";
+import { aroundJoint, framed, withCompany, withGhost, withHeadroom } from "./camera/framing";
 import { FramingChoice } from "./camera/framingChoice";
 import { fade, keepInSight } from "./cutaway";
 import type { LimitMark } from "./limitOverlay";
@@ -156,12 +156,24 @@ export class WatchedActor {
     this.scene.invalidate();
   }
 
+  /** Turns the camera to the chosen joint, from where it looks; if none is chosen, to the actor. */
+  frameChosen(): void {
+    const actor = this.model;
+    const joint = actor && this.joint.value ? actor.cast.names.indexOf(this.joint.value) : -1;
+    if (!actor || joint < 0) return this.frame();
+    const e = actor.jointWorld(joint);
+    const place = new THREE.Vector3(e[12], e[13], e[14]).sub(actor.position);
+    this.scene.view.subject(aroundJoint(actor.box(), place));
+    this.scene.view.glide();
+    this.scene.invalidate();
+  }
+
   /** Moves the camera to the shown framing; it looks from where it looked. */
   private reframe(): void {
     const actor = this.model;
     if (!actor || this.framed !== keyOf(actor) || this.state.people.following.value !== null) return;
     this.subject(actor);
-    this.scene.view.glide();
+    if (this.scene.view.mode.value !== "free") this.scene.view.glide();
   }
 
   /** Tells the scene and the camera what to frame; returns whether others are in the picture. */

@@ -31,6 +31,25 @@ def test_a_parameter_and_a_sense_of_it_by_the_keyboard_alone(own: Server, table:
     assert made["senses"] == {"HURRY": {"when": "stride > 0.5", "release": ""}}
 
 
+def test_a_key_is_made_by_the_form_and_found_from_the_help(own: Server, table: Page) -> None:
+    """The new key acts at once, and with another name."""
+    table.keyboard.press("?")
+    table.get_by_role("button", name="change the machine’s keys").click()
+    keys = table.locator("[data-section=keys]")
+    keys.locator("summary").click()
+    keys.get_by_label("new").fill("k: FORWARD")
+    table.keyboard.press("Enter")
+    edited(table, 1)
+    made = keys.get_by_role("group", name="k", exact=True)
+    made.get_by_label("name").fill("z")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    assert machine(own)["keys"]["z"] == {"press": "FORWARD", "hold": False, "release": None, "change": {}}
+    table.locator("#stage-view").click(position={"x": 20, "y": 200})
+    table.keyboard.press("z")
+    until(table, "__viewer.lanes().some(([, , state]) => state === 'STWK')")
+
+
 LOOKED = """window.least = Infinity;
 (function look() {
   least = Math.min(least, __viewer.looking() ?? Infinity);

@@ -34,10 +34,11 @@ const row = (how: readonly string[], words: string): TemplateResult =>
     <dd .textContent=${words}></dd>
   </div>`;
 
-const section = (title: string, rows: readonly TemplateResult[]): TemplateResult =>
+const section = (title: string, rows: readonly TemplateResult[], more: unknown = nothing): TemplateResult =>
   html`<section>
     <h2 .textContent=${title}></h2>
     <dl>${rows}</dl>
+    ${more}
   </section>`;
 
 class HelpDialog {
@@ -106,7 +107,7 @@ class HelpDialog {
       ${machine?.description ? html`<p class="about" .textContent=${machine.description}></p>` : nothing}
       <p class="told" role="status" .textContent=${this.told.value}></p>
       <div class="help-columns">
-        ${section(machine?.title ?? machine?.name ?? "machine", keys)}
+        ${section(machine?.title ?? machine?.name ?? "machine", keys, this.toMachine())}
         ${section(
           "commands: click to change",
           all.value.map((command) => this.command(command, machine?.keys ?? {})),
@@ -132,6 +133,15 @@ class HelpDialog {
       >
         reset all keys
       </button>`;
+  }
+
+  /** The button that leads to the form with the machine's keys. */
+  private toMachine(): TemplateResult {
+    const change = (): void => {
+      this.dialog.close();
+      this.app.inspection.drawer.value = "machine";
+    };
+    return html`<button type="button" class="plain" @click=${change}>change the machine’s keys</button>`;
   }
 
   /** A key of the machine comes before the same key of a command. */

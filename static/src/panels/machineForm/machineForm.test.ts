@@ -1,10 +1,11 @@
 // @vitest-environment happy-dom
 import { describe, expect, it, test } from "vitest";
-import { cell, layer, machine, parameter } from "../../net/types/examples";
+import { cell, keyBinding, layer, machine, parameter } from "../../net/types/examples";
 import type { Operation } from "../../net/protocol";
 import { exampleApp, watch } from "../../view/exampleApp";
 import { defaultPlaces } from "./defaultCells";
 import type { Section } from "./entries";
+import { keySection, newKey } from "./keys";
 import { layerSection } from "./layers";
 import { machineFormPanel } from "./machineForm";
 import { parameterSection } from "./parameters";
@@ -72,6 +73,47 @@ describe("a sense", () => {
         "",
       ),
     ).toEqual([{ kind: "set_sense", name: "NEAR", fields: { release: null } }]));
+});
+
+describe("a key", () => {
+  const change = { REACH: { "aim.x": 0.5, pace: 1 }, "*": { pace: -2 } };
+  const keys = {
+    w: keyBinding({ press: "FORWARD", hold: true, release: "STOP" }),
+    x: keyBinding({ change }),
+  };
+  const section = keySection(machine({ keys, events: ["FORWARD", "STOP", "END"] }));
+  const moves = "REACH: aim.x 0.5, pace 1; pace -2";
+
+  it.each([
+    ["j: JUMP", { press: "JUMP" }],
+    ["Space: hold FORWARD", { hold: "FORWARD" }],
+    [":: change pace 0.5", { change: { "*": { pace: 0.5 } } }],
+  ])("is made by %s", (text, fields) =>
+    expect(newKey(text)).toEqual([
+      { kind: "add_key", name: text[0] === ":" ? ":" : text.split(":")[0], fields },
+    ]),
+  );
+
+  it("that gets another name keeps its place and what it does", () =>
+    expect(section.entries[0]!.rename!("q")).toEqual([
+      { kind: "delete_entry", section: "keys", name: "w" },
+      { kind: "add_key", name: "q", fields: { hold: "FORWARD", release: "STOP" }, before: "x" },
+    ]));
+
+  it("sends once instead of all the time", () =>
+    expect(typed(section, "w", "sends it", "press")).toEqual([
+      { kind: "set_key", name: "w", fields: { press: "FORWARD", hold: null } },
+    ]));
+
+  it("has its rates in words, which can be read", () => {
+    expect(section.entries[1]!.fields[0]!.value).toBe(moves);
+    expect(typed(section, "x", "moves, a second", moves)).toEqual([
+      { kind: "set_key", name: "x", fields: { change } },
+    ]);
+  });
+
+  it("says what is wrong with a rate", () =>
+    expect(() => typed(section, "x", "moves, a second", "pace fast")).toThrow("as in: pace 0.5"));
 });
 
 test("the base is no entry of the layers", () => {

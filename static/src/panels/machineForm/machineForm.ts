@@ -1,4 +1,4 @@
-/** The form of the machine: parameters, senses, layers, properties, defaults; each field makes one edit. */
+/** The form of the machine: parameters, senses, keys, layers, properties, defaults; each field makes one edit. */
 
 import "./machineForm.css";
 import { effect } from "@preact/signals-core";
@@ -9,13 +9,14 @@ import { keepFocus } from "../../ui/keepFocus";
 import type { App } from "../../view/app";
 import { defaultCells } from "./defaultCells";
 import { sectionForm } from "./entries";
+import { keySection } from "./keys";
 import { layerSection } from "./layers";
 import { parameterSection } from "./parameters";
 import { propertyForm } from "./properties";
 import { senseSection } from "./senses";
 import { aboutSection, defaultsSection } from "./settings";
 
-const SECTIONS = [parameterSection, senseSection, layerSection, defaultsSection, aboutSection];
+const SECTIONS = [parameterSection, senseSection, keySection, layerSection, defaultsSection, aboutSection];
 
 export function machineFormPanel(host: HTMLElement, app: App): void {
   const { machine, editing, inspection } = app;

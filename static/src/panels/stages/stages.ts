@@ -175,11 +175,18 @@ export function stagesPanel(host: HTMLElement, app: App): void {
       </ul>
       ${difference()}`;
   });
-  commands.add({
-    keys: ["x"],
-    words: "ghost of the origin of a fork: show, hide",
-    act: () => void toggleGhost(),
-  });
+  commands.add(
+    {
+      keys: [],
+      words: "fork the stage at the shown moment",
+      act: () => void act(stages.fork(playback.looking.value, "")),
+    },
+    {
+      keys: ["x"],
+      words: "ghost of the origin of a fork: show, hide",
+      act: () => void toggleGhost(),
+    },
+  );
   host.addEventListener("keydown", (press) => {
     if (press.key !== "Escape" || asked.value === null) return;
     settle();

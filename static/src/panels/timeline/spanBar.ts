@@ -25,7 +25,7 @@ export const recordingUrl = (stage: string, { from, to }: Span): string =>
   `api/stages/${encodeURIComponent(stage)}/recording.glb?from=${from}&to=${to}`;
 
 export function spanBar(host: HTMLElement, app: App): void {
-  const { timeline, playback, stage, scene, notices } = app;
+  const { timeline, playback, stage, scene, notices, commands } = app;
   const isFilming = signal(false);
   const comparison = spanComparison(app);
 
@@ -40,6 +40,20 @@ export function spanBar(host: HTMLElement, app: App): void {
       isFilming.value = false;
     }
   }
+
+  /** Does something with the selected span, or says how to select one. */
+  const withSpan = (act: (span: Span) => void) => (): void => {
+    if (timeline.selected.value) act(timeline.selected.value);
+    else notices.emit("Select a span first: drag over the timeline with shift, or press I and K.");
+  };
+  const click = (what: string) => withSpan(() => host.querySelector<HTMLElement>(what)?.click());
+  commands.add(
+    { keys: [], words: "timeline: film strip of the span", act: withSpan((span) => void film(span)) },
+    { keys: [], words: "timeline: save the span as recording.glb", act: click("a[download]") },
+    { keys: [], words: "timeline: compare the span with another", act: click("[popovertarget]") },
+    { keys: [], words: "timeline: show the span alone", act: withSpan((span) => timeline.show(span)) },
+    { keys: [], words: "timeline: select nothing", act: () => timeline.select(0, 0) },
+  );
 
   draw(host, () => {
     const span = timeline.selected.value;

@@ -25,7 +25,7 @@ export function cameraCommands({ scene, watched }: StageView): Command[] {
     act: () => (scene.view.mode.value = mode),
   }));
   return [
-    { keys: ["f"], words: "frame the character", act: () => watched.frame() },
+    { keys: ["f"], words: "frame the character, or the chosen joint", act: () => watched.frameChosen() },
     { keys: ["r"], words: "turntable", act: () => (watched.turning.value = !watched.turning.value) },
     ...modes,
   ];
@@ -47,7 +47,10 @@ function turntable({ turning }: StageView["watched"]): HTMLButtonElement {
 
 /** Makes the buttons of the camera that need no choice. */
 export function cameraButtons({ watched }: StageView): HTMLElement[] {
-  return [turntable(watched), button("frame", "frame the character", "F", () => watched.frame())];
+  return [
+    turntable(watched),
+    button("frame", "frame the character, or the chosen joint", "F", () => watched.frameChosen()),
+  ];
 }
 
 /** Makes the choices of camera and framing. */

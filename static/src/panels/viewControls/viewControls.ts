@@ -22,6 +22,14 @@ const MODES: [keyof Modes, string, string][] = [
   ["limits", "5", "arcs and cones of the joints' limits"],
 ];
 
+const WAYS: [Skinning | "", string][] = [
+  ["", "own skin"],
+  ["linear", "linear"],
+  ["dual-quaternion", "dual quaternion"],
+  ["rigid", "rigid"],
+  ["parts", "parts"],
+];
+
 /** Turns a mode on or off. */
 function toggleMode(stageView: StageView, mode: keyof Modes): void {
   stageView.modes.value = { ...stageView.modes.value, [mode]: !stageView.modes.value[mode] };
@@ -42,6 +50,7 @@ function toggleFullScreen(): Promise<void> {
 }
 
 function viewCommands({ view, frames }: App): Command[] {
+  const { proof } = view;
   const mode = (name: keyof Modes, ...keys: string[]): Command => ({
     keys,
     words: `show ${name}`,
@@ -60,6 +69,21 @@ function viewCommands({ view, frames }: App): Command[] {
       words: "pose stream, glb stream",
       act: () => frames.stream(frames.kind.value === "pose" ? "glb" : "pose"),
     },
+    {
+      keys: [],
+      words: "curves: the same keys by eight interpolations",
+      act: () => location.assign("curves.html"),
+    },
+    {
+      keys: [],
+      words: "prove: compare the GPU's vertices with the server's",
+      act: () => (proof.on.value = !proof.on.value),
+    },
+    ...WAYS.map(([way, text]) => ({
+      keys: [],
+      words: `skinning: ${text}`,
+      act: () => frames.skin(way || null),
+    })),
   ];
 }
 
@@ -69,14 +93,6 @@ function modeButton(stageView: StageView, [mode, key, title]: (typeof MODES)[num
   stageView.modes.subscribe((modes) => made.setAttribute("aria-pressed", String(modes[mode])));
   return made;
 }
-
-const WAYS: [Skinning | "", string][] = [
-  ["", "own skin"],
-  ["linear", "linear"],
-  ["dual-quaternion", "dual quaternion"],
-  ["rigid", "rigid"],
-  ["parts", "parts"],
-];
 
 /** Makes the choice of the way of skinning. */
 function skinningChoice(app: App): HTMLSelectElement {

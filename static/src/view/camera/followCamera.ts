@@ -119,7 +119,6 @@ export class FollowCamera {
 
   /** Frames the subject without haste and from where it looks; a drag stops the camera where it is. */
   glide(): void {
-    if (this.mode.value === "free") return this.land();
     this.go(new Glide(this.controls, this.followed.clone().add(this.centre), this.distance));
   }
 

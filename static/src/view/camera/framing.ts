@@ -4,6 +4,8 @@ import * as THREE from "three";
 import type { PosedModel } from "../posedModel";
 import type { Framing } from "./framingChoice";
 
+/** The part of the size that is shown around a chosen joint. */
+const AROUND_JOINT = 0.3;
 /** The part of the height, from the top, that a framing shows. */
 const PART: Readonly<Record<Framing, number>> = { whole: 1, "upper body": 0.5, face: 0.2, wide: 1 };
 export const FRAMINGS = Object.keys(PART) as Framing[];
@@ -22,6 +24,12 @@ export function framed(box: THREE.Box3, framing: Framing): THREE.Box3 {
   const centre = box.getCenter(new THREE.Vector3()).setY(box.max.y - high / 2);
   const wide = Math.min(Math.max(size.x, size.z), 1.2 * high);
   return new THREE.Box3().setFromCenterAndSize(centre, new THREE.Vector3(wide, high, wide));
+}
+
+/** Returns the box around a joint, of the box of the character; both around the root. */
+export function aroundJoint(box: THREE.Box3, joint: THREE.Vector3): THREE.Box3 {
+  const edge = AROUND_JOINT * box.getSize(new THREE.Vector3()).length();
+  return new THREE.Box3().setFromCenterAndSize(joint, new THREE.Vector3().setScalar(edge));
 }
 
 /** Returns a box with room above for a jump. */
