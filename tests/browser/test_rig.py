@@ -16,6 +16,8 @@ WALKER = ROOT / "machines" / "faq-walker" / "walker.glb"
 def test_a_dropped_statue_gets_a_skeleton_and_bends(viewer: Page) -> None:
     viewer.set_default_timeout(60_000)
     drop(viewer, "Statue.glb", stripped(load(WALKER)).model_glb)
+    viewer.locator("dialog .look-canvas").wait_for()
+    viewer.locator(".look-contents summary", has_text="mesh").wait_for()
     viewer.get_by_label("it is", exact=True).select_option("human")
     viewer.get_by_role("button", name="Rig it").click()
     viewer.get_by_label("Bend", exact=True).wait_for()

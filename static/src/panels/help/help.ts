@@ -41,6 +41,12 @@ const section = (title: string, rows: readonly TemplateResult[], more: unknown =
     ${more}
   </section>`;
 
+/** Most commands have no key, and are found by their words. */
+const keyedFirst = (all: readonly Command[]): Command[] => [
+  ...all.filter(({ keys }) => keys.length),
+  ...all.filter(({ keys }) => !keys.length),
+];
+
 class HelpDialog {
   private readonly dialog = el("dialog", { class: "help", "aria-label": "keys", tabindex: -1 });
   private readonly open = signal(false);
@@ -110,7 +116,7 @@ class HelpDialog {
         ${section(machine?.title ?? machine?.name ?? "machine", keys, this.toMachine())}
         ${section(
           "commands: click to change",
-          all.value.map((command) => this.command(command, machine?.keys ?? {})),
+          keyedFirst(all.value).map((command) => this.command(command, machine?.keys ?? {})),
         )}
         ${section(
           "keys where the focus is",

@@ -135,14 +135,16 @@ export class ImportDialog {
       const name = nameFor(file.name, takenNames(...(await Promise.all([api.machines(), api.characters()]))));
       const uploaded = await putCharacter(name, file, progress, cancel.signal);
       this.pending = name;
-      const character = await offerRig(
-        uploaded,
-        (title, ...parts) => this.show(title, ...parts),
-        cancel.signal,
-      );
-      const [mapping, facts] = await Promise.all([api.mapping(name), api.character(name)]);
-      if (cancel.signal.aborted) return;
-      this.showMapping(character, mapping, new Look(facts, this.quality), FrameSwitch.of(file));
+      const lookAt = async (): Promise<Look> => {
+        const facts = await api.character(name);
+        cancel.signal.throwIfAborted();
+        return new Look(facts, this.quality);
+      };
+      const show = this.showLook.bind(this);
+      const character = await offerRig(uploaded, lookAt, show, cancel.signal);
+      const mapping = await api.mapping(name);
+      const look = await lookAt();
+      this.showMapping(character, mapping, look, FrameSwitch.of(file));
     } catch (error) {
       if (!cancel.signal.aborted) this.refuse(error);
     }
@@ -158,6 +160,12 @@ export class ImportDialog {
       ...parts.filter((part) => part !== null),
     );
     if (!this.dialog.open) this.dialog.showModal();
+  }
+
+  /** Shows a step with a picture, which ends when another step is shown. */
+  private showLook(title: string, look: Look | null, ...parts: Node[]): void {
+    this.show(title, ...parts);
+    this.look = look;
   }
 
   private showProgress(file: File): (share: number) => void {
@@ -205,8 +213,7 @@ export class ImportDialog {
       releaseFocus();
       await this.made(machine);
     });
-    this.show(step.title, ...step.parts);
-    this.look = look;
+    this.showLook(step.title, look, ...step.parts);
     step.focus();
   }
 

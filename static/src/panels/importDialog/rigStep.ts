@@ -1,12 +1,14 @@
-/** Offers a skeleton and a skin for a dropped mesh that has neither skin nor animations. */
+/** Offers a skeleton and a skin for a dropped mesh that has neither skin nor animations, beside its picture. */
 
 import "./rigStep.css";
 import * as api from "../../net/api";
 import type { UploadedCharacter } from "../../net/protocol";
 import type { NewRig } from "../../net/types/api.generated";
 import { el } from "../../ui/dom";
+import type { Look } from "./look";
 
-type Show = (title: string, ...parts: HTMLElement[]) => void;
+/** Shows a step of the dialog, which ends `look` with the next step. */
+type Show = (title: string, look: Look | null, ...parts: HTMLElement[]) => void;
 type Choice = Required<Pick<NewRig, "skeleton" | "facing">>;
 
 const SKELETONS: Record<Choice["skeleton"], string> = {
@@ -34,7 +36,7 @@ function choices<Key extends string>(
 }
 
 /** Shows the form; resolves with the choice, or null to leave the mesh as it is. */
-function asked(show: Show, wrong: string, signal: AbortSignal): Promise<Choice | null> {
+function asked(show: Show, look: Look, wrong: string, signal: AbortSignal): Promise<Choice | null> {
   return new Promise((resolve, reject) => {
     const [skeletons, skeleton] = choices("rig-skeleton", "it is", SKELETONS);
     const [facings, facing] = choices("rig-facing", "it looks along", FACINGS);
@@ -42,7 +44,8 @@ function asked(show: Show, wrong: string, signal: AbortSignal): Promise<Choice |
     const go = el("button", { type: "submit", class: "primary" }, "Rig it");
     const foot = el("div", { class: "import-foot" }, el("span", { class: "space" }), plain, go);
     const why = el("p", { class: "import-wrong", role: "alert" }, wrong);
-    const form = el("form", { class: "import-form" }, skeletons, facings, why, foot);
+    const list = el("div", { class: "look-list" }, look.contents, skeletons, facings);
+    const form = el("form", { class: "import-form" }, list, why, foot);
     form.addEventListener("submit", (submit) => {
       submit.preventDefault();
       resolve({ skeleton: skeleton(), facing: facing() });
@@ -50,7 +53,8 @@ function asked(show: Show, wrong: string, signal: AbortSignal): Promise<Choice |
     plain.addEventListener("click", () => resolve(null));
     signal.addEventListener("abort", () => reject(new DOMException("aborted", "AbortError")));
     const about = "The model has no skin and no animations. statwalk can give it a skeleton that bends it.";
-    show("Give it a skeleton?", el("p", { class: "import-about" }, about), form);
+    const all = el("div", { class: "look" }, look.picture, form);
+    show("Give it a skeleton?", look, el("p", { class: "import-about" }, about), all);
     go.focus();
   });
 }
@@ -58,16 +62,18 @@ function asked(show: Show, wrong: string, signal: AbortSignal): Promise<Choice |
 /** Returns the character, rigged if somebody wants it; asks only for a mesh without skin and animations. */
 export async function offerRig(
   character: UploadedCharacter,
+  lookAt: () => Promise<Look>,
   show: Show,
   signal: AbortSignal,
 ): Promise<UploadedCharacter> {
   if (character.skins || character.clips || !character.vertices) return character;
   for (let wrong = ""; ;) {
-    const choice = await asked(show, wrong, signal);
+    const choice = await asked(show, await lookAt(), wrong, signal);
     if (choice === null) return character;
     const busy = el("progress", { "aria-label": "rigging" });
     show(
       "Rigging your character",
+      null,
       el("p", { role: "status" }, "The server places joints and weights …"),
       busy,
     );
