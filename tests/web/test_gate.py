@@ -11,7 +11,9 @@ import pytest
 from live_routes import Asked, ask
 from statwalk.services.access.access_file import AccessFile
 from statwalk.services.access.authenticator import Authenticator
+from statwalk.services.access.roles import EVERYTHING, Grant
 from statwalk.web.app import create_app
+from statwalk.web.gate import GRANT, sender_of
 from statwalk.web.same_origin import OwnNames
 from statwalk.web.settings import LOOPBACK, Settings
 
@@ -95,3 +97,10 @@ def test_a_server_without_tokens_takes_no_notice_of_one(tmp_path: Path) -> None:
     signing(tmp_path)
     answer = get(create_app(Settings(main_stage=False, page=tmp_path)), "token=x")
     assert (answer.status, "set-cookie" in answer.headers) == (200, False)
+
+
+@pytest.mark.parametrize(
+    ("grant", "sender"), [(Grant("ada", "view", digest="1f"), "1f"), (EVERYTHING, "192.0.2.7")]
+)
+def test_a_sender_is_a_token_or_without_one_an_address(grant: Grant, sender: str) -> None:
+    assert sender_of({"client": ("192.0.2.7", 1), GRANT: grant}) == sender

@@ -1,9 +1,12 @@
 """What comes too often gets a 429 that says when to come again; whose it is, is told by address and stage."""
 
+from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
+from statwalk.services.access.access_file import AccessFile
+from statwalk.services.access.authenticator import Authenticator
 from statwalk.services.limits import Limits
 from statwalk.web.app import create_app
 from statwalk.web.errors import Problem
@@ -51,6 +54,20 @@ async def test_requests_of_one_address_are_limited_and_others_are_not() -> None:
     async with client_of(limited, "192.0.2.3") as watcher:
         metrics = (await watcher.get("/metrics")).text
     assert 'statwalk_refusals_total{limit="requests",status="429"} 1.0' in metrics
+
+
+async def test_behind_a_proxy_a_token_is_a_client(tmp_path: Path) -> None:
+    """All of them have the proxy's address."""
+    people = AccessFile(tmp_path)
+    tokens = [people.add(name, "view") for name in ("ada", "bob")]
+    settings = Settings(limits=Limits(requests=SLOW), authenticator=Authenticator(people), proxied=True)
+    limited = create_app(settings)
+    async with client_of(limited, "192.0.2.1") as flooder, client_of(limited, "192.0.2.1") as other:
+        for client, token in zip((flooder, other), tokens, strict=True):
+            client.headers["Authorization"] = f"Bearer {token}"
+        answer = await until_refused(flooder, "GET", "/api/machines")
+        assert is_refused_for(answer, "requests with your token")
+        assert (await other.get("/api/machines")).status_code == 200
 
 
 async def test_requests_about_one_stage_are_limited_and_other_stages_are_not() -> None:

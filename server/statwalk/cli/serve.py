@@ -124,6 +124,7 @@ def serve(
         kept=data,
         limits=limits,
         authenticator=authenticator,
+        proxied=behind_proxy,
     )
     try:
         app = create_app(settings)

@@ -120,7 +120,7 @@ def _routes(settings: Settings) -> FastAPI:
     )
     app.state.metrics = Metrics()
     registry.measure_ticks = app.state.metrics.measure_ticks
-    app.state.rates = RateLimits(settings.limits)
+    app.state.rates = RateLimits(settings.limits, proxied=settings.proxied)
     app.state.registry = registry
     app.state.names, app.state.authenticator = settings.names, settings.authenticator
     app.state.long_work = LongWork()

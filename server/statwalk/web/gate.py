@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import re
 import time
+from collections.abc import Mapping
+from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
 from starlette.datastructures import Headers
@@ -16,6 +18,7 @@ from starlette.types import Scope
 
 from statwalk.services.access.authenticator import Authenticator
 from statwalk.services.access.roles import EVERYTHING, AccessRole, Grant
+from statwalk.web.client_address import address_of
 from statwalk.web.errors import Problem
 from statwalk.web.needed_roles import SOCKET, Need, need_of
 from statwalk.web.same_origin import PAGES, OwnNames, authority
@@ -100,6 +103,12 @@ class Gate:
             return f"__Host-statwalk_{urlsplit(self.names.public_url).port or 443}"
         _, port = authority(host, "80") or ("", "")
         return f"statwalk_{port}"
+
+
+def sender_of(scope: Mapping[str, Any]) -> str:
+    """Returns whose token an admitted request has, by the token's hash; without a token the address."""
+    grant: Grant = scope.get(GRANT, EVERYTHING)
+    return grant.digest or address_of(scope)
 
 
 def _opens_a_page(scope: Scope) -> bool:

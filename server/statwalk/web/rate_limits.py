@@ -1,4 +1,4 @@
-"""Limits requests and inputs a second, by address and by stage; keeps flooding sockets away for a while."""
+"""Limits requests and inputs a second, by client and by stage; keeps flooding sockets away for a while."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from statwalk.services.threads import Now
 from statwalk.web.client_address import address_of
 from statwalk.web.dependencies import ENDING
 from statwalk.web.errors import Problem, answer
+from statwalk.web.gate import sender_of
 from statwalk.web.request_log import note_limit, note_scope
 from statwalk.web.token_bucket import MOST_BUCKETS, TokenBuckets
 from statwalk.web.turns import Turns
@@ -46,60 +47,65 @@ def too_many(detail: str, seconds: int, limit: str) -> Problem:
 
 
 class RateLimits:
-    """The rates of one server. Use it in the thread of the event loop only."""
+    """The rates of one server. Use it in the thread of the event loop only.
 
-    def __init__(self, limits: Limits, now: Now = time.perf_counter) -> None:
+    A client is an address; with `proxied`, where all clients come through one proxy, a token.
+    """
+
+    def __init__(self, limits: Limits, now: Now = time.perf_counter, *, proxied: bool = False) -> None:
         def rate(limit: str, whose: str) -> Rate:
             most = getattr(limits, limit)
             return Rate(limit, TokenBuckets(most, most * BURST_SECONDS, now), whose)
 
-        self._requests = rate("requests", "requests from your address")
+        self.client_of = sender_of if proxied else address_of
+        self._source = source = "with your token" if proxied else "from your address"
+        self._requests = rate("requests", f"requests {source}")
         self._stage_requests = rate("stage_requests", "requests about this stage")
-        self._inputs = rate("inputs", "inputs from your address")
+        self._inputs = rate("inputs", f"inputs {source}")
         self._stage_inputs = rate("stage_inputs", "inputs to this stage")
         self._now, self._cooling_seconds = now, limits.cooling_seconds
         self._cooling: dict[str, float] = {}
 
-    def request(self, address: str, stage: str) -> None:
-        """Counts a request; `address` and `stage` are empty if it has none.
+    def request(self, client: str, stage: str) -> None:
+        """Counts a request; `client` and `stage` are empty if it has none.
 
         :raises Problem: 429, when too many came.
         """
-        if address:
-            self._requests.spend(address)
+        if client:
+            self._requests.spend(client)
         if stage:
             self._stage_requests.spend(stage)
 
-    def input(self, address: str, stage: str) -> None:
+    def input(self, client: str, stage: str) -> None:
         """Counts an input to a stage.
 
         :raises Problem: 429, when too many came.
         """
-        if address:
-            self._inputs.spend(address)
+        if client:
+            self._inputs.spend(client)
         self._stage_inputs.spend(stage)
 
-    def cool(self, address: str) -> None:
-        """Keeps new sockets of an address away for a while."""
+    def cool(self, client: str) -> None:
+        """Keeps new sockets of a client away for a while."""
         now = self._now()
         self._cooling = {one: until for one, until in self._cooling.items() if until > now}
-        if address and len(self._cooling) < MOST_BUCKETS:
-            self._cooling[address] = now + self._cooling_seconds
+        if client and len(self._cooling) < MOST_BUCKETS:
+            self._cooling[client] = now + self._cooling_seconds
 
-    def check_cooled(self, address: str) -> None:
-        """Checks whether an address may open a socket.
+    def check_cooled(self, client: str) -> None:
+        """Checks whether a client may open a socket.
 
         :raises Problem: 429, when a socket of it was just closed because of too many messages.
         """
-        seconds = self._cooling.get(address, 0.0) - self._now()
+        seconds = self._cooling.get(client, 0.0) - self._now()
         if seconds > 0:
-            detail = "a socket from your address was closed because of too many messages; wait a little"
+            detail = f"a socket {self._source} was closed because of too many messages; wait a little"
             raise too_many(detail, int(seconds) + 1, "cooling_seconds")
 
 
 class RateGuard:
     """The middleware that refuses what comes too often, before any route runs, and lets the requests of one
-    address begin one after another.
+    client begin one after another.
     """
 
     def __init__(self, app: ASGIApp, rates: RateLimits, registry: Registry) -> None:
@@ -117,7 +123,7 @@ class RateGuard:
                 await answer(problem.body(), dict(problem.headers or {}))(scope, receive, send)
                 return
         waits = scope["type"] == "http" and scope["path"] not in UNLIMITED
-        async with self.turns.of(address_of(scope) if waits else ""):
+        async with self.turns.of(self.rates.client_of(scope) if waits else ""):
             await self.app(scope, receive, send)
 
     def check(self, scope: Scope) -> None:
@@ -129,12 +135,12 @@ class RateGuard:
             return
         if ENDING in scope and scope[ENDING].is_set():
             raise Problem(503, "the server stops; try again", headers={"Retry-After": "1"})
-        address, match = address_of(scope), STAGE.fullmatch(scope["path"])
+        client, match = self.rates.client_of(scope), STAGE.fullmatch(scope["path"])
         stage = (
             match[1] if match and match[1] in self.registry.stages else ""
         )  # names of no stage fill no bucket
         if scope["type"] == "websocket":
-            self.rates.check_cooled(address)
-        self.rates.request(address, stage)
+            self.rates.check_cooled(client)
+        self.rates.request(client, stage)
         if match and match[2] and stage and scope.get("method") in ("POST", "DELETE"):
-            self.rates.input(address, stage)
+            self.rates.input(client, stage)

@@ -44,7 +44,7 @@ class Settings:
     `data`: the folder for uploaded characters and the machines made from them; None: the server refuses
     uploads. `scene`: the scene that the page shows first; empty: the default machine. `watch`: whether stages
     play a machine file as soon as it is saved. `authenticator`: knows the tokens; None: the server asks for
-    none.
+    none. `proxied`: whether all clients come through a proxy, so that limits know them by their tokens.
     """
 
     folders: tuple[Path, ...] = ()
@@ -57,3 +57,4 @@ class Settings:
     kept: Path | None = None
     limits: Limits = field(default_factory=Limits)
     authenticator: Authenticator | None = None
+    proxied: bool = False

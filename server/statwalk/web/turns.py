@@ -1,4 +1,4 @@
-"""Lets the requests of one address begin one after another.
+"""Lets the requests of one client begin one after another.
 
 Requests that begin at once keep the event loop for as long as they take together, and meanwhile nobody gets a
 frame.
@@ -15,21 +15,21 @@ TURN_SECONDS = 0.005
 
 
 class Turns:
-    """The newest request of each address. Use it in the thread of the event loop only."""
+    """The newest request of each client. Use it in the thread of the event loop only."""
 
     def __init__(self) -> None:
         self._newest: dict[str, asyncio.Event] = {}
 
     @asynccontextmanager
-    async def of(self, address: str) -> AsyncIterator[None]:
+    async def of(self, client: str) -> AsyncIterator[None]:
         """Waits for the turn of a request, which lasts until the block ends, but at most `TURN_SECONDS`; no
-        request without an address waits.
+        request without a client waits.
         """
-        if not address:
+        if not client:
             yield
             return
-        before, over = self._newest.get(address), asyncio.Event()
-        self._newest[address] = over
+        before, over = self._newest.get(client), asyncio.Event()
+        self._newest[client] = over
         try:
             if before is not None:
                 await before.wait()
@@ -40,5 +40,5 @@ class Turns:
                 timer.cancel()
         finally:
             over.set()
-            if self._newest.get(address) is over:
-                del self._newest[address]
+            if self._newest.get(client) is over:
+                del self._newest[client]

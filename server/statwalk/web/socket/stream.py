@@ -19,7 +19,6 @@ from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.publish.outbox import FRAME_KINDS, FrameForm, FrameKind, Outbox
 from statwalk.skin.skinning import SKINNINGS, Skinning, skinning_of
-from statwalk.web.client_address import address_of
 from statwalk.web.dependencies import ENDING, grant_of
 from statwalk.web.errors import Problem, answer, from_error
 from statwalk.web.metrics import Metrics
@@ -106,7 +105,7 @@ class Viewer:
         self.socket, self.host, self.outbox = socket, host, outbox
         self.token, ending = (CancelToken(socket.scope.get(ENDING)) for _ in range(2))
         rates: RateLimits = socket.app.state.rates
-        address = address_of(socket.scope)
+        client = rates.client_of(socket.scope)
         limiters: WeakKeyDictionary[StageHost, CapacityLimiter] = socket.app.state.input_limiters
         self.limiter = limiters.setdefault(host, CapacityLimiter(MOST_INPUT_THREADS))
         self.inbox = Inbox(
@@ -117,8 +116,8 @@ class Viewer:
             socket.app.state.past_limiter,
             grant=grant_of(socket),
             input_limiter=self.limiter,
-            count_input=partial(rates.input, address, host.id),
-            cut_off=partial(rates.cool, address),
+            count_input=partial(rates.input, client, host.id),
+            cut_off=partial(rates.cool, client),
         )
         self.metrics: Metrics = socket.app.state.metrics
         self.sent_layout: tuple[int, FrameForm] | None = None
