@@ -54,6 +54,23 @@ def test_the_keyboard_makes_and_deletes_an_arrow(graph: Page, walker: Server) ->
     assert cell(walker, "STUP", "LEFT") is None
 
 
+def test_the_filter_of_a_large_table_chooses_what_the_graph_shows(graph: Page, walker: Server) -> None:
+    """Without it, the graph shows the live state and its neighbours, as it does again afterwards."""
+    url, version = f"{walker.url}/api/machines/faq-walker", newest(walker)
+    added = [{"kind": "add_state", "state": f"SPARE{number}"} for number in range(30)]
+    match = {"If-Match": f'"{version}"'}
+    httpx.patch(url, json={"operations": added}, headers=match).raise_for_status()
+    graph.locator("#graph").get_by_text("of 41 states").wait_for()
+    shown = "[...document.querySelectorAll('#graph .state')].map(state => state.dataset.state).join()"
+    around = graph.evaluate(shown)
+    graph.get_by_role("searchbox", name="filter states and events").fill("RE2 LAND")
+    until(graph, f"{shown} === 'LAND,SPARE2,' + [...Array(10).keys()].map(i => 'SPARE2' + i)")
+    graph.keyboard.press("Escape")
+    until(graph, f"{shown} === arg", around)
+    httpx.post(f"{url}/undo", headers={"If-Match": f'"{version + 1}"'}).raise_for_status()
+    until(graph, "document.querySelectorAll('#graph .state').length === 11")
+
+
 def test_a_dragged_state_stays_where_it_is_and_moves_no_other(graph: Page, walker: Server) -> None:
     before, version = graph.evaluate(PLACES), newest(walker)
     box = graph.locator("#graph .state[data-state=JUMP] .box").bounding_box()

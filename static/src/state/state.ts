@@ -10,6 +10,7 @@ import { Inspection } from "./inspection";
 import { KeyChanges } from "./keyChanges";
 import { Library } from "./library";
 import { Line } from "./line";
+import { NameFilter } from "./nameFilter";
 import type { Notice } from "./notice";
 import { OwnStages } from "./ownStages";
 import { ParameterValues } from "./parameterValues";
@@ -47,6 +48,7 @@ export function makeState() {
   const selection = new Selection(stage);
   const machine = new WatchedMachine(selection, notices);
   const folds = new Folds(machine);
+  const names = new NameFilter(machine);
   const past = new Past(stage, selection, machine);
   const playback = new Playback(stage, line.send);
   const frames = new Frames(line, stage, selection, past, playback);
@@ -76,6 +78,7 @@ export function makeState() {
     selection,
     machine,
     folds,
+    names,
     past,
     playback,
     frames,

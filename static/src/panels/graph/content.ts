@@ -1,7 +1,8 @@
 /** Finds the states and arrows that the graph draws of a layer; one box stands for each folded sub-machine. */
 
 import type { Edge, LayerInfo } from "../../net/protocol";
-import { statesToDraw } from "./neighbours";
+import { filtered } from "../../state/nameFilter";
+import { MOST_STATES, statesToDraw } from "./neighbours";
 import type { Places } from "./layout";
 import type { Point } from "./shapes";
 
@@ -32,15 +33,12 @@ export function folded(layer: LayerInfo, shown: ReadonlyMap<string, string>): Co
   };
 }
 
-/** Returns the part of a large graph around the live node; a small one whole. */
-export function partOf({ nodes, edges, initial }: Content, live: string): Content {
-  const names = new Set(
-    statesToDraw(
-      nodes.map(({ name }) => name),
-      edges,
-      live,
-    ),
-  );
+/** Returns the part of a graph that the filter's words name; without words, of a large one the part around the live node. */
+export function partOf({ nodes, edges, initial }: Content, live: string, words: string): Content {
+  const all = nodes.map(({ name }) => name);
+  const named = filtered(all, words);
+  const isFiltered = named.length < all.length;
+  const names = new Set(isFiltered ? named.slice(0, MOST_STATES) : statesToDraw(all, edges, live));
   return {
     nodes: nodes.filter(({ name }) => names.has(name)),
     edges: edges.filter(({ from, to }) => names.has(from) && names.has(to)),

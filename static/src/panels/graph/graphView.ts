@@ -20,8 +20,8 @@ interface Drawn {
   layer: LayerInfo;
   /** What stands for each state. */
   shown: ReadonlyMap<string, string>;
-  /** The state around which a part is drawn; "": all is drawn. */
-  around: string;
+  /** Around which state, or by which words of the filter, a part is drawn; "": all is drawn. */
+  part: string;
 }
 
 export class GraphView {
@@ -49,7 +49,7 @@ export class GraphView {
 
   /** Whether only a part of a large machine is drawn: then places are not kept. */
   get isPart(): boolean {
-    return this.drawn !== null && this.drawn.around !== "";
+    return this.drawn !== null && this.drawn.part !== "";
   }
 
   fit(): void {
@@ -124,8 +124,9 @@ export class GraphView {
    */
   private changed(): void {
     const [machine, layer, live] = [this.app.machine.info.value, this.app.machine.layerInfo, this.live];
+    const isFiltered = this.app.names.text.value !== "";
     const known = machine?.name === this.drawn?.machine.name && layer?.name === this.drawn?.layer.name;
-    if ((known && !this.isPart) || !live) this.draw();
+    if ((known && !this.isPart && !isFiltered) || !live) this.draw();
     else requestAnimationFrame(() => this.draw());
   }
 
@@ -135,17 +136,18 @@ export class GraphView {
     if (!machine || !layer) return;
     const shown = this.app.folds.shown.value;
     const all = folded(layer, shown);
-    const content = partOf(all, live);
-    const around = content.nodes.length < all.nodes.length ? live : "";
+    const words = this.app.names.text.value;
+    const content = partOf(all, live, words);
+    const part = content.nodes.length < all.nodes.length ? words || live : "";
     const { drawn } = this;
     const isSame = drawn?.machine === machine && drawn.layer === layer && drawn.shown === shown;
-    if ((isSame && drawn.around === around) || !this.aspect) return;
-    this.drawn = { machine, layer, shown, around };
-    this.note(around ? `${content.nodes.length} of ${all.nodes.length} states` : "");
+    if ((isSame && drawn.part === part) || !this.aspect) return;
+    this.drawn = { machine, layer, shown, part };
+    this.note(part ? `${content.nodes.length} of ${all.nodes.length} states` : "");
     const isHere = drawn?.layer.name === layer.name && drawn.machine.name === machine.name;
     // An edit moves nothing, and a whole layout takes long.
-    const kept: Places = isHere && drawn.around === around ? this.places : new Map<string, Point>();
-    this.places = around
+    const kept: Places = isHere && drawn.part === part ? this.places : new Map<string, Point>();
+    this.places = part
       ? placeStates(
           content.nodes.map(({ name }) => name),
           content.edges,
@@ -154,7 +156,7 @@ export class GraphView {
         )
       : withFolded(this.layerPlaces.of(machine, layer, this.aspect), content.nodes);
     this.show(content);
-    if (!isHere || around || this.camera.fitted) this.fit();
+    if (!isHere || part || this.camera.fitted) this.fit();
     this.mark();
   }
 

@@ -2,7 +2,7 @@
 
 import type { Edge } from "../../net/protocol";
 
-const MOST_STATES = 40;
+export const MOST_STATES = 40;
 const NEAREST = 18;
 
 /**

@@ -1,6 +1,5 @@
 import { describe, expect, it } from "vitest";
 import { drawnLines, gaps } from "./rowWindow";
-import { filtered } from "./filter";
 
 describe("the lines that are drawn", () => {
   const sight = { top: 2700, height: 270, line: 27 };
@@ -13,9 +12,3 @@ describe("the lines that are drawn", () => {
 });
 
 it("rooms are left for the others", () => expect(gaps(300, [7, 90, 91])).toEqual([7, 82, 0, 208]));
-
-describe("the filter", () => {
-  it("takes parts of names", () =>
-    expect(filtered(["RUN", "WALK", "STWK"], "wk al")).toEqual(["WALK", "STWK"]));
-  it("leaves all if none has one", () => expect(filtered(["RUN"], "jump")).toEqual(["RUN"]));
-});

@@ -13,7 +13,7 @@ import { headMenu } from "./headMenu";
 import { moved } from "./gridMoves";
 import { reveal, revealSideways } from "./reveal";
 import { TableBody } from "./tableBody";
-import { Filter } from "./filter";
+import { filterField } from "./filterField";
 import { verdictLine } from "./verdictLine";
 
 /** Opens the editor of a cell, with its text or with a typed letter. */
@@ -25,7 +25,6 @@ const MANY_ROWS = 60;
 export class Table {
   private readonly table = el("table", { "aria-label": "state table", role: "grid" });
   private readonly body: TableBody;
-  private readonly filter: Filter;
   private head = el("tr");
   private shown: string[] = [];
   /** The names of the rows and columns that are drawn. */
@@ -39,10 +38,10 @@ export class Table {
     private readonly edit: Edit,
   ) {
     this.body = new TableBody(host);
-    this.filter = new Filter(host, app);
+    filterField(host, app);
     this.table.append(el("thead", {}, this.head), this.body.element);
     host.append(this.table);
-    this.filter.text.subscribe(() => this.draw());
+    app.names.text.subscribe(() => this.draw());
     app.machine.info.subscribe(() => this.draw());
     app.selection.layer.subscribe(() => this.draw());
     app.folds.names.subscribe(() => this.draw());
@@ -63,7 +62,7 @@ export class Table {
       ? (document.activeElement as HTMLElement).dataset
       : null;
     const goTo = layer === machine.layers[0] ? (state: string) => void this.app.travel.go(state) : null;
-    const { states, events } = this.filter.apply(layer, columns(layer, machine.events));
+    const { states, events } = this.app.names.apply(layer, columns(layer, machine.events));
     const names = JSON.stringify([machine.name, layer.name, states.map(({ name }) => name), events]);
     if (names !== this.names) this.drawHead(layer, states.length, events);
     this.names = names;
@@ -132,7 +131,7 @@ export class Table {
   private unfilter(state: string, event: string | null): void {
     this.app.folds.reveal(state);
     const isShown = this.body.states.includes(state) && (event === null || this.shown.includes(event));
-    if (!isShown) this.filter.clear();
+    if (!isShown) this.app.names.text.value = "";
   }
 
   private focus(cell: HTMLElement | null): void {
