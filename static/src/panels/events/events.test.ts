@@ -24,6 +24,13 @@ test("each event has a button with its keys; the end of a motion is no event", (
   expect([...host.children].map((button) => button.textContent.trim())).toEqual(["FORWARD↑", "STOP"]);
 });
 
+test("the filter of a large table chooses the buttons, too", async () => {
+  const { app, host } = shown();
+  app.names.text.value = "stop";
+  await Promise.resolve();
+  expect([...host.children].map((button) => button.textContent.trim())).toEqual(["STOP"]);
+});
+
 test("a button that is held does what its key does", () => {
   vi.useFakeTimers();
   const { sent, button } = shown();

@@ -16,6 +16,7 @@ import { draw } from "../../ui/draw";
 import { EventPresses } from "./eventPresses";
 import { Keyboard } from "./keyboard";
 import { motionAnswer } from "./motionAnswer";
+import { filtered } from "../../state/nameFilter";
 import { usersEvents } from "./usersEvents";
 
 /** With more buttons than this they are drawn smaller. */
@@ -34,7 +35,7 @@ export function keysFor(event: string, keys: Record<string, KeyBinding>): Keyed[
 }
 
 export function eventsPanel(host: HTMLElement, app: App): void {
-  const { machine, session, selection } = app;
+  const { machine, session, selection, names } = app;
   const presses = new EventPresses(
     ({ kind, event }) => session.event(kind, event),
     () => motionAnswer(selection.state),
@@ -77,7 +78,7 @@ export function eventsPanel(host: HTMLElement, app: App): void {
   effect(() => {
     host.classList.toggle("many", events().length > MANY);
   });
-  draw(host, () => html`${repeat(events(), (event) => event, button)}`);
+  draw(host, () => html`${repeat(filtered(events(), names.text.value), (event) => event, button)}`);
   session.verdicts.on(({ event, verdict }) => {
     const shown = host.querySelector(`[data-event="${CSS.escape(event)}"]`);
     if (shown) flash(shown, verdict);
