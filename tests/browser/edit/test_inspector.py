@@ -1,19 +1,8 @@
 """The inspector of the selected cell or state: each field makes one edit, and tells at once what is wrong."""
 
 from browser.conftest import Server, until
-from browser.edit.conftest import CELL, machine
+from browser.edit.conftest import CELL, edited, inspect, machine
 from playwright.sync_api import Page
-
-
-def inspect(page: Page, cell: str) -> None:
-    """Selects a cell by the keyboard, and opens the inspector."""
-    page.locator(cell).focus()
-    page.keyboard.press("Alt+Enter")
-    page.locator("#cell h2").wait_for()
-
-
-def edited(page: Page, times: int = 1) -> None:
-    until(page, "__viewer.version() === window.start + arg", times)
 
 
 def test_a_blend_time_is_one_edit(own: Server, table: Page) -> None:

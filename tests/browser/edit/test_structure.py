@@ -1,12 +1,8 @@
 """The table makes structure: the menus of its heads add, rename, move and delete states and events."""
 
 from browser.conftest import Server, until
-from browser.edit.conftest import machine
+from browser.edit.conftest import edited, machine
 from playwright.sync_api import Page
-
-
-def edited(page: Page, times: int = 1) -> None:
-    until(page, "__viewer.version() === window.start + arg", times)
 
 
 def states(server: Server) -> list[str]:

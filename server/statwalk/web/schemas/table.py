@@ -54,10 +54,13 @@ class EdgeView(ResponseModel):
 
 
 class MarkerView(ResponseModel):
-    """A marker of a motion: its name, and its phase 0…1."""
+    """A marker of a motion: its name, and its phase 0…1; `written`: the machine's file sets it, otherwise
+    the clip has it.
+    """
 
     name: str
     phase: float
+    written: bool
 
 
 class StateView(ResponseModel):
@@ -71,6 +74,8 @@ class StateView(ResponseModel):
     clips: list[str]
     points: dict[str, list[float]]
     """where each clip of a blend stands: a number for each parameter of `over`"""
+    clip_markers: dict[str, list[MarkerView]]
+    """the markers of each clip of a blend, by phase"""
     speed: float | str
     """a factor of time, or the parameter that gives it"""
     loop: bool

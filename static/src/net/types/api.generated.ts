@@ -2591,10 +2591,14 @@ export interface components {
                 [key: string]: string;
             };
         };
-        /** @description A marker of a motion: its name, and its phase 0…1. */
+        /**
+         * @description A marker of a motion: its name, and its phase 0…1; `written`: the machine's file sets it, otherwise
+         *     the clip has it.
+         */
         MarkerView: {
             name: string;
             phase: number;
+            written: boolean;
         };
         /** @description A material of the model. */
         MaterialView: {
@@ -3657,6 +3661,10 @@ export interface components {
             /** @description where each clip of a blend stands: a number for each parameter of `over` */
             points: {
                 [key: string]: number[];
+            };
+            /** @description the markers of each clip of a blend, by phase */
+            clip_markers: {
+                [key: string]: components["schemas"]["MarkerView"][];
             };
             /** @description a factor of time, or the parameter that gives it */
             speed: number | string;

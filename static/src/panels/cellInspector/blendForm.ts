@@ -1,4 +1,4 @@
-/** The form of a blend: its pad, its clips in numbers, and how a state with one clip becomes a blend. */
+/** The form of a blend: its pad, its clips in numbers, how one clip becomes a blend, and a blend one clip. */
 
 import type { Signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
@@ -7,7 +7,7 @@ import type { EditingFields } from "../../state/editingFields";
 import { formField } from "../../ui/formField";
 import type { App } from "../../view/app";
 import { BlendPad, type Drag } from "./blendPad";
-import { axesOf, blendOver, makeBlend, middle, placeOf, putClip } from "./blendSpace";
+import { axesOf, blendOver, makeBlend, middle, oneClip, placeOf, putClip } from "./blendSpace";
 
 /** The parameter of a new blend. */
 const PACE = "pace";
@@ -26,6 +26,7 @@ export function blendForm(
     .clipsOf(machine.info.value?.character ?? "")
     .filter(({ name }) => !info.clips.includes(name));
   const added = fields.bind("blend new", "", (clip) => putClip(state, clip, middle(axes)));
+  const alone = fields.bind("one clip", "", (clip) => oneClip(state, info, clip));
   const isThere = layer !== "base" || selection.shownState === info.name;
   return html`${overField(fields, state, info, machine.info.value?.parameters ?? [])}
     ${new BlendPad(app, drag, layer, info).template()}
@@ -43,18 +44,20 @@ export function blendForm(
         label: "one more",
         choices: [["", "choose …"], ...others.map(({ name }) => [name, name] as const)],
       })}
-    </fieldset>`;
+    </fieldset>
+    ${formField(alone, {
+      label: "one clip",
+      choices: [["", "in place of the blend …"], ...info.clips.map((clip) => [clip, clip] as const)],
+    })}`;
 }
 
-/** Draws the field of what the clips are blended over. A blend with markers, which it would lose, keeps it. */
+/** Draws the field of what the clips are blended over. */
 function overField(
   fields: EditingFields,
   state: { state: string; layer: string },
   info: StateInfo,
   parameters: readonly Parameter[],
 ): TemplateResult {
-  if (info.markers.length)
-    return html`<p class="hint" .textContent=${`Blends over ${info.over.join(" and ")}.`}></p>`;
   const field = fields.bind("blend over", info.over.join(", "), (text) =>
     blendOver(state, info, text, parameters),
   );
