@@ -39,6 +39,29 @@ def test_a_condition_makes_an_alternative(own: Server, table: Page) -> None:
     assert ways[1]["to"] == "TLFT"
 
 
+def test_an_alternative_has_the_fields_of_a_cell(own: Server, table: Page) -> None:
+    """What one alternative gets, the other does not have; blank, it is as the cell says."""
+    inspect(table, CELL)
+    table.get_by_label("new: if").fill("look > 0.5")
+    table.keyboard.press("Enter")
+    edited(table)
+    first = table.get_by_role("group", name="alternative 1")
+    first.get_by_role("button", name="quintic").click()
+    edited(table, 2)
+    first.get_by_label("enter at").fill("2")
+    table.locator("#field-enter-0-error").filter(has_text="a phase from 0 to 1, or match").wait_for()
+    first.get_by_label("enter at").fill("0.5")
+    table.keyboard.press("Enter")
+    edited(table, 3)
+    first.get_by_label("action").fill("shout")
+    table.keyboard.press("Enter")
+    edited(table, 4)
+    first, last = machine(own)["table"]["WALK"]["LEFT"]["alternatives"]
+    assert (first["curve"], first["enter"], first["action"]) == ("quintic", 0.5, "shout")
+    assert (last["curve"], last["enter"], last["action"]) == ("cubic", "match", None)
+    assert first["blend"] == last["blend"]
+
+
 def test_a_state_tells_how_alike_left_and_right_move(table: Page) -> None:
     """In a walk the arms and the legs are opposite."""
     inspect(table, "th[data-state=WALK]")

@@ -29,7 +29,8 @@ class AlternativeView(ResponseModel):
 
 class CellView(ResponseModel):
     """A cell of the full table with its defaults resolved; `to` is null if the cell does nothing; `source`
-    says which row the cell comes from.
+    says which row the cell comes from. Where `alternatives` decide, `to` and `restart` are those of the
+    first, and the other members what an alternative takes that says nothing.
     """
 
     to: str | None
