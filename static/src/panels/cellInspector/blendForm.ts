@@ -2,12 +2,14 @@
 
 import type { Signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
-import type { Parameter, StateInfo } from "../../net/protocol";
+import { repeat } from "lit-html/directives/repeat.js";
+import type { Marker, Parameter, StateInfo } from "../../net/protocol";
 import type { EditingFields } from "../../state/editingFields";
 import { formField } from "../../ui/formField";
 import type { App } from "../../view/app";
 import { BlendPad, type Drag } from "./blendPad";
 import { axesOf, blendOver, makeBlend, middle, oneClip, placeOf, putClip } from "./blendSpace";
+import { markerFields } from "./markerFields";
 
 /** The parameter of a new blend. */
 const PACE = "pace";
@@ -39,7 +41,11 @@ export function blendForm(
     }
     <fieldset>
       <legend>clips</legend>
-      ${info.clips.map((clip) => clipRow(fields, state, info, clip, (text) => placeOf(text, axes)))}
+      ${repeat(
+        info.clips,
+        (clip) => clip,
+        (clip) => clipRow(fields, state, info, clip, (text) => placeOf(text, axes)),
+      )}
       ${formField(added, {
         label: "one more",
         choices: [["", "choose …"], ...others.map(({ name }) => [name, name] as const)],
@@ -67,7 +73,7 @@ function overField(
 function clipRow(
   fields: EditingFields,
   state: { state: string; layer: string },
-  { points, clips }: StateInfo,
+  { points, clips, clip_markers }: StateInfo,
   clip: string,
   read: (text: string) => number[],
 ): TemplateResult {
@@ -86,8 +92,23 @@ function clipRow(
           </button>
         </p>`
       : nothing
-  }`;
+  }
+  ${clipMarkers(fields, state, clip, clip_markers[clip] ?? [])}`;
 }
+
+/** Draws the markers of a clip, folded: clips with common markers run in step. */
+const clipMarkers = (
+  fields: EditingFields,
+  state: { state: string; layer: string },
+  clip: string,
+  markers: readonly Marker[],
+): TemplateResult =>
+  html`<details class="markers">
+    <summary
+      .textContent=${`markers of ${clip}: ${markers.map(({ name }) => name).join(", ") || "none"}`}
+    ></summary>
+    ${markerFields(fields, state, clip, markers)}
+  </details>`;
 
 /** Draws the field that makes a blend of a state's clip and another. */
 export function newBlend(
