@@ -50,3 +50,14 @@ def test_the_full_table_lists_what_an_event_may_lead_to():
         ("B", "speed > 1", True, "match"),
         ("A", "", False, "match"),
     ]
+
+
+def test_a_cell_with_alternatives_has_its_own_blend_and_action():
+    text = text_of(
+        "state | GO\nA | ",
+        {"A": 1, "B": 1},
+        "cells: {A/GO: {to: [{if: speed > 1, to: B, blend: 0.1, action: run}, {to: A}], blend: 0.5}}\n",
+    )
+    cell = full_table(base_of(text))["A"]["GO"]
+    assert (cell["to"], cell["blend"], cell["action"]) == ("B", 0.5, None)
+    assert [(one["blend"], one["action"]) for one in cell["alternatives"]] == [(0.1, "run"), (0.5, None)]

@@ -27,7 +27,8 @@ def full_table(table: ResolvedTable) -> dict[str, dict[str, dict[str, Any]]]:
     """Returns `{state: {event: cell}}` without blanks.
 
     A cell has to (None for `-`), when, blend (seconds), curve, enter, restart, action, source, line, written
-    (row and column in the file) and alternatives, if it has several.
+    (row and column in the file) and alternatives, if it has several: `to` and `restart` are then those of
+    the first; blend, curve, enter and action are the cell's own.
     """
     found: dict[str, dict[str, dict[str, Any]]] = {state: {} for state in table.definition.states}
     for (state, event), cell in table.cells.items():
@@ -40,11 +41,11 @@ def _cell_view(cell: Cell) -> dict[str, Any]:
     return {
         "to": first.to if first else None,
         "when": str(cell.when),
-        "blend": first.blend if first else cell.blend,
-        "curve": first.curve if first else cell.curve,
-        "enter": first.enter if first else cell.enter,
+        "blend": cell.blend,
+        "curve": cell.curve,
+        "enter": cell.enter,
         "restart": first.restart if first else False,
-        "action": str(first.action) if first and first.action else None,
+        "action": str(cell.action) if first and cell.action else None,
         "source": cell.source,
         "line": cell.line,
         "written": list(cell.written),

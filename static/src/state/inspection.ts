@@ -45,10 +45,32 @@ function renamed(selected: Selected, operation: Operation): Selected {
     return { ...selected, layer: operation.to };
   if (operation.kind === "rename_event" && operation.event === event)
     return { ...selected, event: operation.to };
-  if (operation.kind !== "rename_state" || (operation.layer ?? "base") !== layer) return selected;
-  const { state: old, to } = operation;
-  const whole = old.slice(0, old.lastIndexOf(".") + 1) + to;
+  const moved = movedState(operation);
+  if (!moved || moved.layer !== layer) return selected;
   // A composite state takes its inner states along.
-  const isIn = state === old || state.startsWith(`${old}.`);
-  return isIn ? { ...selected, state: whole + state.slice(old.length) } : selected;
+  const isIn = state === moved.old || state.startsWith(`${moved.old}.`);
+  return isIn ? { ...selected, state: moved.now + state.slice(moved.old.length) } : selected;
 }
+
+/** Returns the full names of a state before and after an operation that gives it another one. */
+function movedState(operation: Operation): { layer: string; old: string; now: string } | null {
+  if (
+    operation.kind !== "rename_state" &&
+    operation.kind !== "nest_state" &&
+    operation.kind !== "unnest_state"
+  )
+    return null;
+  const { layer = "base", state: old } = operation;
+  const [outer, own] = split(old);
+  if (operation.kind === "rename_state") return { layer, old, now: joined(outer, operation.to) };
+  if (operation.kind === "nest_state") return { layer, old, now: joined(operation.into, own) };
+  return { layer, old, now: joined(split(outer)[0], own) };
+}
+
+/** Returns the composite state around a state, and the state's own name. */
+function split(state: string): [string, string] {
+  const dot = state.lastIndexOf(".");
+  return dot < 0 ? ["", state] : [state.slice(0, dot), state.slice(dot + 1)];
+}
+
+const joined = (outer: string, own: string): string => (outer ? `${outer}.${own}` : own);

@@ -75,3 +75,15 @@ def type_in_cell(page: Page, text: str) -> None:
     page.locator(CELL).click()
     page.keyboard.type(text)
     until(page, "['fine', 'refused'].includes(document.querySelector('#cell-inspector').dataset.trial)")
+
+
+def inspect(page: Page, cell: str) -> None:
+    """Selects a cell, or the head of a row, by the keyboard, and opens the inspector."""
+    page.locator(cell).focus()
+    page.keyboard.press("Alt+Enter")
+    page.locator("#cell h2").wait_for()
+
+
+def edited(page: Page, times: int = 1) -> None:
+    """Waits until the machine has changed so many times."""
+    until(page, "__viewer.version() === window.start + arg", times)

@@ -7,13 +7,8 @@ from pathlib import Path
 import httpx
 import pytest
 from browser.conftest import Server, until
-from browser.edit.conftest import CELL, NAME, NEXT_CELL, machine, type_in_cell
+from browser.edit.conftest import CELL, NAME, NEXT_CELL, edited, machine, type_in_cell
 from playwright.sync_api import Page, Route
-
-
-def edited(page: Page, times: int = 1) -> None:
-    """Waits until the table has changed so many times."""
-    until(page, "__viewer.version() === window.start + arg", times)
 
 
 def test_enter_keeps_what_is_typed(own: Server, folder: Path, table: Page) -> None:

@@ -1,19 +1,8 @@
 """The inspector of the selected cell or state: each field makes one edit, and tells at once what is wrong."""
 
 from browser.conftest import Server, until
-from browser.edit.conftest import CELL, machine
+from browser.edit.conftest import CELL, edited, inspect, machine
 from playwright.sync_api import Page
-
-
-def inspect(page: Page, cell: str) -> None:
-    """Selects a cell by the keyboard, and opens the inspector."""
-    page.locator(cell).focus()
-    page.keyboard.press("Alt+Enter")
-    page.locator("#cell h2").wait_for()
-
-
-def edited(page: Page, times: int = 1) -> None:
-    until(page, "__viewer.version() === window.start + arg", times)
 
 
 def test_a_blend_time_is_one_edit(own: Server, table: Page) -> None:
@@ -48,6 +37,29 @@ def test_a_condition_makes_an_alternative(own: Server, table: Page) -> None:
     ways = machine(own)["table"]["WALK"]["LEFT"]["alternatives"]
     assert [way["condition"] for way in ways] == ["look > 0.5", ""]
     assert ways[1]["to"] == "TLFT"
+
+
+def test_an_alternative_has_the_fields_of_a_cell(own: Server, table: Page) -> None:
+    """What one alternative gets, the other does not have; blank, it is as the cell says."""
+    inspect(table, CELL)
+    table.get_by_label("new: if").fill("look > 0.5")
+    table.keyboard.press("Enter")
+    edited(table)
+    first = table.get_by_role("group", name="alternative 1")
+    first.get_by_role("button", name="quintic").click()
+    edited(table, 2)
+    first.get_by_label("enter at").fill("2")
+    table.locator("#field-enter-0-error").filter(has_text="a phase from 0 to 1, or match").wait_for()
+    first.get_by_label("enter at").fill("0.5")
+    table.keyboard.press("Enter")
+    edited(table, 3)
+    first.get_by_label("action").fill("shout")
+    table.keyboard.press("Enter")
+    edited(table, 4)
+    first, last = machine(own)["table"]["WALK"]["LEFT"]["alternatives"]
+    assert (first["curve"], first["enter"], first["action"]) == ("quintic", 0.5, "shout")
+    assert (last["curve"], last["enter"], last["action"]) == ("cubic", "match", None)
+    assert first["blend"] == last["blend"]
 
 
 def test_a_state_tells_how_alike_left_and_right_move(table: Page) -> None:

@@ -1,12 +1,8 @@
 """The form of the machine: the keyboard alone makes and renames its parts; properties are proved there."""
 
 from browser.conftest import Server, until
-from browser.edit.conftest import machine
+from browser.edit.conftest import edited, machine
 from playwright.sync_api import Page
-
-
-def edited(page: Page, times: int) -> None:
-    until(page, "__viewer.version() === window.start + arg", times)
 
 
 def test_a_parameter_and_a_sense_of_it_by_the_keyboard_alone(own: Server, table: Page) -> None:

@@ -17,7 +17,10 @@ parameters: {pace: {default: 1, min: 0, max: 2}}
 properties: [FIGHT only after CALM]
 states:
   CALM: {motion: stand, loop: true, speed: pace}
-  RUN: {motion: {over: pace, clips: {walk: 0.5, stand: 0}}, loop: true, speed: 1.5}
+  RUN:
+    motion: {over: pace, clips: {walk: 0.5, stand: 0}, markers: {walk: {right: 0.5, left: 0}}}
+    loop: true
+    speed: 1.5
   FIGHT:
     resume: true
     machine: {initial: GUARD, states: {GUARD: {motion: stand, loop: true}}, table: "state | GO"}
@@ -50,3 +53,13 @@ async def test_what_a_file_says_of_states_and_defaults_is_in_the_answer(machine:
     ]
     assert machine["defaults"] == {"when": "end", "blend": 0.4, "curve": "quintic", "buffer": 0.1}
     assert (machine["fallback"], machine["properties"]) == ("CALM", ["FIGHT only after CALM"])
+
+
+async def test_the_markers_of_a_blend_are_told_clip_by_clip_and_by_phase(machine: dict[str, Any]) -> None:
+    calm, run, _ = machine["states"]
+    assert calm["clip_markers"] == {}
+    left, right = (
+        {"name": name, "phase": phase, "written": True} for name, phase in (("left", 0), ("right", 0.5))
+    )
+    assert run["clip_markers"] == {"walk": [left, right], "stand": []}
+    assert [marker["written"] for marker in run["markers"]] == [False, False]

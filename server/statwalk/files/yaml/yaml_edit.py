@@ -149,7 +149,8 @@ def _new_entry(text: str, parent: Node, key: str, value: Value, before: str | No
     entry = " " * indent + text_of(key) + ":"
     column = value_column(text, parent)
     gap = " " * (column - len(entry) - 1) if column else ""
-    entry += gap + after_key(value, indent, len(entry) + len(gap), newline_of(text))
+    after = after_key(value, indent, len(entry) + len(gap), newline_of(text))
+    entry += after if after.startswith(("\r", "\n")) else gap + after
     if not place:
         return _new_line(text, line_start(text, first), entry)
     blank = newline_of(text) * (not indent and newline_of(text) in entry)

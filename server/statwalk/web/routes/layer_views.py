@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 
 from pydantic import TypeAdapter
 
+from statwalk.character.character import Character
+from statwalk.character.motions import clip_facts
 from statwalk.character.role import Role
+from statwalk.machine.compile.compile_states import marks_of
 from statwalk.machine.compile.machine import Machine
 from statwalk.machine.compile.resolved_table import ResolvedTable
 from statwalk.machine.definition.expression_definition import ExpressionMotion
@@ -16,6 +19,7 @@ from statwalk.machine.definition.machine_definition import (
     StateDefinition,
 )
 from statwalk.machine.graph import edges, full_table
+from statwalk.maths.phases import Marks
 from statwalk.web.schemas.table import CellView, CompositeView, LayerView, MarkerView, StateView
 
 CELLS: TypeAdapter[dict[str, CellView]] = TypeAdapter(dict[str, CellView])
@@ -25,12 +29,12 @@ CELLS: TypeAdapter[dict[str, CellView]] = TypeAdapter(dict[str, CellView])
 def _state_views(role: Role, layer: int) -> list[StateView]:
     definitions = role.definition.tables()[role.machine.layers[layer].name].states
     return [
-        _state_view(role.machine, row, definitions[role.machine.states[row]])
+        _state_view(role.machine, role.character, row, definitions[role.machine.states[row]])
         for row in role.machine.rows(layer)
     ]
 
 
-def _state_view(machine: Machine, row: int, definition: StateDefinition) -> StateView:
+def _state_view(machine: Machine, character: Character, row: int, definition: StateDefinition) -> StateView:
     has_motion, motion = machine.motion[row] >= 0, definition.motion
     blend = motion if isinstance(motion, BlendDefinition) else None
     return StateView(
@@ -39,17 +43,35 @@ def _state_view(machine: Machine, row: int, definition: StateDefinition) -> Stat
         over=list(blend.over) if blend else [],
         clips=list(definition.clips),
         points={clip: list(point) for clip, point in blend.clips.items()} if blend else {},
+        clip_markers=_clip_markers(character, blend) if blend else {},
         speed=definition.speed,
         loop=bool(machine.loop[row]),
         duration=float(machine.duration[row]) if has_motion else 0.0,
         outer=definition.composite,
         final=definition.final,
         framing=definition.framing,
-        markers=[MarkerView(name=marker, phase=phase) for marker, phase in machine.markers[row]],
+        markers=_marker_views(machine.markers[row], definition.markers),
         expressions=[line.text for line in definition.motion.assignments]
         if isinstance(definition.motion, ExpressionMotion)
         else [],
     )
+
+
+def _clip_markers(character: Character, blend: BlendDefinition) -> dict[str, list[MarkerView]]:
+    return {
+        clip: _marker_views(
+            marks_of(clip, clip_facts(character.clips[clip]), blend), blend.markers.get(clip, {})
+        )
+        for clip in blend.clips
+    }
+
+
+def _marker_views(marks: Marks, written: Container[str]) -> list[MarkerView]:
+    """Returns the markers by phase."""
+    return [
+        MarkerView(name=name, phase=phase, written=name in written)
+        for name, phase in sorted(marks, key=lambda mark: (mark[1], mark[0]))
+    ]
 
 
 def _composite_views(composites: Mapping[str, CompositeDefinition]) -> list[CompositeView]:

@@ -89,6 +89,8 @@ AnyOperation = Annotated[
     | operations.RenameStateOperation
     | operations.DeleteStateOperation
     | operations.MoveStateOperation
+    | operations.NestStateOperation
+    | operations.UnnestStateOperation
     | operations.SetInitialOperation
     | operations.SetBlendClipOperation
     | operations.DeleteBlendClipOperation

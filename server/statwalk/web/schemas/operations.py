@@ -100,6 +100,25 @@ class MoveStateOperation(OfState):
     before: Name | None = None
 
 
+class NestStateOperation(OfState):
+    """Puts a state into the sub-machine `into` (a full name) of the same table; where there is none of this
+    name, it is made.
+    """
+
+    of = edit.NestState
+    kind: Literal["nest_state"]
+    into: Name
+
+
+class UnnestStateOperation(OfState):
+    """Takes a state out of its sub-machine, into the table around it; the last state takes the place of the
+    sub-machine.
+    """
+
+    of = edit.UnnestState
+    kind: Literal["unnest_state"]
+
+
 class SetInitialOperation(OfState):
     """Makes a state the initial one of its layer, or of the machine around it."""
 

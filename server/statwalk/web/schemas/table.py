@@ -29,7 +29,8 @@ class AlternativeView(ResponseModel):
 
 class CellView(ResponseModel):
     """A cell of the full table with its defaults resolved; `to` is null if the cell does nothing; `source`
-    says which row the cell comes from.
+    says which row the cell comes from. Where `alternatives` decide, `to` and `restart` are those of the
+    first, and the other members what an alternative takes that says nothing.
     """
 
     to: str | None
@@ -54,10 +55,13 @@ class EdgeView(ResponseModel):
 
 
 class MarkerView(ResponseModel):
-    """A marker of a motion: its name, and its phase 0…1."""
+    """A marker of a motion: its name, and its phase 0…1; `written`: the machine's file sets it, otherwise
+    the clip has it.
+    """
 
     name: str
     phase: float
+    written: bool
 
 
 class StateView(ResponseModel):
@@ -71,6 +75,8 @@ class StateView(ResponseModel):
     clips: list[str]
     points: dict[str, list[float]]
     """where each clip of a blend stands: a number for each parameter of `over`"""
+    clip_markers: dict[str, list[MarkerView]]
+    """the markers of each clip of a blend, by phase"""
     speed: float | str
     """a factor of time, or the parameter that gives it"""
     loop: bool

@@ -1748,7 +1748,8 @@ export interface components {
         };
         /**
          * @description A cell of the full table with its defaults resolved; `to` is null if the cell does nothing; `source`
-         *     says which row the cell comes from.
+         *     says which row the cell comes from. Where `alternatives` decide, `to` and `restart` are those of the
+         *     first, and the other members what an alternative takes that says nothing.
          */
         CellView: {
             to: string | null;
@@ -2591,10 +2592,14 @@ export interface components {
                 [key: string]: string;
             };
         };
-        /** @description A marker of a motion: its name, and its phase 0…1. */
+        /**
+         * @description A marker of a motion: its name, and its phase 0…1; `written`: the machine's file sets it, otherwise
+         *     the clip has it.
+         */
         MarkerView: {
             name: string;
             phase: number;
+            written: boolean;
         };
         /** @description A material of the model. */
         MaterialView: {
@@ -2726,6 +2731,21 @@ export interface components {
             layer: string;
             before: string | null;
             after: string | null;
+        };
+        /**
+         * @description Puts a state into the sub-machine `into` (a full name) of the same table; where there is none of this
+         *     name, it is made.
+         */
+        NestStateOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "nest_state";
+            into: string;
         };
         /** @description An actor to add; `position` in metres, `heading_deg` in degrees about +Y. */
         NewActor: {
@@ -2913,7 +2933,7 @@ export interface components {
         };
         /** @description Operations on a machine, applied in their order; together they make one version. */
         NewOperations: {
-            operations: (components["schemas"]["SetCellOperation"] | components["schemas"]["AddStateOperation"] | components["schemas"]["SetStateOperation"] | components["schemas"]["RenameStateOperation"] | components["schemas"]["DeleteStateOperation"] | components["schemas"]["MoveStateOperation"] | components["schemas"]["SetInitialOperation"] | components["schemas"]["SetBlendClipOperation"] | components["schemas"]["DeleteBlendClipOperation"] | components["schemas"]["SetMarkerOperation"] | components["schemas"]["AddEventOperation"] | components["schemas"]["SetEventOperation"] | components["schemas"]["RenameEventOperation"] | components["schemas"]["DeleteEventOperation"] | components["schemas"]["MoveEventOperation"] | components["schemas"]["AddParameterOperation"] | components["schemas"]["SetParameterOperation"] | components["schemas"]["RenameParameterOperation"] | components["schemas"]["AddSenseOperation"] | components["schemas"]["SetSenseOperation"] | components["schemas"]["AddKeyOperation"] | components["schemas"]["SetKeyOperation"] | components["schemas"]["AddColliderOperation"] | components["schemas"]["SetColliderOperation"] | components["schemas"]["RenameColliderOperation"] | components["schemas"]["DeleteEntryOperation"] | components["schemas"]["MoveEntryOperation"] | components["schemas"]["AddLayerOperation"] | components["schemas"]["SetLayerOperation"] | components["schemas"]["RenameLayerOperation"] | components["schemas"]["DeleteLayerOperation"] | components["schemas"]["MoveLayerOperation"] | components["schemas"]["SetMachineOperation"] | components["schemas"]["SetDefaultsOperation"] | components["schemas"]["AddPropertyOperation"] | components["schemas"]["SetPropertyOperation"] | components["schemas"]["MovePropertyOperation"] | components["schemas"]["SetExpressionsOperation"] | components["schemas"]["SetViewOperation"])[];
+            operations: (components["schemas"]["SetCellOperation"] | components["schemas"]["AddStateOperation"] | components["schemas"]["SetStateOperation"] | components["schemas"]["RenameStateOperation"] | components["schemas"]["DeleteStateOperation"] | components["schemas"]["MoveStateOperation"] | components["schemas"]["NestStateOperation"] | components["schemas"]["UnnestStateOperation"] | components["schemas"]["SetInitialOperation"] | components["schemas"]["SetBlendClipOperation"] | components["schemas"]["DeleteBlendClipOperation"] | components["schemas"]["SetMarkerOperation"] | components["schemas"]["AddEventOperation"] | components["schemas"]["SetEventOperation"] | components["schemas"]["RenameEventOperation"] | components["schemas"]["DeleteEventOperation"] | components["schemas"]["MoveEventOperation"] | components["schemas"]["AddParameterOperation"] | components["schemas"]["SetParameterOperation"] | components["schemas"]["RenameParameterOperation"] | components["schemas"]["AddSenseOperation"] | components["schemas"]["SetSenseOperation"] | components["schemas"]["AddKeyOperation"] | components["schemas"]["SetKeyOperation"] | components["schemas"]["AddColliderOperation"] | components["schemas"]["SetColliderOperation"] | components["schemas"]["RenameColliderOperation"] | components["schemas"]["DeleteEntryOperation"] | components["schemas"]["MoveEntryOperation"] | components["schemas"]["AddLayerOperation"] | components["schemas"]["SetLayerOperation"] | components["schemas"]["RenameLayerOperation"] | components["schemas"]["DeleteLayerOperation"] | components["schemas"]["MoveLayerOperation"] | components["schemas"]["SetMachineOperation"] | components["schemas"]["SetDefaultsOperation"] | components["schemas"]["AddPropertyOperation"] | components["schemas"]["SetPropertyOperation"] | components["schemas"]["MovePropertyOperation"] | components["schemas"]["SetExpressionsOperation"] | components["schemas"]["SetViewOperation"])[];
         };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
@@ -3658,6 +3678,10 @@ export interface components {
             points: {
                 [key: string]: number[];
             };
+            /** @description the markers of each clip of a blend, by phase */
+            clip_markers: {
+                [key: string]: components["schemas"]["MarkerView"][];
+            };
             /** @description a factor of time, or the parameter that gives it */
             speed: number | string;
             loop: boolean;
@@ -3726,6 +3750,20 @@ export interface components {
             clip: string;
             pairs: components["schemas"]["TwinView"][];
             alone: string[];
+        };
+        /**
+         * @description Takes a state out of its sub-machine, into the table around it; the last state takes the place of the
+         *     sub-machine.
+         */
+        UnnestStateOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "unnest_state";
         };
         /**
          * @description An uploaded character: its numbers of joints, clips, skins and vertices, and the address of
@@ -4572,6 +4610,7 @@ export type MovePropertyOperation = components['schemas']['MovePropertyOperation
 export type MoveStateOperation = components['schemas']['MoveStateOperation'];
 export type MovedView = components['schemas']['MovedView'];
 export type NameDifferenceView = components['schemas']['NameDifferenceView'];
+export type NestStateOperation = components['schemas']['NestStateOperation'];
 export type NewActor = components['schemas']['NewActor'];
 export type NewCell = components['schemas']['NewCell'];
 export type NewClip = components['schemas']['NewClip'];
@@ -4651,6 +4690,7 @@ export type ThresholdView = components['schemas']['ThresholdView'];
 export type TouchView = components['schemas']['TouchView'];
 export type TwinView = components['schemas']['TwinView'];
 export type TwinningView = components['schemas']['TwinningView'];
+export type UnnestStateOperation = components['schemas']['UnnestStateOperation'];
 export type UploadView = components['schemas']['UploadView'];
 export type UploadedCharacterView = components['schemas']['UploadedCharacterView'];
 export type VerdictMessage = components['schemas']['VerdictMessage'];

@@ -49,6 +49,7 @@ export function state(members: Partial<StateInfo>): StateInfo {
     over: [],
     clips: [],
     points: {},
+    clip_markers: {},
     speed: 1,
     loop: false,
     duration: 0,

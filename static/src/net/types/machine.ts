@@ -9,6 +9,7 @@ export type {
   GroundView as GroundPiece,
   KeyView as KeyBinding,
   LayerView as LayerInfo,
+  MarkerView as Marker,
   DeducedBoneView as DeducedBone,
   LimitView as JointLimit,
   MachineView as MachineInfo,

@@ -1,13 +1,15 @@
-/** The form of a blend: its pad, its clips in numbers, and how a state with one clip becomes a blend. */
+/** The form of a blend: its pad, its clips in numbers, how one clip becomes a blend, and a blend one clip. */
 
 import type { Signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
-import type { Parameter, StateInfo } from "../../net/protocol";
+import { repeat } from "lit-html/directives/repeat.js";
+import type { Marker, Parameter, StateInfo } from "../../net/protocol";
 import type { EditingFields } from "../../state/editingFields";
 import { formField } from "../../ui/formField";
 import type { App } from "../../view/app";
 import { BlendPad, type Drag } from "./blendPad";
-import { axesOf, blendOver, makeBlend, middle, placeOf, putClip } from "./blendSpace";
+import { axesOf, blendOver, makeBlend, middle, oneClip, placeOf, putClip } from "./blendSpace";
+import { markerFields } from "./markerFields";
 
 /** The parameter of a new blend. */
 const PACE = "pace";
@@ -26,6 +28,7 @@ export function blendForm(
     .clipsOf(machine.info.value?.character ?? "")
     .filter(({ name }) => !info.clips.includes(name));
   const added = fields.bind("blend new", "", (clip) => putClip(state, clip, middle(axes)));
+  const alone = fields.bind("one clip", "", (clip) => oneClip(state, info, clip));
   const isThere = layer !== "base" || selection.shownState === info.name;
   return html`${overField(fields, state, info, machine.info.value?.parameters ?? [])}
     ${new BlendPad(app, drag, layer, info).template()}
@@ -38,23 +41,29 @@ export function blendForm(
     }
     <fieldset>
       <legend>clips</legend>
-      ${info.clips.map((clip) => clipRow(fields, state, info, clip, (text) => placeOf(text, axes)))}
+      ${repeat(
+        info.clips,
+        (clip) => clip,
+        (clip) => clipRow(fields, state, info, clip, (text) => placeOf(text, axes)),
+      )}
       ${formField(added, {
         label: "one more",
         choices: [["", "choose …"], ...others.map(({ name }) => [name, name] as const)],
       })}
-    </fieldset>`;
+    </fieldset>
+    ${formField(alone, {
+      label: "one clip",
+      choices: [["", "in place of the blend …"], ...info.clips.map((clip) => [clip, clip] as const)],
+    })}`;
 }
 
-/** Draws the field of what the clips are blended over. A blend with markers, which it would lose, keeps it. */
+/** Draws the field of what the clips are blended over. */
 function overField(
   fields: EditingFields,
   state: { state: string; layer: string },
   info: StateInfo,
   parameters: readonly Parameter[],
 ): TemplateResult {
-  if (info.markers.length)
-    return html`<p class="hint" .textContent=${`Blends over ${info.over.join(" and ")}.`}></p>`;
   const field = fields.bind("blend over", info.over.join(", "), (text) =>
     blendOver(state, info, text, parameters),
   );
@@ -64,7 +73,7 @@ function overField(
 function clipRow(
   fields: EditingFields,
   state: { state: string; layer: string },
-  { points, clips }: StateInfo,
+  { points, clips, clip_markers }: StateInfo,
   clip: string,
   read: (text: string) => number[],
 ): TemplateResult {
@@ -83,8 +92,23 @@ function clipRow(
           </button>
         </p>`
       : nothing
-  }`;
+  }
+  ${clipMarkers(fields, state, clip, clip_markers[clip] ?? [])}`;
 }
+
+/** Draws the markers of a clip, folded: clips with common markers run in step. */
+const clipMarkers = (
+  fields: EditingFields,
+  state: { state: string; layer: string },
+  clip: string,
+  markers: readonly Marker[],
+): TemplateResult =>
+  html`<details class="markers">
+    <summary
+      .textContent=${`markers of ${clip}: ${markers.map(({ name }) => name).join(", ") || "none"}`}
+    ></summary>
+    ${markerFields(fields, state, clip, markers)}
+  </details>`;
 
 /** Draws the field that makes a blend of a state's clip and another. */
 export function newBlend(

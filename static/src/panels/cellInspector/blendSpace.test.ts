@@ -1,6 +1,16 @@
-import { expect, it, test } from "vitest";
+import { describe, expect, it, test } from "vitest";
 import { parameter, state } from "../../net/types/examples";
-import { along, axesOf, blendOver, makeBlend, placeOf, putClip, stepped, valueAt } from "./blendSpace";
+import {
+  along,
+  axesOf,
+  blendOver,
+  makeBlend,
+  oneClip,
+  placeOf,
+  putClip,
+  stepped,
+  valueAt,
+} from "./blendSpace";
 
 const WALK = { state: "WALK", layer: "base" };
 const PACE = parameter({ name: "pace", maximum: 2 });
@@ -65,4 +75,46 @@ test("another value makes a line a pad: its clips keep their places along the li
     name: "turn",
   });
   expect(blendOver(WALK, info, "entry speed", [PACE])).toHaveLength(1);
+});
+
+const marker = (name: string, phase: number, written = true) => ({ name, phase, written });
+
+test("a blend over another value keeps the markers of its clips", () => {
+  const info = state({
+    over: ["pace"],
+    points: { walk: [0], run: [2] },
+    clip_markers: { walk: [marker("left", 0.25), marker("own", 0.5, false)], run: [] },
+  });
+  expect(blendOver(WALK, info, "entry speed", [PACE])).toEqual([
+    {
+      kind: "set_state",
+      ...WALK,
+      fields: {
+        motion: { over: "entry speed", clips: { walk: 0, run: 2 }, markers: { walk: { left: 0.25 } } },
+      },
+    },
+  ]);
+});
+
+describe("a blend becomes one of its clips", () => {
+  const clips = ["walk", "run"];
+
+  test("without markers that none of them had", () =>
+    expect(oneClip(WALK, state({ clips, clip_markers: { walk: [], run: [] } }), "run")).toEqual([
+      { kind: "set_state", ...WALK, fields: { motion: "run" } },
+    ]));
+
+  test.each([
+    ["walk", { left: 0.3, half: 0.5, right: 0.75 }],
+    ["run", { left: 0.2, half: 0.5 }],
+  ])("%s keeps its markers, and phases of the state are those of the first clip", (clip, markers) => {
+    const info = state({
+      clips,
+      clip_markers: { walk: [marker("left", 0.25), marker("right", 0.75)], run: [marker("left", 0.2)] },
+      markers: [marker("left", 0.3), marker("half", 0.5), marker("right", 0.75, false)],
+    });
+    expect(oneClip(WALK, info, clip)).toEqual([
+      { kind: "set_state", ...WALK, fields: { motion: clip, markers } },
+    ]);
+  });
 });

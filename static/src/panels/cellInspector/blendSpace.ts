@@ -1,6 +1,6 @@
 /** The blend of a state as numbers: its axes, where its clips stand, and what an edit says of them. */
 
-import type { Operation, Parameter, StateInfo } from "../../net/protocol";
+import type { Marker, Operation, Parameter, StateInfo } from "../../net/protocol";
 import { listed } from "../../state/fieldTexts";
 
 /** A parameter, or another value, over which clips are blended, with the range that is drawn. */
@@ -93,10 +93,29 @@ export function makeBlend(
   return [...missing([over], parameters), { kind: "set_state", ...state, fields: { motion } }];
 }
 
+/** Returns the phases of the markers that the machine's file sets. */
+const written = (markers: readonly Marker[]): Record<string, number> =>
+  Object.fromEntries(markers.filter((marker) => marker.written).map(({ name, phase }) => [name, phase]));
+
+/**
+ * Returns the operations that make a blend one of its clips. The clip keeps its markers; phases that the state itself
+ * sets are phases of the first clip.
+ */
+export function oneClip(
+  state: { state: string; layer: string },
+  { clips, clip_markers, markers }: StateInfo,
+  clip: string,
+): Operation[] {
+  const [ofClip, ofState] = [written(clip_markers[clip] ?? []), written(markers)];
+  const kept = clip === clips[0] ? { ...ofClip, ...ofState } : { ...ofState, ...ofClip };
+  const fields = { motion: clip, ...(Object.keys(kept).length && { markers: kept }) };
+  return [{ kind: "set_state", ...state, fields }];
+}
+
 /** Returns the operations that blend a state's clips over other values: one, or two with a comma between them. */
 export function blendOver(
   state: { state: string; layer: string },
-  { points }: StateInfo,
+  { points, clip_markers }: StateInfo,
   text: string,
   parameters: readonly Parameter[],
 ): Operation[] {
@@ -105,6 +124,13 @@ export function blendOver(
   const clips = Object.fromEntries(
     Object.entries(points).map(([clip, [x = 0, y = 0]]) => [clip, over.length > 1 ? [x, y] : x]),
   );
-  const motion = { over: over.length > 1 ? over : over[0]!, clips };
+  const marked = Object.entries(clip_markers)
+    .map(([clip, markers]) => [clip, written(markers)] as const)
+    .filter(([, phases]) => Object.keys(phases).length);
+  const motion = {
+    over: over.length > 1 ? over : over[0]!,
+    clips,
+    ...(marked.length && { markers: Object.fromEntries(marked) }),
+  };
   return [...missing(over, parameters), { kind: "set_state", ...state, fields: { motion } }];
 }

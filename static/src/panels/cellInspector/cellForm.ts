@@ -7,18 +7,8 @@ import type { EditingFields } from "../../state/editingFields";
 import { formField } from "../../ui/formField";
 import type { App } from "../../view/app";
 import { alternativesForm, newAlternative } from "./alternativesForm";
-import { curveChoice } from "./blendCurve";
-import {
-  blendField,
-  cellOf,
-  enterField,
-  isWritten,
-  seconds,
-  setFields,
-  setTarget,
-  setWhen,
-  targetText,
-} from "./cellValues";
+import { cellOf, isWritten, setFields, setTarget, setTransition, setWhen, targetText } from "./cellValues";
+import { actionsOf, PLAIN, transitionFields } from "./transitionFields";
 
 export function cellForm(
   app: App,
@@ -30,7 +20,7 @@ export function cellForm(
   const name = place.state === "*" ? "every state" : place.state;
   const event = place.event === "*" ? "every event" : place.event;
   return html`<h2><span .textContent=${name}></span> <span .textContent=${event}></span></h2>
-    ${source(app, cell, place)} ${target(fields, layer, place, cell)}
+    ${source(app, cell, place)} ${target(fields, layer, place, cell, actionsOf(app.machine.info.value))}
     ${cell && targetText(cell) !== "-" ? details(app, fields, layer, place, cell) : nothing}`;
 }
 
@@ -53,8 +43,9 @@ function target(
   layer: LayerInfo,
   place: CellPlace,
   cell: Cell | undefined,
+  actions: readonly string[],
 ): TemplateResult {
-  if (cell?.alternatives.length) return alternativesForm(fields, layer, place, cell);
+  if (cell?.alternatives.length) return alternativesForm(fields, layer, place, cell, actions);
   const states = [...new Set(layer.states.flatMap(({ name, outer }) => (outer ? [outer, name] : [name])))];
   const choices = [
     ["", "blank: waits"],
@@ -86,39 +77,23 @@ function details(
   place: CellPlace,
   cell: Cell,
 ): TemplateResult {
-  const actions = new Set(
-    (machine.info.value?.layers ?? []).flatMap(({ table }) =>
-      Object.values(table).flatMap((row) => Object.values(row).flatMap(({ action }) => action ?? [])),
-    ),
-  );
   const when = fields.bind("when", cell.when, (text) =>
     setWhen(place, cell, text === "window" ? "window 0.2..0.8" : text),
   );
   const [, first = "", last = ""] = /^window ([\d.]+?)\.\.([\d.]+)$/.exec(cell.when) ?? [];
   const bounds = fields.bind("window", `${first}..${last}`, (text) =>
-    setFields(place, { when: `window ${text}` }),
+    setFields(place, cell, { when: `window ${text}` }),
   );
-  const blend = fields.bind("blend", String(Number(cell.blend.toFixed(4))), (text) =>
-    setFields(place, { blend: blendField(seconds(text), cell.curve) ?? null }),
-  );
-  const curve = fields.bind("curve", cell.curve, (text) =>
-    setFields(place, { blend: blendField(cell.blend, text as Cell["curve"]) ?? null }),
-  );
-  const enter = fields.bind("enter", cell.enter === 0 ? "" : String(cell.enter), (text) =>
-    setFields(place, { enter: enterField(text) ?? null }),
-  );
-  const action = fields.bind("action", cell.action ?? "", (text) =>
-    setFields(place, { action: text.trim() || null }),
-  );
+  const info = machine.info.value;
+  const curve = info?.defaults.curve ?? "cubic";
   return html`${formField(when, { label: "fires", choices: moments(layer, place, cell.when) })}
   ${first ? formField(bounds, { label: "window", hint: "0.2..0.8" }) : nothing}
   ${
-    cell.alternatives.length
+    cell.alternatives.some(({ weight }) => weight === null)
       ? nothing
-      : html`${formField(blend, { label: "blend, s", number: true, step: 0.05 })}
-        ${curveChoice(curve, cell.blend)}
-        ${formField(enter, { label: "enter at", hint: "0; a phase 0…1, or match", proposals: ["match", "0"] })}
-        ${formField(action, { label: "action", hint: "none", proposals: [...actions] })}
-        ${newAlternative(fields, layer, place, cell)}`
-  }`;
+      : transitionFields(fields, "", cell, PLAIN, actionsOf(info), (change) =>
+          setTransition(place, cell, change, curve),
+        )
+  }
+  ${cell.alternatives.length ? nothing : newAlternative(fields, layer, place, cell)}`;
 }

@@ -1,6 +1,16 @@
 import { describe, expect, it } from "vitest";
 import type { Cell } from "../../net/protocol";
-import { enterField, setAlternatives, setTarget, setWhen, targetText } from "./cellValues";
+import {
+  type AlternativeText,
+  alternativeTexts,
+  enterField,
+  setAlternatives,
+  setTarget,
+  setTransition,
+  setWhen,
+  targetText,
+  type TransitionChange,
+} from "./cellValues";
 
 const place = { layer: "base", state: "WALK", event: "LEFT" };
 const WALK: Cell = {
@@ -67,23 +77,87 @@ describe("a cell's moment", () => {
     expect(setWhen(place, EITHER, "end")).toEqual([{ kind: "set_cell", ...place, fields: { when: "end" } }]));
 });
 
+const text: AlternativeText = { ...way, to: "RUN", condition: "speed > 3", weight: "" };
+
 describe("alternatives", () => {
-  it("keep what the form does not show", () =>
-    expect(setAlternatives(place, EITHER, [{ to: "RUN", condition: "speed > 3", weight: "" }])).toEqual([
+  it("say only what the cell does not say already", () =>
+    expect(
+      setAlternatives(place, EITHER, [
+        { ...text, blend: 0.25, enter: "match" },
+        { ...text, to: "STAT", condition: "", curve: "quintic", action: "shout" },
+      ]),
+    ).toEqual([
       {
         kind: "set_cell",
         ...place,
-        fields: { alternatives: [{ to: "RUN", if: "speed > 3", blend: 0.2 }] },
+        fields: {
+          alternatives: [
+            { to: "RUN", if: "speed > 3", enter: "match" },
+            { to: "STAT", blend: { seconds: 0.2, curve: "quintic" }, action: "shout" },
+          ],
+        },
       },
     ]));
 
+  it("of a cell that enters at a phase can enter at the beginning", () =>
+    expect(setAlternatives(place, { ...WALK, enter: 0.3 }, [{ ...text, blend: 0.25 }])).toEqual([
+      { kind: "set_cell", ...place, fields: { alternatives: [{ to: "RUN", if: "speed > 3", enter: 0 }] } },
+    ]));
+
+  it("keep what they say in another order", () => {
+    const [first, last] = alternativeTexts({
+      ...EITHER,
+      alternatives: [
+        { ...way, to: "RUN", condition: "speed > 2", action: "run" },
+        { ...way, to: "HOP", condition: "speed > 1", enter: 0.5 },
+      ],
+    });
+    expect(setAlternatives(place, EITHER, [last!, first!])).toMatchObject([
+      {
+        fields: {
+          alternatives: [
+            { to: "HOP", enter: 0.5 },
+            { to: "RUN", action: "run" },
+          ],
+        },
+      },
+    ]);
+  });
+
   it("with a weight are drawn by lot", () =>
     expect(
-      setAlternatives(place, undefined, [
-        { to: "RUN", condition: "", weight: "3" },
-        { to: "STAT", condition: "", weight: "" },
+      setAlternatives(place, WALK, [
+        { ...text, weight: "3" },
+        { ...text, to: "STAT" },
       ]),
     ).toEqual([{ kind: "set_cell", ...place, fields: { alternatives: { RUN: 3, STAT: 1 } } }]));
+});
+
+describe("a cell's transition", () => {
+  it("names its curve if the machine's is another one", () => {
+    const curve = (change: TransitionChange, ofMachine: Cell["curve"]) =>
+      setTransition(place, WALK, change, ofMachine)[0];
+    expect(curve({ blend: 0.4 }, "cubic")).toMatchObject({ fields: { blend: 0.4 } });
+    expect(curve({ blend: 0.4 }, "quintic")).toMatchObject({
+      fields: { blend: { seconds: 0.4, curve: "cubic" } },
+    });
+    expect(curve({ curve: "quintic" }, "quintic")).toMatchObject({ fields: { blend: 0.25 } });
+  });
+
+  it("of a default becomes that of a cell of its own, which keeps the rest", () => {
+    const fall = { ...WALK, source: "column default", written: ["*", "LEFT"], action: "cry" } as Cell;
+    expect(setTransition(place, fall, { enter: 0.5 }, "cubic")).toEqual([
+      {
+        kind: "set_cell",
+        ...place,
+        text: "TLFT",
+        fields: { when: "now", blend: { seconds: 0.25, curve: "cubic" }, action: "cry", enter: 0.5 },
+      },
+    ]);
+    expect(setTransition({ ...place, state: "*" }, fall, { enter: 0.5 }, "cubic")).toEqual([
+      { kind: "set_cell", ...place, state: "*", fields: { enter: 0.5 } },
+    ]);
+  });
 });
 
 describe("the phase of entry", () => {

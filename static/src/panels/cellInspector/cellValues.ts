@@ -5,6 +5,7 @@ import type { CellPlace } from "../../state/editAnswer";
 
 type SetCell = Extract<Operation, { kind: "set_cell" }>;
 type CellFields = NonNullable<SetCell["fields"]>;
+type Fields = { [Member in keyof CellFields]-?: NonNullable<CellFields[Member]> };
 
 /** Returns the cell at a place; `*` as state or event: the default of a column or row, from any cell that has it. */
 export function cellOf({ table }: LayerInfo, { state, event }: CellPlace): Cell | undefined {
@@ -31,9 +32,54 @@ export function withMoment(target: string, when: string): string {
   return moment === undefined ? target : `${target} at ${moment}`;
 }
 
-export const setFields = (place: CellPlace, fields: CellFields): Operation[] => [
-  { kind: "set_cell", ...place, fields },
-];
+/** What a cell, or one of its alternatives, says of the way to the next state. */
+export type Transition = Pick<Cell, "blend" | "curve" | "enter" | "action">;
+
+/** A change of a transition; null takes the member away. */
+export interface TransitionChange {
+  blend?: number;
+  curve?: Cell["curve"];
+  enter?: Cell["enter"] | null;
+  action?: string | null;
+}
+
+/**
+ * Sets fields of a cell. A cell that comes from a default becomes a cell of its own, which is as the default but for
+ * these fields.
+ */
+export function setFields(place: CellPlace, cell: Cell, fields: CellFields): Operation[] {
+  const hasAlternatives = "alternatives" in fields || cell.alternatives.length > 0;
+  const text = isWritten(cell, place) || hasAlternatives ? {} : { text: targetText(cell) };
+  return [{ kind: "set_cell", ...place, ...text, fields: { ...copied(place, cell), ...fields } }];
+}
+
+/** Returns what a cell that comes from a default says, so that another cell can say it; nothing of a written cell. */
+function copied(place: CellPlace, cell: Cell): CellFields {
+  if (isWritten(cell, place)) return {};
+  const { when, blend, curve, enter, action } = cell;
+  return {
+    when,
+    blend: { seconds: blend, curve },
+    ...(enter && { enter }),
+    ...(action && { action }),
+    ...(cell.alternatives.length && { alternatives: alternativesField(cell, alternativeTexts(cell)) }),
+  };
+}
+
+/** Sets members of a cell's transition; `curve` is the curve of a cell that names none. */
+export function setTransition(
+  place: CellPlace,
+  cell: Cell,
+  change: TransitionChange,
+  curve: Cell["curve"],
+): Operation[] {
+  const { blend, curve: along, ...others } = change;
+  const blends = blend !== undefined || along !== undefined;
+  return setFields(place, cell, {
+    ...(blends && { blend: blendField(blend ?? cell.blend, along ?? cell.curve, curve) }),
+    ...others,
+  });
+}
 
 export const setTarget = (place: CellPlace, cell: Cell | undefined, target: string): Operation[] => [
   {
@@ -48,8 +94,9 @@ export const setTarget = (place: CellPlace, cell: Cell | undefined, target: stri
 export function setWhen(place: CellPlace, cell: Cell, when: string): Operation[] {
   const inTable = withMoment(targetText(cell), when);
   const hasMoment = inTable !== targetText(cell);
-  if (cell.alternatives.length) return setFields(place, { when });
-  return [{ kind: "set_cell", ...place, text: inTable, fields: { when: hasMoment ? null : when } }];
+  if (cell.alternatives.length) return setFields(place, cell, { when });
+  const fields = { ...copied(place, cell), when: hasMoment ? null : when };
+  return [{ kind: "set_cell", ...place, text: inTable, fields }];
 }
 
 /** Reads seconds. :throws: if the text is no number, in words for the user. */
@@ -59,8 +106,9 @@ export function seconds(text: string): number {
   return value;
 }
 
-export const blendField = (value: number, curve: Cell["curve"]): CellFields["blend"] =>
-  curve === "cubic" ? value : { seconds: value, curve };
+/** Writes a blend; its curve is left out if it is the one that counts without. */
+const blendField = (seconds: number, curve: Cell["curve"], without: Cell["curve"]): Fields["blend"] =>
+  curve === without ? seconds : { seconds, curve };
 
 /** Reads a phase from 0 to 1, or `match`. */
 export function enterField(text: string): CellFields["enter"] {
@@ -72,50 +120,44 @@ export function enterField(text: string): CellFields["enter"] {
 }
 
 /** An alternative, as its fields show it. */
-export interface AlternativeText {
+export interface AlternativeText extends Transition {
   to: string;
   condition: string;
   weight: string;
 }
 
 export const alternativeTexts = (cell: Cell): AlternativeText[] =>
-  cell.alternatives.map(({ to, restart, condition, weight }) => ({
+  cell.alternatives.map(({ to, restart, condition, weight, blend, curve, enter, action }) => ({
     to: restart ? `${to}!` : to,
     condition,
     weight: weight === null ? "" : String(weight),
+    ...{ blend, curve, enter, action },
   }));
 
 /** Sets the alternatives of a cell: by conditions, or (as soon as one has a weight) by chance. */
-export function setAlternatives(
+export const setAlternatives = (
   place: CellPlace,
-  cell: Cell | undefined,
+  cell: Cell,
   texts: readonly AlternativeText[],
-): Operation[] {
-  if (!texts.length) return [{ kind: "set_cell", ...place, text: "", fields: { alternatives: null } }];
+): Operation[] =>
+  texts.length
+    ? setFields(place, cell, { alternatives: alternativesField(cell, texts) })
+    : [{ kind: "set_cell", ...place, text: "", fields: { alternatives: null } }];
+
+function alternativesField(cell: Cell, texts: readonly AlternativeText[]): Fields["alternatives"] {
   if (texts.some(({ weight }) => weight))
-    return setFields(place, {
-      alternatives: Object.fromEntries(texts.map(({ to, weight }) => [to, Number(weight || 1)])),
-    });
-  return setFields(place, {
-    alternatives: texts.map(({ to, condition }, i) => {
-      const old = cell?.alternatives[i];
-      return alternativeField(to, condition, old?.blend ?? cell?.blend ?? 0, old ?? cell);
-    }),
-  });
+    return Object.fromEntries(texts.map(({ to, weight }) => [to, Number(weight || 1)]));
+  return texts.map((text) => alternativeField(cell, text));
 }
 
-/** Writes an alternative; what it does not say is left out. */
-export function alternativeField(
-  to: string,
-  condition: string,
-  blend: number,
-  old: Pick<Cell, "curve" | "enter" | "action"> | undefined,
-) {
+/** Writes an alternative; what it has in common with the cell is left out. */
+function alternativeField(cell: Cell, { to, condition, blend, curve, enter, action }: AlternativeText) {
+  const blends = blend !== cell.blend || curve !== cell.curve;
   return {
     to,
     ...(condition && { if: condition }),
-    blend: blendField(blend, old?.curve ?? "cubic") ?? blend,
-    ...(old?.enter ? { enter: old.enter } : {}),
-    ...(old?.action ? { action: old.action } : {}),
+    ...(blends && { blend: blendField(blend, curve, cell.curve) }),
+    ...(enter !== cell.enter && { enter }),
+    ...(action && action !== cell.action && { action }),
   };
 }

@@ -11,6 +11,7 @@ import { FRAMINGS } from "../../view/camera/framing";
 import { blendForm, newBlend } from "./blendForm";
 import type { Drag } from "./blendPad";
 import { clipChoice } from "./clipChoice";
+import { markerFields } from "./markerFields";
 
 const YES_NO = [
   ["no", "no"],
@@ -21,14 +22,6 @@ const FRAMING_CHOICES: readonly (readonly [string, string])[] = [
   ...FRAMINGS.map((framing) => [framing, framing] as const),
 ];
 const yes = (flag: boolean): string => (flag ? "yes" : "no");
-
-/** Reads a phase of a marker; blank takes the marker away. */
-function phase(text: string): number | null {
-  if (!text.trim()) return null;
-  const value = Number(text);
-  if (!(value >= 0 && value <= 1)) throw new Error("a phase from 0 to 1; blank: no marker");
-  return value;
-}
 
 type StateFields = Extract<Operation, { kind: "set_state" }>["fields"];
 
@@ -126,27 +119,16 @@ function motionFields(
   ${newBlend(app, fields, layer.name, info)}`;
 }
 
+/** Draws the markers of a state. Those of a blend stand beside its clips; a blend can have markers of its own, too. */
 function markers(
   fields: EditingFields,
   state: { state: string; layer: string },
   { motion, over, markers: known }: StateInfo,
 ): TemplateResult {
-  if (motion === null || over.length) return html``;
-  const added = fields.bind("new marker", "", (text) => {
-    const [, marker, at] = /^\s*(\S+)\s+([\d.]+)\s*$/.exec(text) ?? [];
-    if (!marker || !at) throw new Error("a name and a phase, as in: left-down 0.25");
-    return [{ kind: "set_marker", ...state, marker, phase: phase(at) }];
-  });
+  const shown = over.length ? known.filter(({ written }) => written) : known;
+  if (motion === null || (over.length && !shown.length)) return html``;
   return html`<fieldset>
     <legend>markers</legend>
-    ${known.map(({ name, phase: at }) =>
-      formField(
-        fields.bind(`marker ${name}`, String(at), (text) => [
-          { kind: "set_marker", ...state, marker: name, phase: phase(text) },
-        ]),
-        { label: name, hint: "0…1; blank deletes it" },
-      ),
-    )}
-    ${formField(added, { label: "new", hint: "left-down 0.25" })}
+    ${markerFields(fields, state, "", shown)}
   </fieldset>`;
 }

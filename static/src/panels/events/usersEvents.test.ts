@@ -2,8 +2,8 @@ import { expect, test } from "vitest";
 import { keyBinding, layer, machine, state } from "../../net/types/examples";
 import { usersEvents } from "./usersEvents";
 
-const step = { name: "left-down", phase: 0 };
-const shout = { name: "shout", phase: 0.5 };
+const step = { name: "left-down", phase: 0, written: true };
+const shout = { name: "shout", phase: 0.5, written: true };
 
 test("ends and markers are raised by motions, and are not the user's", () => {
   const info = machine({

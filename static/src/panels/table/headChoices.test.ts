@@ -6,6 +6,10 @@ const state = (name: string, outer = "") => ({ name, outer });
 const layer = {
   name: "base",
   initial: "A",
+  composites: [
+    { name: "IN", initial: "IN.X", outer: "" },
+    { name: "IN.DEEP", initial: "IN.DEEP.Z", outer: "IN" },
+  ],
   states: [state("A"), state("IN.X", "IN"), state("IN.Y", "IN"), state("B")],
   rows: [["state", "GO", "STOP", "END"]],
   table: {},
@@ -30,6 +34,27 @@ test("a state of a sub-machine is renamed by its short name", () => {
   expect(ask!.value).toBe("X");
   expect(ask!.operations("Z")).toEqual([{ kind: "rename_state", state: "IN.X", layer: "base", to: "Z" }]);
 });
+
+test("a state goes into a sub-machine of its own table, there or new, and out again", () => {
+  const { ask } = operations("state", "IN.X", "put into a sub-machine …");
+  expect(ask!.proposals).toEqual(["DEEP"]);
+  expect(ask!.operations("NEW")).toEqual([
+    { kind: "nest_state", state: "IN.X", layer: "base", into: "IN.NEW" },
+  ]);
+  expect(operations("state", "IN.X", "take out of IN").operations).toEqual([
+    { kind: "unnest_state", state: "IN.X", layer: "base" },
+  ]);
+  expect(operations("state", "A", "put into a sub-machine …").ask!.proposals).toEqual(["IN"]);
+  expect(
+    choicesOf({ kind: "state", name: "A" }, layer, events).some(({ words }) => words.includes("out of")),
+  ).toBe(false);
+});
+
+test("the first state of a sub-machine cannot be made its first", () =>
+  expect(["IN.X", "IN.Y"].map((name) => operations("state", name, "make it the first state").off)).toEqual([
+    true,
+    false,
+  ]));
 
 test("END is no event that can be renamed or deleted", () => {
   expect(["rename …", "delete"].map((words) => operations("event", "END", words).off)).toEqual([true, true]);

@@ -15,6 +15,8 @@ export interface Ask {
   label: string;
   value: string;
   hint?: string;
+  /** Texts that are proposed. */
+  proposals?: readonly string[];
   operations: (text: string) => Operation[];
 }
 
@@ -61,7 +63,7 @@ function cornerChoices(layer: string): Choice[] {
   ];
 }
 
-function stateChoices(state: string, { name: layer, states, initial }: LayerInfo): Choice[] {
+function stateChoices(state: string, { name: layer, states, composites, initial }: LayerInfo): Choice[] {
   const outer = states.find(({ name }) => name === state)?.outer ?? "";
   const row = states.filter((other) => other.outer === outer).map(({ name }) => name);
   const at = row.indexOf(state);
@@ -81,9 +83,13 @@ function stateChoices(state: string, { name: layer, states, initial }: LayerInfo
     { words: "add a state above …", ask: newState(layer, state) },
     { words: "move up", off: at === 0, operations: move(row[at - 1]) },
     { words: "move down", off: at === row.length - 1, operations: move(row[at + 2]) },
+    { words: "put into a sub-machine …", ask: nesting(own, outer, composites) },
+    ...(outer
+      ? [{ words: `take out of ${outer}`, operations: [{ kind: "unnest_state" as const, ...own }] }]
+      : []),
     {
       words: "make it the first state",
-      off: state === initial,
+      off: state === (composites.find(({ name }) => name === outer)?.initial ?? initial),
       operations: [{ kind: "set_initial", ...own }],
     },
     { words: "default of this row …", run: select(layer, state, "*") },
@@ -93,6 +99,25 @@ function stateChoices(state: string, { name: layer, states, initial }: LayerInfo
       anyway: [{ kind: "delete_state", ...own, also_cells: true }],
     },
   ];
+}
+
+/** Asks for a sub-machine of the state's own table: one that is there, or a new one. */
+function nesting(
+  own: { state: string; layer: string },
+  outer: string,
+  composites: LayerInfo["composites"],
+): Ask {
+  const start = outer ? `${outer}.` : "";
+  const there = composites
+    .filter((other) => other.outer === outer)
+    .map(({ name }) => name.slice(start.length));
+  return {
+    label: "sub-machine",
+    value: "",
+    hint: there[0] ?? "FIGHT",
+    proposals: there,
+    operations: (name) => [{ kind: "nest_state", ...own, into: start + name }],
+  };
 }
 
 function eventChoices(event: string, { name: layer }: LayerInfo, shown: readonly string[]): Choice[] {

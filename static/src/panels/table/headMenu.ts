@@ -66,14 +66,14 @@ export function headMenu(host: HTMLElement, app: App): (head: Head, anchor: HTML
     html`<p class="field-error" role="status" .textContent=${words}></p>
       ${anyway.length ? item({ words: "delete, and make these cells blank", operations: anyway }) : nothing}`;
 
-  function question({ label, value, hint, operations }: Ask): TemplateResult {
+  function question({ label, value, hint, proposals, operations }: Ask): TemplateResult {
     const field = fields.bind("ask", value, (text) => operations(text.trim()));
     // The field is left by Enter alone: a click elsewhere gives the question up.
     const left = (text: string): void => {
       if (text.trim() && text !== value) field.left(text);
       else close(true);
     };
-    return formField({ ...field, left }, { label, ...(hint && { hint }) });
+    return formField({ ...field, left }, { label, ...(hint && { hint }), ...(proposals && { proposals }) });
   }
 
   draw(box, () => {

@@ -20,14 +20,15 @@ from statwalk.files.machine_yaml.edit.operations import (
     DeleteState,
     EditOperation,
     MoveState,
+    NestState,
     RenameEvent,
     RenameParameter,
     RenameState,
     SetCell,
     SetView,
+    UnnestState,
 )
-from statwalk.files.machine_yaml.edit.state_edits import entries_at
-from statwalk.files.machine_yaml.edit.table_levels import levels, raw_table, read
+from statwalk.files.machine_yaml.edit.table_levels import entries_at, levels, raw_table, read
 from statwalk.files.machine_yaml.machine_file import load_machine, read_machine
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.machine.conditions.variables import NAMES
@@ -135,6 +136,20 @@ def test_renamed_there_and_back_it_is_the_same_machine(machine: str) -> None:
     again = edited(text, [*there, *back])
     assert_same_program(machine, again)
     assert [line.split() for line in again.splitlines()] == [line.split() for line in text.splitlines()]
+
+
+@pytest.mark.parametrize("machine", SHIPPED)
+def test_a_sub_machine_around_a_state_changes_no_program(machine: str) -> None:
+    """Neither its making nor its end; the lines that speak of something else stay."""
+    text = text_of(machine)
+    for layer, state in random.Random(len(text)).sample(states_of(text), min(4, len(states_of(text)))):
+        outer, _, own = state.rpartition(".")
+        into = f"{outer}.AROUND".strip(".")
+        nested = edited(text, [NestState(state, into, layer)])
+        assert_same_program(machine, nested)
+        again = edited(nested, [UnnestState(f"{into}.{own}", layer)])
+        assert_same_program(machine, again)
+        assert sorted(again.split()) == sorted(text.split())
 
 
 @pytest.mark.parametrize("machine", SHIPPED)

@@ -27,8 +27,8 @@ def test_a_new_column():
 
 def test_the_last_column_of_a_table_without_bars_around_it():
     assert came(AddEvent("KNOCK", composite="GUARD")) == [
-        "        state | HAIL       | KNOCK",
-        "        STAND | BOW        |",
+        "        state | HAIL        | KNOCK",
+        "        STAND | BOW         |",
         "        BOW   | OPEN at end |",
     ]
 

@@ -10,8 +10,14 @@ from statwalk.files.machine_yaml.edit.cell_edits import events_of
 from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
 from statwalk.files.machine_yaml.edit.raw_table import RawTable
 from statwalk.files.machine_yaml.edit.renaming import same, sentence_renamed
-from statwalk.files.machine_yaml.edit.state_edits import entries_at
-from statwalk.files.machine_yaml.edit.table_levels import TableLevel, levels, raw_table, read, table_changes
+from statwalk.files.machine_yaml.edit.table_levels import (
+    TableLevel,
+    entries_at,
+    levels,
+    raw_table,
+    read,
+    table_changes,
+)
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import without
 from statwalk.files.yaml.yaml_node import Node

@@ -10,9 +10,10 @@ from statwalk.files.machine_yaml.edit.cell_edits import has_fields, target_of
 from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
 from statwalk.files.machine_yaml.edit.raw_table import RawTable
 from statwalk.files.machine_yaml.edit.renaming import StateNames, same, sentence_renamed
-from statwalk.files.machine_yaml.edit.state_edits import entries_at, state_names
+from statwalk.files.machine_yaml.edit.state_renaming import state_names
 from statwalk.files.machine_yaml.edit.table_levels import (
     TableLevel,
+    entries_at,
     existing_state,
     levels_of,
     raw_table,

@@ -9,8 +9,8 @@ from typing import Literal
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
 from statwalk.files.machine_yaml.edit.renaming import check_name
-from statwalk.files.machine_yaml.edit.state_edits import entries_at, given_fields, with_fields
-from statwalk.files.machine_yaml.edit.table_levels import read
+from statwalk.files.machine_yaml.edit.state_edits import given_fields, with_fields
+from statwalk.files.machine_yaml.edit.table_levels import entries_at, read
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_value, without
 from statwalk.files.yaml.yaml_value import Value

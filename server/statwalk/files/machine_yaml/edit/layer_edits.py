@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
 from statwalk.files.machine_yaml.edit.renaming import check_name
-from statwalk.files.machine_yaml.edit.state_edits import NO_MOTION, entries_at, given_fields, with_fields
-from statwalk.files.machine_yaml.edit.table_levels import read
+from statwalk.files.machine_yaml.edit.state_edits import NO_MOTION, given_fields, with_fields
+from statwalk.files.machine_yaml.edit.table_levels import entries_at, read
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_key, with_value, without
 from statwalk.files.yaml.yaml_value import Value

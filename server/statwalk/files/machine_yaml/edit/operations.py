@@ -13,6 +13,7 @@ from statwalk.files.machine_yaml.edit.layer_edits import (
     SetLayer,
 )
 from statwalk.files.machine_yaml.edit.motion_edits import DeleteBlendClip, SetBlendClip, SetMarker
+from statwalk.files.machine_yaml.edit.nested_state import NestState, UnnestState
 from statwalk.files.machine_yaml.edit.operation import EditOperation
 from statwalk.files.machine_yaml.edit.parameter_names import RenameCollider, RenameParameter
 from statwalk.files.machine_yaml.edit.setting_edits import (
@@ -44,6 +45,7 @@ __all__ = [
     "MoveLayer",
     "MoveProperty",
     "MoveState",
+    "NestState",
     "RenameCollider",
     "RenameEvent",
     "RenameLayer",
@@ -62,4 +64,5 @@ __all__ = [
     "SetProperty",
     "SetState",
     "SetView",
+    "UnnestState",
 ]

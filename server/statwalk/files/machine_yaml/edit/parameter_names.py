@@ -10,8 +10,7 @@ from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.entry_edits import check_entry
 from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
 from statwalk.files.machine_yaml.edit.renaming import check_name, keys_renamed, value_renamed
-from statwalk.files.machine_yaml.edit.state_edits import entries_at
-from statwalk.files.machine_yaml.edit.table_levels import levels, read
+from statwalk.files.machine_yaml.edit.table_levels import entries_at, levels, read
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import renamed_key
 from statwalk.files.yaml.yaml_node import Node

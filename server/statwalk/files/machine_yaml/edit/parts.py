@@ -8,8 +8,7 @@ from statwalk.files.machine_yaml.edit.cell_edits import events_of, has_fields
 from statwalk.files.machine_yaml.edit.entry_edits import KINDS
 from statwalk.files.machine_yaml.edit.operation import Part, Parts
 from statwalk.files.machine_yaml.edit.setting_edits import SETTINGS
-from statwalk.files.machine_yaml.edit.state_edits import entries_at
-from statwalk.files.machine_yaml.edit.table_levels import TableLevel, levels, raw_table, read
+from statwalk.files.machine_yaml.edit.table_levels import TableLevel, entries_at, levels, raw_table, read
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_node import Node
 from statwalk.files.yaml.yaml_value import flow

@@ -61,6 +61,10 @@ class RawTable:
         """Changes a cell; the column keeps its width if the text fits."""
         self._put(self._line(row), self.columns().index(column) + 1, text)
 
+    def fit(self, column: str) -> None:
+        """Gives all cells of a column the width of the widest."""
+        self._widen(self.columns().index(column) + 1)
+
     def change(self, new: Callable[[str], str]) -> None:
         """Changes every cell below the header and beside the names to what `new` makes of it."""
         wider = set()
@@ -135,15 +139,16 @@ class RawTable:
         columns = self.columns()
         place = columns.index(before) + 1 if before in columns else len(columns) + 1
         header = self._rows()[0]
+        last = max(len(line.cells[-1].rstrip()) for line in self._rows()) + 1
         for at, line in enumerate(self.lines):
             if line.cells:
-                self.lines[at] = self._with_cell(line, place, name if line is header else "", len(name) + 2)
+                text = name if line is header else ""
+                self.lines[at] = self._with_cell(line, place, text, len(name) + 2, last)
 
-    def _with_cell(self, line: TableLine, place: int, text: str, width: int) -> TableLine:
+    def _with_cell(self, line: TableLine, place: int, text: str, width: int, last: int) -> TableLine:
         cells = list(line.cells)
         if place == len(cells) and self.bar == "|" and not line.end.startswith("|"):
-            widths = [len(row.cells[-1]) for row in self._rows()]
-            cells[-1] = cells[-1].ljust(max(max(widths), len(cells[-1].rstrip()) + 1))
+            cells[-1] = cells[-1].ljust(last)
         cells.insert(place, "")
         wider = replace(line, cells=tuple(cells))
         cells[place] = self._padded(wider, place, text, width)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.cells import CELL_KEYS
-from statwalk.files.machine_yaml.edit.table_levels import TableLevel
 from statwalk.files.yaml.yaml_edit import renamed_key
 from statwalk.files.yaml.yaml_node import Node
 from statwalk.files.yaml.yaml_places import Splice
@@ -42,19 +41,33 @@ class StateNames:
             composite = composite.rpartition(".")[0]
         return name
 
+    def shortest(self, composite: str, full: str) -> str:
+        """Returns the shortest name that means a state within a composite state.
+
+        :raises MachineError: when every name of the state means another state there.
+        """
+        parts = full.split(".")
+        for count in range(1, len(parts) + 1):
+            if self.meant(composite, name := ".".join(parts[-count:])) == full:
+                return name
+        raise _ambiguous(full, composite)
+
 
 @dataclass(frozen=True)
 class StateRename:
-    """Another name for a state of a layer, and for what is in it. `old` and `new` are full names."""
+    """Another name for a state of a layer, and for what is in it. `old` and `new` are full names; `also`:
+    the states that come with the rename.
+    """
 
     names: StateNames
     old: str
     new: str
+    also: Collection[str] = ()
 
     @cached_property
     def after(self) -> StateNames:
         """Returns the states with their new names."""
-        return StateNames({self.full(state) for state in self.names.full})
+        return StateNames({self.full(state) for state in self.names.full} | {*self.also})
 
     def full(self, name: str) -> str:
         """Returns the new full name of a state."""
@@ -70,10 +83,7 @@ class StateRename:
         prefix = meant[: len(meant) - len(name)].removesuffix(".")
         new = self.full(meant).removeprefix(f"{self.full(prefix)}." if prefix else "")
         if self.after.meant(self.full(composite), new) != self.full(meant):
-            raise MachineError(
-                f"{self.new!r} would be taken for another state in {composite or 'the table'}; "
-                "choose another name"
-            )
+            raise _ambiguous(new, composite)
         return new
 
     def of_cell(self, composite: str, cell: str) -> str:
@@ -82,6 +92,12 @@ class StateRename:
         if match is None:
             return cell
         return self.written(composite, match["state"]) + cell[match.end("state") :]
+
+
+def _ambiguous(name: str, composite: str) -> MachineError:
+    return MachineError(
+        f"{name!r} would be taken for another state in {composite or 'the table'}; choose another name"
+    )
 
 
 def sentence_renamed(sentence: str, state: Rename, event: Rename) -> str:
@@ -115,27 +131,24 @@ def keys_renamed(text: str, node: Node | None, new: Rename) -> Iterator[Splice]:
                 yield renamed_key(text, node, key, changed)
 
 
-def targets_renamed(text: str, level: TableLevel, rename: StateRename) -> Iterator[Splice]:
-    """Yields the replacements of next states that `cells` of a level names."""
-    cells = level.entry("cells")
-    if cells is None or not cells.is_mapping:
-        return
-    for node in cells.entries().values():
+def targets_renamed(text: str, entries: Iterable[Node], cell: Rename) -> Iterator[Splice]:
+    """Yields the replacements of next states in entries of `cells`: what `cell` makes of each."""
+    for node in entries:
         if node.is_mapping and any(key in CELL_KEYS for key in node.entries()):
             if "to" in node.entries():
-                yield from _target_renamed(text, node.entries()["to"], level.composite, rename)
+                yield from _target_renamed(text, node.entries()["to"], cell)
         elif not node.is_text:
-            yield from _target_renamed(text, node, level.composite, rename)
+            yield from _target_renamed(text, node, cell)
 
 
-def _target_renamed(text: str, node: Node, composite: str, rename: StateRename) -> Iterator[Splice]:
+def _target_renamed(text: str, node: Node, cell: Rename) -> Iterator[Splice]:
     """The replacements in a cell, in weights by state, or in a list of alternatives."""
     if node.is_text:
-        yield from value_renamed(node, rename.of_cell(composite, node.text()))
+        yield from value_renamed(node, cell(node.text()))
     elif node.is_mapping:
-        yield from keys_renamed(text, node, lambda name: rename.of_cell(composite, name))
+        yield from keys_renamed(text, node, cell)
     else:
         for item in node.items():
             if item.is_mapping and "to" in item.entries() and item.entries()["to"].is_text:
                 to = item.entries()["to"]
-                yield from value_renamed(to, rename.of_cell(composite, to.text()))
+                yield from value_renamed(to, cell(to.text()))

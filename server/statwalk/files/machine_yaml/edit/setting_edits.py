@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
-from statwalk.files.machine_yaml.edit.state_edits import entries_at
-from statwalk.files.machine_yaml.edit.table_levels import existing_state, level_of, read
+from statwalk.files.machine_yaml.edit.table_levels import entries_at, existing_state, level_of, read
 from statwalk.files.machine_yaml.expression_text import with_expressions
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.yaml.yaml_edit import moved, with_value, without

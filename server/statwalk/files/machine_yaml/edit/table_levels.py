@@ -31,8 +31,11 @@ class TableLevel:
 
     def states(self) -> dict[str, Node]:
         """Returns the states of this level by their own names."""
-        states = self.node.entries().get("states")
-        return states.entries() if states is not None and states.is_mapping else {}
+        return entries_at(self.node, "states")
+
+    def cells(self) -> dict[str, Node]:
+        """Returns what stands under `cells` of this level, by STATE/EVENT."""
+        return entries_at(self.node, "cells")
 
     def entry(self, key: str) -> Node | None:
         """Returns what a key of this level holds."""
@@ -91,6 +94,12 @@ def level_of(root: Node, layer: str, state: str) -> tuple[TableLevel, str]:
 def levels_of(root: Node, layer: str) -> list[TableLevel]:
     """Returns the levels of one layer."""
     return [level for level in levels(root) if level.layer == layer]
+
+
+def entries_at(root: Node, key: str) -> dict[str, Node]:
+    """Returns the entries of a section; none if it is missing or empty."""
+    node = root.entries().get(key)
+    return node.entries() if node is not None and node.is_mapping else {}
 
 
 def own_name(level: TableLevel, state: str | None) -> str | None:
