@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import httpx
+import pytest
 from browser.conftest import Server, controls, mean_colour, until
 from playwright.sync_api import Page
 
@@ -44,3 +45,22 @@ def test_a_wall_before_the_character_fades(server: Server, opened: Callable[[str
         page, page.screenshot(clip={"x": x - 4, "y": y - 4, "width": 8, "height": 8})
     )
     assert red > 2.2 * blue
+
+
+@pytest.mark.parametrize("view", ["view=follow", "view=free&camera=0,1.4,4,0,0.9,9"], ids=["follow", "free"])
+def test_the_character_is_in_sight_after_the_watched_stage_was_deleted(
+    server: Server, opened: Callable[[str], Page], allowed: list[str], view: str
+) -> None:
+    """The walker was far from where the walker of `main` stands: behind the free camera."""
+    allowed.append("404")
+    setup = {"actors": [{"machine": "faq-walker"}], "clock": "manual"}
+    made = httpx.post(f"{server.url}/api/stages", json=setup, timeout=60).raise_for_status()
+    stage = f"{server.url}{made.headers['Location']}"
+    httpx.post(f"{stage}/events", json={"event": "FORWARD"}).raise_for_status()
+    httpx.post(f"{stage}/step", json={"ticks": 600}).raise_for_status()
+    page = opened(f"{server.url}/?stage={stage.rsplit('/', 1)[1]}&{view}")
+    until(page, f"{IN_PICTURE} && Object.values(__viewer.joints())[0][2] > 8")
+    httpx.delete(stage).raise_for_status()
+    page.get_by_text("is gone: you now watch main").wait_for()
+    until(page, f"__viewer.stage() === 'main' && __viewer.ready && {IN_PICTURE}")
+    until(page, "__viewer.pixels().covered > 0.02")
