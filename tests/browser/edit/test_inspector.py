@@ -113,3 +113,26 @@ def test_the_mouse_moves_a_blend_over_two_parameters_and_a_clip_of_it(own: Serve
         return at == {name: found[name] for name in ("pace", "turn")}
 
     wait_for(reached)
+
+
+def test_a_marker_is_added_moved_and_deleted(own: Server, table: Page) -> None:
+    """A text that is no marker is told at its field."""
+    inspect(table, "th[data-state=WALK]")
+    markers = table.locator("#cell fieldset", has_text="markers")
+    markers.get_by_label("new").fill("left-down")
+    table.keyboard.press("Enter")
+    markers.locator(".field-error").filter(has_text="a name and a phase").wait_for()
+
+    def kept() -> dict[str, float]:
+        walk = next(state for state in machine(own)["states"] if state["name"] == "WALK")
+        return {marker["name"]: marker["phase"] for marker in walk["markers"]}
+
+    markers.get_by_label("new").fill("left-down 0.25")
+    table.keyboard.press("Enter")
+    edited(table)
+    assert kept() == {"left-down": 0.25}
+    for times, (text, left) in enumerate((("0.5", {"left-down": 0.5}), ("", {})), 2):
+        markers.get_by_label("left-down").fill(text)
+        table.keyboard.press("Enter")
+        edited(table, times)
+        assert kept() == left
