@@ -22,7 +22,6 @@ DROP = """([name, base64]) => {
   for (const type of ['dragover', 'drop'])
     document.body.dispatchEvent(new DragEvent(type, options));
 }"""
-TWO_FRAMES = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
 ROBOT = GLTF / "RobotExpressive.glb"
 DOOR = MACHINES / "playground" / "door" / "door.glb"
 HOLD, PRESS = (
@@ -77,24 +76,6 @@ def test_a_dropped_robot_walks(own: Callable[[], set[str]], viewer: Page) -> Non
     viewer.keyboard.up("ArrowUp")
     until(viewer, "__viewer.state() === 'STAT'")
     assert {"machines/Robot-Expressive", "characters/Robot-Expressive"} <= own()
-
-
-@needs_assets
-def test_a_dropped_model_is_looked_at_before_it_has_a_machine(
-    own: Callable[[], set[str]], viewer: Page
-) -> None:
-    drop(viewer, "robot.glb", ROBOT.read_bytes())
-    viewer.get_by_role("button", name="play Wave").click()
-    until(viewer, "parseFloat(document.querySelector('.look-controls output')?.textContent) > 0")
-    viewer.locator(".look-controls").get_by_role("button", name="pause").click()
-    seen = viewer.locator(".look-canvas").screenshot()
-    viewer.get_by_text("meshes").click()
-    viewer.get_by_role("checkbox", name="Head_4").uncheck()
-    viewer.evaluate(TWO_FRAMES)
-    assert viewer.locator(".look-canvas").screenshot() != seen
-    assert "machines/robot" not in own()
-    viewer.keyboard.press("Escape")
-    until(viewer, "!document.querySelector('dialog[open]')")
 
 
 @needs_assets
