@@ -13,6 +13,9 @@ IN_PICTURE = """(([x, y], { left, right, top, bottom }) => x > left && x < right
 BEHIND_THE_WALL = "2.6,1.4,8,0,0.9,0"
 """the camera's place and target, metres from the walker: a wall is between them, not the door"""
 
+FREE = "view=free&camera=0,1.4,4,0,0.9,9"
+"""a camera that stays where it is; the walker of `main` stands behind it"""
+
 
 def test_each_camera_looks_from_its_side(viewer: Page) -> None:
     """Front, side and top; a free camera stays and loses the character, the next one finds it again."""
@@ -44,3 +47,20 @@ def test_a_wall_before_the_character_fades(server: Server, opened: Callable[[str
         page, page.screenshot(clip={"x": x - 4, "y": y - 4, "width": 8, "height": 8})
     )
     assert red > 2.2 * blue
+
+
+def test_the_character_is_in_sight_after_the_watched_stage_was_deleted(
+    server: Server, opened: Callable[[str], Page], allowed: list[str]
+) -> None:
+    allowed.append("404")
+    setup = {"actors": [{"machine": "faq-walker"}], "clock": "manual"}
+    made = httpx.post(f"{server.url}/api/stages", json=setup, timeout=60).raise_for_status()
+    stage = f"{server.url}{made.headers['Location']}"
+    httpx.post(f"{stage}/events", json={"event": "FORWARD"}).raise_for_status()
+    httpx.post(f"{stage}/step", json={"ticks": 600}).raise_for_status()
+    page = opened(f"{server.url}/?stage={stage.rsplit('/', 1)[1]}&{FREE}")
+    until(page, f"{IN_PICTURE} && Object.values(__viewer.joints())[0][2] > 8")
+    httpx.delete(stage).raise_for_status()
+    page.get_by_text("is gone: you now watch main").wait_for()
+    until(page, f"__viewer.stage() === 'main' && __viewer.ready && {IN_PICTURE}")
+    until(page, "__viewer.pixels().covered > 0.02")

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import captures
 import pytest
+from browser.axe import LARGE, begin, faults
 from browser.conftest import until
 from browser.test_import import drop, own
 from browser.test_other_character import SHOWN, choose, made
@@ -58,6 +59,10 @@ def test_the_dialog_asks_for_bones_without_known_names(own: Callable[[], set[str
     names = {"Hips": "bone_a", "LeftUpLeg": "bone_b", "RightUpLeg": "bone_c"}
     drop(viewer, "odd.bvh", captures.walk(names).encode())
     viewer.get_by_text("Which joint is which bone?").wait_for()
+    viewer.get_by_text("arms, spine, head and fingers").click()
+    viewer.set_viewport_size(LARGE)
+    begin(viewer)
+    assert faults(viewer) == []
     for bone, joint in (("hips", "bone_a"), ("left upper leg", "bone_b"), ("right upper leg", "bone_c")):
         viewer.get_by_label(f"{bone}: joint of the capture").fill(joint)
     viewer.get_by_role("button", name="Carry it over").click()

@@ -5,6 +5,7 @@ keys as numbers, and drag them to other times.
 from collections.abc import Callable
 
 import pytest
+from browser.axe import begin, faults
 from browser.conftest import Server, until
 from playwright.sync_api import Page
 from serving import wait_for
@@ -120,6 +121,11 @@ def test_the_clock_moves_the_figures(curves: Page) -> None:
     curves.get_by_label("time", exact=True).locator("input").fill("0.2")
     curves.locator("output").filter(has_text="0.60 s").wait_for()
     wait_for(lambda: curves.screenshot(clip=curves.locator(".figures").bounding_box()) != before)
+
+
+def test_the_page_can_be_read_and_hit(curves: Page) -> None:
+    begin(curves)
+    assert faults(curves) == []
 
 
 @pytest.mark.parametrize("width", [390, 1440])

@@ -5,40 +5,18 @@ A new panel is a line of `PANELS`.
 
 import base64
 from collections.abc import Callable, Iterator
-from typing import Literal
 
 import httpx
 import pytest
+from browser.axe import LARGE, begin, faults
 from browser.conftest import Server, controls, leave
 from browser.test_import import DROP
+from browser.test_timeline import shift_drag
 from paths import ROOT
 from playwright.sync_api import Page
 
-AXE = ROOT / "static" / "node_modules" / "axe-core" / "axe.min.js"
 NAME = "every-panel"
 CELL = "td[data-state=WALK][data-column=RIGHT]"
-VIOLATIONS = """async rules => {
-  const { violations } = await axe.run(document, { resultTypes: ['violations'], ...rules });
-  return violations.flatMap(({ id, nodes }) =>
-    nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')}: ${failureSummary}`));
-}"""
-CONTROLS = "button, a[href], input, select, textarea, summary, [role=option], [role=menuitem], #table td"
-SMALL = """([controls, least]) => [...document.querySelectorAll(controls)]
-  .filter(shown => shown.checkVisibility({ visibilityProperty: true }))
-  .map(shown => [shown, shown.getBoundingClientRect()])
-  .filter(([, { width, height }]) => Math.min(width, height) < least - 0.5)
-  .map(([{ outerHTML }, { width, height }]) => `${width} x ${height}: ${outerHTML.slice(0, 99)}`)"""
-POINT_WITH = """([from, to]) => [...document.styleSheets]
-  .flatMap(sheet => [...sheet.cssRules])
-  .filter(rule => rule.media?.mediaText.includes(from))
-  .forEach(rule => (rule.media.mediaText = rule.media.mediaText.replace(from, to)))"""
-STILL = """() => {
-  const still = new CSSStyleSheet();
-  still.replaceSync('* { transition: none !important; animation: none !important }');
-  document.adoptedStyleSheets = [still];
-}"""
-TWO_FRAMES = "async () => { for (const _ of 'ab') await new Promise(requestAnimationFrame); }"
-FINGER, ALWAYS = "(pointer: coarse)", "(min-width: 1px)"
 
 
 def drop_a_model(page: Page) -> None:
@@ -89,6 +67,21 @@ def ask_why(page: Page) -> None:
     page.click("#verdict[data-tick]")
 
 
+def compare_spans(page: Page) -> None:
+    page.get_by_role("button", name="compare").click()
+    page.get_by_role("button", name="keep this span").click()
+    page.keyboard.press("Escape")
+    shift_drag(page, 0, 0.9)
+    page.get_by_role("button", name="compare").click()
+
+
+def travel_while_paused(page: Page) -> None:
+    """The route stays as long as the stage is paused."""
+    page.keyboard.press("p")
+    page.wait_for_selector("[data-link=paused]")
+    page.locator("#graph .state[data-state=FLY]").dblclick()
+
+
 PANELS: dict[str, tuple[Callable[[Page], object], str]] = {
     "the page alone": (Page.bring_to_front, "#table td"),
     "help": (lambda page: page.keyboard.press("?"), "dialog.help"),
@@ -112,6 +105,10 @@ PANELS: dict[str, tuple[Callable[[Page], object], str]] = {
     "picture": (lambda page: page.keyboard.press("v"), "#scene h2"),
     "joint": (plot_a_joint, ".joint-plot .uplot"),
     "why": (ask_why, "#why .event-why"),
+    "targets": (lambda page: page.click("#targets button"), "#targets [aria-pressed=true]"),
+    "span bar": (lambda page: shift_drag(page, 0.25, 0.5), "#span a"),
+    "compare box": (compare_spans, "#compare-popover .joint-table tbody tr"),
+    "route bar": (travel_while_paused, "#route li"),
 }
 """how a panel is opened, in this order, and what is seen then; Escape closes it"""
 
@@ -123,33 +120,11 @@ def wide(server: Server, page: Page, opened: Callable[[str], Page]) -> Iterator[
     httpx.post(f"{server.url}/api/machines", json=copy, timeout=60).raise_for_status()
     made = httpx.post(f"{server.url}/api/stages", json={"actors": [{"machine": NAME}]}, timeout=60)
     stage = made.raise_for_status().headers["Location"].rsplit("/", 1)[1]
-    page.set_viewport_size({"width": 1440, "height": 900})
+    page.set_viewport_size(LARGE)
     opened(f"{server.url}/?stage={stage}")
-    page.evaluate(AXE.read_text())
-    page.evaluate(STILL)
+    begin(page)
     yield page
     leave(page, f"{server.url}/api/stages/{stage}", f"{server.url}/api/machines/{NAME}")
-
-
-def looked_at(page: Page, theme: Literal["light", "dark"], look: str, arg: object) -> list[str]:
-    """Returns what `look` finds once the page shows this theme."""
-    page.emulate_media(color_scheme=theme)
-    page.evaluate(TWO_FRAMES)
-    found: list[str] = page.evaluate(look, arg)
-    return found
-
-
-def faults(page: Page) -> list[str]:
-    """Returns what axe finds, of the light theme only its colours, and what is hard to hit with a mouse or a
-    finger.
-    """
-    found = looked_at(page, "light", VIOLATIONS, {"runOnly": ["color-contrast"]})
-    found += looked_at(page, "dark", VIOLATIONS, {})
-    found += page.evaluate(SMALL, [CONTROLS, 24])
-    page.evaluate(POINT_WITH, [FINGER, ALWAYS])
-    found += looked_at(page, "dark", SMALL, [CONTROLS, 44])
-    page.evaluate(POINT_WITH, [ALWAYS, FINGER])
-    return found
 
 
 def test_every_panel_can_be_read_and_hit(wide: Page) -> None:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator
 from shutil import copytree
 
 import pytest
+from browser.axe import begin, faults
 from browser.conftest import Server, expression_value, until
 from paths import MACHINES
 from playwright.sync_api import Page
@@ -39,6 +40,8 @@ def test_a_wrong_line_is_named_and_nothing_changes(panel: Page, allowed: list[st
     text.fill("radius_a = 10\ngear_a.rotate_z = pase * frameid")
     panel.get_by_role("button", name="keep").click()
     panel.get_by_role("alert").filter(has_text="line 2: no variable is called 'pase'").wait_for()
+    begin(panel)
+    assert faults(panel) == []
     chosen = "e => e.value.slice(e.selectionStart, e.selectionEnd)"
     assert text.evaluate(chosen) == "gear_a.rotate_z = pase * frameid"
     panel.get_by_role("button", name="cancel").click()

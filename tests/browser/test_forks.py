@@ -1,9 +1,10 @@
-"""Forks stay, the list of stages names and deletes them, ghosts compare them; the ways back from one."""
+"""Forks stay, the list of stages names, renames and deletes them, ghosts compare them; the ways back."""
 
 from collections.abc import Callable
+from pathlib import Path
 
 import httpx
-from browser.conftest import Server, until
+from browser.conftest import Server, leave, until
 from browser.test_time import SCRUB
 from playwright.sync_api import Page
 from serving import wait_for
@@ -77,3 +78,25 @@ def test_the_ghost_of_the_origin_stands_at_the_same_tick_and_is_compared_by_join
     viewer.keyboard.press("Escape")
     viewer.keyboard.press("x")
     until(viewer, "__viewer.ghost() === -1")
+
+
+def test_the_list_of_stages_says_which_one_sleeps_and_renames_it(
+    tmp_path: Path, opened: Callable[[str], Page]
+) -> None:
+    """Who goes to the stage wakes it."""
+    with Server(tmp_path, "--limit", "rest_seconds=0.2") as server:
+        walker = {"actors": [{"machine": "faq-walker"}], "name": "Rehearsal"}
+        made = httpx.post(f"{server.url}/api/stages", json=walker, timeout=60).raise_for_status().json()["id"]
+        page = opened(server.url)
+        page.keyboard.press("o")
+        rows = page.locator("#stages li")
+        rows.filter(has_text="Rehearsal").filter(has_text="asleep · no viewer").wait_for()
+        page.get_by_role("button", name="rename Rehearsal").click()
+        page.keyboard.press("Control+a")
+        page.keyboard.type("Premiere")
+        page.keyboard.press("Enter")
+        rows.filter(has_text="Premiere").get_by_title("watch it").click()
+        until(page, "__viewer.stage() === arg && __viewer.ready", made)
+        page.get_by_role("button", name="stage Premiere").wait_for()
+        rows.filter(has_text="Premiere").filter(has_text="runs · 1 viewer").wait_for()
+        leave(page)

@@ -1,4 +1,4 @@
-"""The state graph as an editor: labels, keys, places that stay, arrows made and deleted."""
+"""The state graph: what the mouse lights, zooms and moves, places that stay, arrows made and deleted."""
 
 from collections.abc import Callable, Iterator
 
@@ -10,6 +10,17 @@ from playwright.sync_api import Page
 ARROW = ".edge[data-from=STUP][data-to=WALK]"
 PLACES = """Object.fromEntries([...document.querySelectorAll('#graph .state')]
     .map(state => [state.dataset.state, state.getAttribute('transform')]))"""
+
+SHOWN = """(() => {
+  const { matrix } = document.querySelector('#graph .world').transform.baseVal.consolidate();
+  return [matrix.a, matrix.e, matrix.f];
+})()"""
+"""the zoom of the graph, and where its origin stands, pixels"""
+LIT = (
+    """[...document.querySelectorAll('#graph .edge.lit')].map(({ dataset }) => [dataset.from, dataset.to])"""
+)
+AT_WALK = """[...document.querySelectorAll('#graph .edge')].map(({ dataset }) => [dataset.from, dataset.to])
+    .filter((states) => states.includes('WALK'))"""
 
 
 @pytest.fixture(scope="module")
@@ -36,6 +47,54 @@ def cell(server: Server, state: str, event: str) -> str | None:
 def newest(server: Server) -> int:
     """The newest version of the machine."""
     return int(httpx.get(f"{server.url}/api/machines/faq-walker").json()["version"])
+
+
+def middle(page: Page, state: str) -> tuple[float, float]:
+    """Where the middle of a state is drawn, pixels."""
+    box = page.locator(f"#graph .state[data-state={state}] .box").bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def drag(page: Page, start: tuple[float, float], end: tuple[float, float]) -> None:
+    page.mouse.move(*start)
+    page.mouse.down()
+    page.mouse.move(*end, steps=4)
+    page.mouse.up()
+
+
+def test_the_mouse_lights_zooms_and_moves_the_graph(graph: Page) -> None:
+    """The state under the pointer stays there while the wheel zooms; *fit* shows all of the graph again."""
+    whole = graph.evaluate(SHOWN)
+    graph.mouse.move(*middle(graph, "WALK"))
+    until(graph, f"{LIT}.length > 0")
+    assert graph.evaluate(LIT) == graph.evaluate(AT_WALK)
+    x, y = middle(graph, "WALK")
+    graph.mouse.wheel(0, -300)
+    until(graph, f"{SHOWN}[0] > 1.5 * arg", whole[0])
+    assert middle(graph, "WALK") == pytest.approx((x, y), abs=1)
+    canvas = graph.locator("#graph > svg").bounding_box()
+    assert canvas is not None
+    zoom, *origin = graph.evaluate(SHOWN)
+    drag(graph, (canvas["x"] + 6, canvas["y"] + 6), (canvas["x"] + 46, canvas["y"] + 36))
+    assert graph.evaluate(SHOWN) == pytest.approx([zoom, origin[0] + 40, origin[1] + 30], abs=0.1)
+    assert graph.evaluate(LIT) == []
+    graph.get_by_role("button", name="fit the graph").click()
+    assert graph.evaluate(SHOWN) == pytest.approx(whole, abs=0.1)
+
+
+def test_an_arrow_drawn_by_mouse_makes_a_cell(graph: Page, walker: Server) -> None:
+    """Without an event, nothing is made."""
+    before, box = newest(walker), graph.locator("#graph .state[data-state=STUP] .box").bounding_box()
+    assert box is not None
+    rim = (box["x"] + box["width"], box["y"] + box["height"] / 2)
+    for key in ("Escape", "Enter"):
+        drag(graph, rim, middle(graph, "TLFT"))
+        graph.get_by_role("combobox", name="STUP to TLFT on").wait_for()
+        graph.keyboard.type("RIGHT")
+        graph.keyboard.press(key)
+    graph.wait_for_selector("#graph .edge[data-from=STUP][data-to=TLFT][aria-pressed=true]")
+    assert (cell(walker, "STUP", "RIGHT"), newest(walker)) == ("TLFT", before + 1)
 
 
 def test_the_keyboard_makes_and_deletes_an_arrow(graph: Page, walker: Server) -> None:
@@ -73,13 +132,8 @@ def test_the_filter_of_a_large_table_chooses_what_the_graph_shows(graph: Page, w
 
 def test_a_dragged_state_stays_where_it_is_and_moves_no_other(graph: Page, walker: Server) -> None:
     before, version = graph.evaluate(PLACES), newest(walker)
-    box = graph.locator("#graph .state[data-state=JUMP] .box").bounding_box()
-    assert box is not None
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    graph.mouse.move(x, y)
-    graph.mouse.down()
-    graph.mouse.move(x + 30, y + 20, steps=3)
-    graph.mouse.up()
+    x, y = middle(graph, "JUMP")
+    drag(graph, (x, y), (x + 30, y + 20))
     until(graph, "window.__viewer.version() > arg", version)
     graph.reload()
     graph.wait_for_selector("#graph .state[data-state=WALK]")

@@ -8,7 +8,9 @@ SEEN = """[...document.querySelectorAll("body *")]
   .map(({ id }) => id)"""
 
 
-def test_a_key_that_was_changed_is_kept_when_the_page_is_opened_again(viewer: Page) -> None:
+def test_a_changed_key_is_kept_when_the_page_is_opened_again_until_all_keys_are_reset(
+    viewer: Page,
+) -> None:
     viewer.keyboard.press("?")
     viewer.get_by_role("button", name="key of “full screen”: M").click()
     viewer.keyboard.press("q")
@@ -16,6 +18,15 @@ def test_a_key_that_was_changed_is_kept_when_the_page_is_opened_again(viewer: Pa
     viewer.reload()
     until(viewer, "window.__viewer?.ready")
     viewer.keyboard.press("q")
+    until(viewer, "document.fullscreenElement === document.documentElement")
+    viewer.keyboard.press("q")
+    until(viewer, "document.fullscreenElement === null")
+    viewer.keyboard.press("?")
+    viewer.get_by_role("button", name="reset all keys").click()
+    viewer.get_by_role("button", name="key of “full screen”: M").wait_for()
+    viewer.get_by_role("button", name="reset all keys").wait_for(state="hidden")
+    viewer.keyboard.press("Escape")
+    viewer.keyboard.press("m")
     until(viewer, "document.fullscreenElement === document.documentElement")
 
 

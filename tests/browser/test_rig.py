@@ -1,6 +1,7 @@
 """A dropped mesh without a skin: the page offers a skeleton, and the mesh bends."""
 
 import pytest
+from browser.axe import LARGE, begin, faults
 from browser.conftest import until
 from browser.test_import import drop, own
 from paths import ROOT
@@ -37,6 +38,9 @@ def test_what_does_not_fit_is_said_in_the_form(viewer: Page, allowed: list[str])
     viewer.get_by_label("it is", exact=True).select_option("mammal")
     viewer.get_by_role("button", name="Rig it").click()
     viewer.get_by_role("alert").filter(has_text="legs must be apart").wait_for()
+    viewer.set_viewport_size(LARGE)
+    begin(viewer)
+    assert faults(viewer) == []
     viewer.get_by_label("it is", exact=True).select_option("parts")
     viewer.get_by_role("button", name="Rig it").click()
     viewer.get_by_label("Bend", exact=True).wait_for()

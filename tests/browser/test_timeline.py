@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import httpx
-from browser.conftest import Server, until
+from browser.conftest import Server, leave, until
 from playwright.sync_api import Page
 
 LENGTH = "(bar => bar.max - bar.min)(document.querySelector('.scrub'))"
@@ -77,3 +77,42 @@ def test_a_part_of_the_past_is_found_looped_and_saved(
     page.keyboard.press("l")
     page.keyboard.press("p")
     page.wait_for_selector("[data-link=live]")
+
+
+LANES = "document.querySelector('#lanes canvas').toDataURL()"
+
+
+def test_a_lane_is_folded_by_its_name_and_events_are_filtered(
+    server: Server, opened: Callable[[str], Page]
+) -> None:
+    """What is typed in the filter is no key of the character: n would be its NOD."""
+    layers = {"actors": [{"machine": "walker-layers"}], "clock": "manual"}
+    made = httpx.post(f"{server.url}/api/stages", json=layers, timeout=60).raise_for_status()
+    stage = f"{server.url}{made.headers['Location']}"
+    for event in ("GO", "NOD"):
+        httpx.post(f"{stage}/events", json={"event": event}).raise_for_status()
+        httpx.post(f"{stage}/step", json={"ticks": 40}).raise_for_status()
+    inputs = httpx.get(stage).json()["inputs"]
+    page = opened(f"{server.url}/?stage={made.json()['id']}")
+    until(page, "__viewer.lanes().length > 1")
+    names = page.get_by_role("group", name="lanes")
+    head = names.get_by_role("button", name="head")
+    until(page, "document.querySelectorAll('.lane-names [aria-expanded=false]').length === 3")
+    low = page.locator("#lanes").bounding_box()["height"]
+    head.click()
+    until(page, "document.querySelector('#lanes').getBoundingClientRect().height > arg + 10", low)
+    assert head.get_attribute("aria-expanded") == "true"
+    both = page.evaluate(LANES)
+    page.get_by_label("filter the events of the timeline").click()
+    page.keyboard.press("n")
+    until(page, f"{LANES} !== arg", both)
+    nod = page.evaluate(LANES)
+    page.keyboard.press("x")
+    until(page, f"!arg.includes({LANES})", [both, nod])
+    for _ in "nx":
+        page.keyboard.press("Backspace")
+    until(page, f"{LANES} === arg", both)
+    assert httpx.get(stage).json()["inputs"] == inputs
+    head.click()
+    until(page, "document.querySelector('#lanes').getBoundingClientRect().height === arg", low)
+    leave(page, stage)

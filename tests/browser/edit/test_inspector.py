@@ -1,8 +1,11 @@
 """The inspector of the selected cell or state: each field makes one edit, and tells at once what is wrong."""
 
+import httpx
+import pytest
 from browser.conftest import Server, until
 from browser.edit.conftest import CELL, edited, inspect, machine
 from playwright.sync_api import Page
+from serving import wait_for
 
 
 def test_a_blend_time_is_one_edit(own: Server, table: Page) -> None:
@@ -85,3 +88,63 @@ def test_a_state_has_another_clip_and_name(own: Server, table: Page) -> None:
     edited(table, 2)
     table.locator("#cell h2").filter(has_text="GLIDE").wait_for()
     assert {state["name"]: state["motion"] for state in machine(own)["states"]}["GLIDE"] == "land"
+
+
+def drag(page: Page, part: str, across: float, up: float) -> None:
+    """Drags a part of the pad to a place in the pad's room, in shares of the room's width and height."""
+    room, start = (page.locator(f".blend-pad {one}").bounding_box() for one in (".room", part))
+    assert room is not None
+    assert start is not None
+    page.mouse.move(start["x"] + start["width"] / 2, start["y"] + start["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(room["x"] + across * room["width"], room["y"] + (1 - up) * room["height"], steps=4)
+    page.mouse.up()
+
+
+def test_the_mouse_moves_a_blend_over_two_parameters_and_a_clip_of_it(own: Server, table: Page) -> None:
+    """The cross sets both parameters of the actor; a clip that is dragged is one edit."""
+    inspect(table, "th[data-state=WALK]")
+    table.get_by_label("blend with").select_option("stand")
+    edited(table)
+    table.get_by_label("over", exact=True).fill("pace, turn")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    table.locator(".blend-pad").scroll_into_view_if_needed()
+    drag(table, "[data-clip=stand] .reach", 0.75, 1)
+    edited(table, 3)
+    place = {state["name"]: state for state in machine(own)["states"]}["WALK"]["points"]["stand"]
+    assert place == pytest.approx([0.75, 1], abs=0.02)
+    drag(table, ".ground", 0.25, 0.6)
+    at = pytest.approx({"pace": 0.25, "turn": 0.6}, abs=0.02)
+    sliders = table.locator("#parameters")
+    assert {name: float(sliders.get_by_label(name).input_value()) for name in ("pace", "turn")} == at
+    actor = f"{own.url}/api/stages/main/actors/1"
+
+    def reached() -> bool:
+        found = httpx.get(actor).json()["parameters"]
+        return at == {name: found[name] for name in ("pace", "turn")}
+
+    wait_for(reached)
+
+
+def test_a_marker_is_added_moved_and_deleted(own: Server, table: Page) -> None:
+    """A text that is no marker is told at its field."""
+    inspect(table, "th[data-state=WALK]")
+    markers = table.locator("#cell fieldset", has_text="markers")
+    markers.get_by_label("new").fill("left-down")
+    table.keyboard.press("Enter")
+    markers.locator(".field-error").filter(has_text="a name and a phase").wait_for()
+
+    def kept() -> dict[str, float]:
+        walk = next(state for state in machine(own)["states"] if state["name"] == "WALK")
+        return {marker["name"]: marker["phase"] for marker in walk["markers"]}
+
+    markers.get_by_label("new").fill("left-down 0.25")
+    table.keyboard.press("Enter")
+    edited(table)
+    assert kept() == {"left-down": 0.25}
+    for times, (text, left) in enumerate((("0.5", {"left-down": 0.5}), ("", {})), 2):
+        markers.get_by_label("left-down").fill(text)
+        table.keyboard.press("Enter")
+        edited(table, times)
+        assert kept() == left

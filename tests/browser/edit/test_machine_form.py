@@ -2,7 +2,7 @@
 
 from browser.conftest import Server, until
 from browser.edit.conftest import edited, machine
-from playwright.sync_api import Page
+from playwright.sync_api import Locator, Page
 
 
 def test_a_parameter_and_a_sense_of_it_by_the_keyboard_alone(own: Server, table: Page) -> None:
@@ -66,3 +66,52 @@ def test_what_refutes_a_property_is_played_on_a_stage(table: Page, allowed: list
     properties.get_by_role("button", name="play what refutes it").click()
     until(table, "__viewer.stage() !== 'main' && window.least < 30")
     until(table, "__viewer.lanes().some(([, , state]) => state === 'STWK')")
+
+
+def open_section(page: Page, name: str) -> Locator:
+    """Opens the machine's form, and a section of it."""
+    page.get_by_role("button", name="inspect").click()
+    page.get_by_role("tab", name="machine").click()
+    section = page.locator(f"[data-section='{name}']")
+    section.locator("summary").click()
+    return section
+
+
+def test_a_layer_is_added_renamed_moved_and_deleted(own: Server, table: Page) -> None:
+    layers = open_section(table, "layers")
+    layers.get_by_label("new").fill("arms")
+    table.keyboard.press("Enter")
+    edited(table, 1)
+    arms = layers.get_by_role("group", name="arms")
+    arms.get_by_label("joints").fill("Left.shoulder, Right.shoulder")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    arms.get_by_label("mode").select_option("additive")
+    edited(table, 3)
+    arms.get_by_label("name").fill("limbs")
+    table.keyboard.press("Enter")
+    edited(table, 4)
+    layers.get_by_role("button", name="move limbs up").click()
+    edited(table, 5)
+    made = machine(own)["layers"]
+    assert [layer["name"] for layer in made] == ["base", "limbs", "head"]
+    assert (made[1]["mask"], made[1]["mode"]) == (["Left.shoulder", "Right.shoulder"], "additive")
+    table.get_by_role("tab", name="limbs").wait_for()
+    layers.get_by_role("button", name="delete limbs").click()
+    edited(table, 6)
+    assert [layer["name"] for layer in machine(own)["layers"]] == ["base", "head"]
+    table.get_by_role("tab", name="limbs").wait_for(state="detached")
+
+
+def test_a_default_column_is_made_and_taken_away(own: Server, table: Page) -> None:
+    rows = open_section(table, "rows and columns")
+    rows.get_by_label("new").select_option("every state, CROUCH")
+    for target, count, where in (("CRCH", "1", "CRCH"), ("", "0", None)):
+        table.locator("#cell h2").filter(has_text="every state CROUCH").wait_for()
+        table.locator("#cell").get_by_label("next state").select_option(target)
+        table.get_by_role("tab", name="machine").click()
+        rows.locator("output").filter(has_text=count).wait_for()
+        cell = machine(own)["table"]["FLY"].get("CROUCH")
+        assert (cell and cell["to"]) == where
+        if count == "1":
+            rows.get_by_role("button", name="every state, CROUCH").click()

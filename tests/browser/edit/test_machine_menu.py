@@ -1,4 +1,6 @@
-"""The menu beside the picker makes machines: copies, from nothing; renames and deletes them."""
+"""The menu beside the picker makes machines: copies, from nothing; renames, exports and deletes them."""
+
+from zipfile import ZipFile
 
 import httpx
 from browser.conftest import Server, until
@@ -10,14 +12,41 @@ def names(server: Server) -> list[str]:
     return [machine["name"] for machine in httpx.get(f"{server.url}/api/machines").json()]
 
 
+def choose(page: Page, item: str) -> None:
+    page.get_by_role("button", name="machine menu").click()
+    page.get_by_role("menuitem", name=item).click()
+
+
 def test_a_copy_is_made_watched_and_deleted(own: Server, table: Page) -> None:
-    table.get_by_role("button", name="machine menu").click()
-    table.get_by_role("menuitem", name="copy and change").click()
+    choose(table, "copy and change")
     table.keyboard.press("Enter")
     until(table, f"document.querySelector('#picker select').value === '{NAME}-copy' && __viewer.ready")
     assert f"{NAME}-copy" in names(own)
-    table.get_by_role("button", name="machine menu").click()
-    table.get_by_role("menuitem", name="delete").click()
+    choose(table, "delete")
     table.keyboard.press("Enter")
     table.locator("#notices p").filter(has_text="is deleted").wait_for()
     assert f"{NAME}-copy" not in names(own)
+
+
+def test_a_machine_is_made_from_nothing_renamed_and_exported(
+    own: Server, table: Page, allowed: list[str]
+) -> None:
+    """A name that is taken is refused in the menu."""
+    allowed.append("status of 409")
+    choose(table, "new, from nothing")
+    table.get_by_role("textbox", name="name").fill("fresh")
+    table.keyboard.press("Enter")
+    until(table, "document.querySelector('#picker select').value === 'fresh' && __viewer.ready")
+    choose(table, "rename")
+    for name in (NAME, "ripe"):
+        table.get_by_role("textbox", name="new name").fill(name)
+        table.keyboard.press("Enter")
+        if name == NAME:
+            table.locator("#machine-menu [role=alert]").filter(has_text=NAME).wait_for()
+    until(table, "document.querySelector('#picker select').value === 'ripe' && __viewer.ready")
+    assert {"ripe"} == set(names(own)) & {"fresh", "ripe"}
+    with table.expect_download() as saving:
+        choose(table, "export")
+    with ZipFile(saving.value.path()) as exported:
+        assert {"machine.yaml", "character.glb"} == set(exported.namelist())
+    assert saving.value.suggested_filename == "ripe.zip"

@@ -90,7 +90,7 @@ export class KeyTable {
   }
 
   private fill(): void {
-    const head = el("tr", {}, ...FIELDS.map(({ words }) => el("th", { scope: "col" }, words)), el("th"));
+    const head = el("tr", {}, ...FIELDS.map(({ words }) => el("th", { scope: "col" }, words)), el("td"));
     const rows = this.keys.map((one, row) => this.row(one, row));
     this.root.replaceChildren(el("table", {}, el("thead", {}, head), el("tbody", {}, ...rows)));
     if (this.keys.length < MOST_KEYS) this.root.append(this.adder());

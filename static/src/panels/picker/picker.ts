@@ -29,7 +29,7 @@ const options = (choices: readonly Choice[], chosen: string): TemplateResult[] =
 
 const MOVES = ["ArrowDown", "ArrowUp", "Home", "End", "PageDown", "PageUp"];
 
-/** A key that would choose another machine at once opens the list, where Enter chooses and Escape does not. */
+/** A key that would choose another machine at once opens the list, where Enter chooses. */
 function openList(press: KeyboardEvent): void {
   if (!MOVES.includes(press.key)) return;
   press.preventDefault();

@@ -1,0 +1,83 @@
+"""A dropped model is looked at before it has a machine: its clips play, its meshes hide, its face changes."""
+
+from collections.abc import Callable
+
+from browser.conftest import until
+from browser.test_import import ROBOT, drop, own
+from paths import needs_assets
+from playwright.sync_api import Locator, Page
+
+__all__ = ["own"]
+TIME = "Number(document.querySelector('.look-controls input[type=range]').value)"
+LENGTH = "Number(document.querySelector('.look-controls input[type=range]').max)"
+LONGEST_STEP = f"""async frames => {{
+  const steps = [];
+  for (let before = {TIME}; steps.length < frames; before = {TIME}) {{
+    await new Promise(requestAnimationFrame);
+    steps.push({TIME} - before);
+  }}
+  return Math.max(...steps);
+}}"""
+"""the longest step of the clip's time within some frames, seconds; a frame lasts 0.1 s at most"""
+TWO_FRAMES = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
+
+
+def playing(page: Page) -> list[str]:
+    buttons = page.locator(".look-play button[aria-pressed=true]")
+    names: list[str] = buttons.evaluate_all("all => all.map(one => one.ariaLabel.replace('play ', ''))")
+    return sorted(names)
+
+
+def check_clips(page: Page, controls: Locator) -> None:
+    """Alone, a clip ends the others; without a loop it stays at its end; its speed is chosen."""
+    page.get_by_role("button", name="play Dance").click()
+    page.get_by_role("button", name="play Wave").click()
+    assert playing(page) == ["Wave"]
+    controls.get_by_label("solo").uncheck()
+    page.get_by_role("button", name="play Dance").click()
+    assert playing(page) == ["Dance", "Wave"]
+    speed = controls.get_by_label("speed of the clips")
+    speed.select_option("0.1×")
+    assert 0 < page.evaluate(LONGEST_STEP, 12) < 0.0101
+    speed.select_option("2×")
+    controls.get_by_label("loop").uncheck()
+    until(page, f"{LENGTH} - {TIME} < 1e-6")
+    assert page.evaluate(LONGEST_STEP, 3) == 0
+    controls.get_by_label("loop").check()
+    until(page, f"{TIME} > 0.1 && {TIME} < {LENGTH} / 2")
+
+
+def picture(page: Page) -> bytes:
+    page.evaluate(TWO_FRAMES)
+    return page.locator(".look-canvas").screenshot()
+
+
+def check_contents(page: Page) -> None:
+    """A morph target and a mesh change the picture, which else stands still."""
+    seen = picture(page)
+    assert picture(page) == seen
+    page.get_by_text("morph targets").click()
+    page.get_by_role("slider", name="Surprised").press("End")
+    surprised = picture(page)
+    assert surprised != seen
+    page.get_by_text("meshes").click()
+    page.get_by_role("checkbox", name="Head_4").uncheck()
+    assert picture(page) != surprised
+
+
+@needs_assets
+def test_a_dropped_model_is_looked_at_before_it_has_a_machine(
+    own: Callable[[], set[str]],
+    viewer: Page,
+) -> None:
+    drop(viewer, "robot.glb", ROBOT.read_bytes())
+    controls = viewer.locator(".look-controls")
+    controls.wait_for()
+    check_clips(viewer, controls)
+    controls.get_by_role("button", name="pause").click()
+    controls.get_by_label("time in the clip").press("Home")
+    until(viewer, f"{TIME} === 0")
+    check_contents(viewer)
+    assert "machines/robot" not in own()
+    viewer.keyboard.press("Escape")
+    until(viewer, "!document.querySelector('dialog[open]')")
