@@ -84,7 +84,7 @@ def _contractions(character: Character) -> list[list[int]]:
 def channels_of(
     character: Character, assignments: Iterable[Assignment], refuse: Refuse, parameters: Sequence[str] = ()
 ) -> dict[str, JointChannel | WeightChannel]:
-    """Returns the channels that assignments read and set, by name; lengths are spelled out before.
+    """Returns the channels that assignments (after `with_lengths`) read and set, by name.
 
     :raises StatwalkError: what `refuse` returns, when there is no joint or morph target of a name.
     """

@@ -2,8 +2,8 @@
 
     upper.length = 0.4      # where `fore` is 0.5 m along -Y of `upper`: fore.trans_y = upper.length * -1
 
-The length is the distance to the first child that stands away from the joint. Where a line sets the length,
-all children move out along their places at rest, in proportion.
+The length is the distance to the first child that stands away from the joint at rest. Where a line sets the
+length, the places of all children at rest are scaled by one factor.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ _ON_AXIS = 1e-6
 def with_lengths(
     character: Character, assignments: Sequence[Assignment], refuse: Refuse
 ) -> tuple[Assignment, ...]:
-    """Returns sorted assignments and, where they read or set lengths of joints, what follows for the
-    children, sorted.
+    """Returns the assignments, and with them lines for the translations of the children of each joint whose
+    length they read or set; sorted by dependency.
 
     :raises StatwalkError: what `refuse` returns, when a joint is unknown or has no length, a line sets a
         channel that a length sets, or names form a circle.
@@ -57,7 +57,7 @@ def with_lengths(
 
 
 def _lengths(assignments: Sequence[Assignment]) -> dict[str, Assignment]:
-    """The lengths that are set or read, each with the line that sets it, or else reads it."""
+    """The lengths that the lines set or read; each with the line that sets it, or with one that reads it."""
     names = {name: line for line in assignments for name in (*line.formula.variables, line.target)}
     names |= {line.target: line for line in assignments}
     return {name: line for name, line in names.items() if (channel_of_name(name) or ("", ""))[1] == LENGTH}
