@@ -159,6 +159,14 @@ def test_a_phone_has_its_controls_beside_the_character(
     controls(page, "camera").get_by_role("button", name="turntable").wait_for()
 
 
+@pytest.mark.parametrize("window", [{"viewport": {"width": 320, "height": 640}, "has_touch": True}])
+def test_a_cell_has_room_for_a_finger_on_the_smallest_phone(viewer: Page) -> None:
+    viewer.get_by_role("tab", name="table").click()
+    viewer.locator("#table td").first.wait_for()
+    heights = "[...document.querySelectorAll('#table td')].map(cell => cell.getBoundingClientRect().height)"
+    assert viewer.evaluate(f"Math.min(...{heights})") >= 44
+
+
 IN_SIGHT = """(() => {
   const [left, , right] = window.__viewer.pixels().box, drawer = document.querySelector('#drawer');
   const picture = document.querySelector('#stage-view').getBoundingClientRect();

@@ -24,8 +24,13 @@ def app() -> Any:
 
 @pytest.fixture
 async def client(app: Any) -> AsyncIterator[httpx.AsyncClient]:
+    """A client of an app that many tests share: the stages that a test opens go with the test."""
     async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url=OWN) as client:
+        before = {stage["id"] for stage in (await client.get("/api/stages")).json()}
         yield client
+        for stage in (await client.get("/api/stages")).json():
+            if stage["id"] not in before:
+                await client.delete(f"/api/stages/{stage['id']}")
 
 
 @pytest.fixture(scope="session")
@@ -37,8 +42,13 @@ def address() -> Iterator[str]:
 
 @pytest.fixture
 def rest(address: str) -> Iterator[httpx.Client]:
+    """A client of a server that many tests share: the stages that a test opens go with the test."""
     with httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest:
+        before = {stage["id"] for stage in rest.get("/api/stages").json()}
         yield rest
+        for stage in rest.get("/api/stages").json():
+            if stage["id"] not in before:
+                rest.delete(f"/api/stages/{stage['id']}")
 
 
 @pytest.fixture
