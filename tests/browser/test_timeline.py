@@ -80,6 +80,10 @@ def test_a_part_of_the_past_is_found_looped_and_saved(
 
 
 LANES = "document.querySelector('#lanes canvas').toDataURL()"
+DRAWN = f"""(({{ width, height }}) => {{
+  const blank = Object.assign(document.createElement('canvas'), {{ width, height }});
+  return {LANES} !== blank.toDataURL();
+}})(document.querySelector('#lanes canvas'))"""
 
 
 def test_a_lane_is_folded_by_its_name_and_events_are_filtered(
@@ -102,6 +106,7 @@ def test_a_lane_is_folded_by_its_name_and_events_are_filtered(
     head.click()
     until(page, "document.querySelector('#lanes').getBoundingClientRect().height > arg + 10", low)
     assert head.get_attribute("aria-expanded") == "true"
+    until(page, DRAWN)
     both = page.evaluate(LANES)
     page.get_by_label("filter the events of the timeline").click()
     page.keyboard.press("n")

@@ -69,4 +69,13 @@ describe("TimelineWindow", () => {
     timeline.select(5, 5);
     expect(timeline.selected.value).toBeNull();
   });
+
+  it("marks begin and end of what happens now", () => {
+    const { timeline, stage } = window();
+    timeline.mark("from");
+    const begun = stage.tick;
+    stage.moved(begun + 90, begun + 90);
+    timeline.mark("to");
+    expect(timeline.selected.value).toEqual({ from: begun, to: begun + 90 });
+  });
 });

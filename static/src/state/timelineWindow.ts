@@ -46,6 +46,8 @@ export class TimelineWindow {
   private readonly end = signal<number | null>(null);
   /** Whether the user has zoomed. */
   private isOwn = false;
+  /** Where a span begins whose end is not marked yet. */
+  private begun: number | null = null;
   readonly selected = signal<Span | null>(null);
   /** What a selected span is compared with. */
   readonly kept = signal<Span | null>(null);
@@ -62,7 +64,7 @@ export class TimelineWindow {
     stage.hello.subscribe((hello) => {
       if (!hello || hello.stage === watched) return;
       watched = hello.stage;
-      this.selected.value = this.kept.value = this.playback.loop.value = null;
+      this.selected.value = this.kept.value = this.playback.loop.value = this.begun = null;
       // One lane with its events is read at a glance, four of them take the room of the table.
       this.folded.value = new Set(hello.casts.flatMap(({ layers }) => layers.slice(1)));
       this.recent();
@@ -130,6 +132,7 @@ export class TimelineWindow {
     const { first, head } = this.stage;
     const [from, to] = [Math.max(first, Math.min(one, other)), Math.min(head, Math.max(one, other))];
     this.selected.value = from < to ? { from, to } : null;
+    this.begun = null;
     if (this.playback.loop.value) this.playback.loop.value = this.selected.value;
   }
 
@@ -137,8 +140,9 @@ export class TimelineWindow {
   mark(edge: "from" | "to"): void {
     const at = this.playback.looking.value ?? this.stage.tick;
     const { from, to } = this.selected.value ?? { from: this.span.from, to: this.stage.head };
-    if (edge === "from") this.select(at, Math.max(at + 1, to));
-    else this.select(Math.min(from, at - 1), at);
+    if (edge === "to") return this.select(Math.min(this.begun ?? from, at - 1), at);
+    this.select(at, Math.max(at + 1, to));
+    this.begun = at; // the newest tick begins a span that has no tick yet
   }
 
   /** Plays the selected span again and again, or no longer. */

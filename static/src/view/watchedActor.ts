@@ -21,6 +21,9 @@ import { WatchedLimits } from "./watchedLimits";
 /** Changes with the actor and the model, not with a fork or a reconnection; the camera frames each key once. */
 const keyOf = ({ id, model }: PosedModel): string => `${id} ${model.url}`;
 
+/** A free camera that stands so many times farther from the actor on another stage frames it. */
+const FARTHER = 2;
+
 export class WatchedActor {
   /** True while the actor is drawn. */
   readonly ready = signal(false);
@@ -37,6 +40,8 @@ export class WatchedActor {
   private readonly body = new THREE.Sphere();
   private framed = "";
   private stage = "";
+  /** Where the actor was in the frame before. */
+  private readonly before = new THREE.Vector3();
 
   constructor(
     private readonly scene: Scene,
@@ -106,9 +111,8 @@ export class WatchedActor {
     this.limits.update();
     if (actor) this.scene.follow(actor.position, actor.heading);
     if (actor && (this.framed !== keyOf(actor) || this.state.viewpoint.isAsked)) this.frame();
-    if (actor && this.stage !== this.state.stage.id) this.find();
-    this.stage = this.state.stage.id;
-    if (actor) this.trace(actor, tick);
+    if (actor && this.stage !== this.state.stage.id) this.arrive(actor);
+    if (actor) this.stay(actor, tick);
     this.scene.invalidate();
     this.ready.value = actor !== null;
   }
@@ -123,6 +127,21 @@ export class WatchedActor {
     const actor = this.ready.value ? this.model : null;
     const { center, radius } = this.body;
     keepInSight(actor && new THREE.Sphere(center.clone().add(actor.position), radius), camera);
+  }
+
+  /** Remembers where the actor is. */
+  private stay(actor: PosedModel, tick: number): void {
+    this.stage = this.state.stage.id;
+    this.before.copy(actor.position);
+    this.trace(actor, tick);
+  }
+
+  /** Finds the actor on another stage. */
+  private arrive(actor: PosedModel): void {
+    const { mode, camera } = this.scene.view;
+    const [away, before] = [actor.position, this.before].map((place) => camera.position.distanceTo(place));
+    if (this.stage && mode.value === "free" && away! > FARTHER * before!) this.frame();
+    else this.find();
   }
 
   /** Frames the actor if the camera looks elsewhere: on another stage, or after it was free. */

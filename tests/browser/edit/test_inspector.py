@@ -144,7 +144,7 @@ def test_a_marker_is_added_moved_and_deleted(own: Server, table: Page) -> None:
     edited(table)
     assert kept() == {"left-down": 0.25}
     for times, (text, left) in enumerate((("0.5", {"left-down": 0.5}), ("", {})), 2):
-        markers.get_by_label("left-down").fill(text)
+        markers.get_by_role("group", name="marker left-down").get_by_label("phase").fill(text)
         table.keyboard.press("Enter")
         edited(table, times)
         assert kept() == left
