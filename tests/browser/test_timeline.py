@@ -89,7 +89,7 @@ DRAWN = f"""(({{ width, height }}) => {{
 def test_a_lane_is_folded_by_its_name_and_events_are_filtered(
     server: Server, opened: Callable[[str], Page]
 ) -> None:
-    """What is typed in the filter is no key of the character: n would be its NOD."""
+    """The filter takes the key n, which would make the character nod."""
     layers = {"actors": [{"machine": "walker-layers"}], "clock": "manual"}
     made = httpx.post(f"{server.url}/api/stages", json=layers, timeout=60).raise_for_status()
     stage = f"{server.url}{made.headers['Location']}"

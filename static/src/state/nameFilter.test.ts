@@ -14,10 +14,10 @@ it("is given up with another machine", () => {
   const app = exampleApp();
   const states = ["WALK", "RUN"].map((name) => state({ name }));
   watch(app, { layers: [layer({ states })] });
-  app.names.text.value = "wal";
+  app.nameFilter.text.value = "wal";
   watch(app, { version: 2, layers: [layer({ states })] });
-  const kept = app.names.apply(layer({ states }), ["GO"]);
+  const kept = app.nameFilter.apply(layer({ states }), ["GO"]);
   expect([kept.states.map(({ name }) => name), kept.events]).toEqual([["WALK"], ["GO"]]);
   watch(app, { name: "other", layers: [layer({ states })] });
-  expect(app.names.text.value).toBe("");
+  expect(app.nameFilter.text.value).toBe("");
 });

@@ -48,7 +48,7 @@ export function makeState() {
   const selection = new Selection(stage);
   const machine = new WatchedMachine(selection, notices);
   const folds = new Folds(machine);
-  const names = new NameFilter(machine);
+  const nameFilter = new NameFilter(machine);
   const past = new Past(stage, selection, machine);
   const playback = new Playback(stage, line.send);
   const frames = new Frames(line, stage, selection, past, playback);
@@ -78,7 +78,7 @@ export function makeState() {
     selection,
     machine,
     folds,
-    names,
+    nameFilter,
     past,
     playback,
     frames,

@@ -41,7 +41,7 @@ class Assignment:
     formula: Formula
     line: int
     follows: bool = False
-    """it follows from what another line says, and is no line of a file itself"""
+    """whether the line is made from another line, and stands in no file"""
 
     @property
     def text(self) -> str:

@@ -119,7 +119,7 @@ function motionFields(
   ${newBlend(app, fields, layer.name, info)}`;
 }
 
-/** Draws the markers of a state. Those of a blend stand beside its clips; a blend can have markers of its own, too. */
+/** Draws the markers of a state. The markers of a blend's clips are drawn beside the clips; a blend can have markers of its own, too. */
 function markers(
   fields: EditingFields,
   state: { state: string; layer: string },

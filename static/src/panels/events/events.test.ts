@@ -26,7 +26,7 @@ test("each event has a button with its keys; the end of a motion is no event", (
 
 test("the filter of a large table chooses the buttons, too", async () => {
   const { app, host } = shown();
-  app.names.text.value = "stop";
+  app.nameFilter.text.value = "stop";
   await Promise.resolve();
   expect([...host.children].map((button) => button.textContent.trim())).toEqual(["STOP"]);
 });

@@ -35,7 +35,7 @@ export function keysFor(event: string, keys: Record<string, KeyBinding>): Keyed[
 }
 
 export function eventsPanel(host: HTMLElement, app: App): void {
-  const { machine, session, selection, names } = app;
+  const { machine, session, selection, nameFilter } = app;
   const presses = new EventPresses(
     ({ kind, event }) => session.event(kind, event),
     () => motionAnswer(selection.state),
@@ -78,7 +78,7 @@ export function eventsPanel(host: HTMLElement, app: App): void {
   effect(() => {
     host.classList.toggle("many", events().length > MANY);
   });
-  draw(host, () => html`${repeat(filtered(events(), names.text.value), (event) => event, button)}`);
+  draw(host, () => html`${repeat(filtered(events(), nameFilter.text.value), (event) => event, button)}`);
   session.verdicts.on(({ event, verdict }) => {
     const shown = host.querySelector(`[data-event="${CSS.escape(event)}"]`);
     if (shown) flash(shown, verdict);

@@ -5,7 +5,7 @@ import type { ReadonlySignal } from "@preact/signals-core";
 /** Milliseconds after which an input counts as answered, whatever the state does. */
 const LONGEST_MS = 2500;
 
-/** Resolves when the state, from now on, has changed twice; null, while a fork is fetched, is no state. */
+/** Resolves when the state has changed twice from now on. While a fork is fetched, the state is null: null counts as no change. */
 export function motionAnswer(state: ReadonlySignal<number | null>): Promise<void> {
   return new Promise((done) => {
     let [before, changes] = [state.peek(), 0];

@@ -124,7 +124,7 @@ export class GraphView {
    */
   private changed(): void {
     const [machine, layer, live] = [this.app.machine.info.value, this.app.machine.layerInfo, this.live];
-    const isFiltered = this.app.names.text.value !== "";
+    const isFiltered = this.app.nameFilter.text.value !== "";
     const known = machine?.name === this.drawn?.machine.name && layer?.name === this.drawn?.layer.name;
     if ((known && !this.isPart && !isFiltered) || !live) this.draw();
     else requestAnimationFrame(() => this.draw());
@@ -136,7 +136,7 @@ export class GraphView {
     if (!machine || !layer) return;
     const shown = this.app.folds.shown.value;
     const all = folded(layer, shown);
-    const words = this.app.names.text.value;
+    const words = this.app.nameFilter.text.value;
     const content = partOf(all, live, words);
     const part = content.nodes.length < all.nodes.length ? words || live : "";
     const { drawn } = this;

@@ -9,7 +9,7 @@ import { el } from "../../ui/dom";
 const [MANY_STATES, MANY_EVENTS] = [24, 16];
 
 /** Puts the field above `table`. */
-export function filterField(table: HTMLElement, { machine, names }: App): void {
+export function filterField(table: HTMLElement, { machine, nameFilter }: App): void {
   const field = el("input", {
     type: "search",
     class: "table-filter",
@@ -18,12 +18,12 @@ export function filterField(table: HTMLElement, { machine, names }: App): void {
     spellcheck: "false",
   });
   table.before(field);
-  field.addEventListener("input", () => (names.text.value = field.value));
+  field.addEventListener("input", () => (nameFilter.text.value = field.value));
   field.addEventListener("keydown", (press) => {
     press.stopPropagation();
-    if (press.key === "Escape") names.text.value = "";
+    if (press.key === "Escape") nameFilter.text.value = "";
   });
-  names.text.subscribe((text) => (field.value = text));
+  nameFilter.text.subscribe((text) => (field.value = text));
   effect(() => {
     const [info, layer] = [machine.info.value, machine.layerInfo];
     field.hidden = !info || !layer || !isLarge(layer, info.events);

@@ -41,7 +41,7 @@ export class Table {
     filterField(host, app);
     this.table.append(el("thead", {}, this.head), this.body.element);
     host.append(this.table);
-    app.names.text.subscribe(() => this.draw());
+    app.nameFilter.text.subscribe(() => this.draw());
     app.machine.info.subscribe(() => this.draw());
     app.selection.layer.subscribe(() => this.draw());
     app.folds.names.subscribe(() => this.draw());
@@ -62,7 +62,7 @@ export class Table {
       ? (document.activeElement as HTMLElement).dataset
       : null;
     const goTo = layer === machine.layers[0] ? (state: string) => void this.app.travel.go(state) : null;
-    const { states, events } = this.app.names.apply(layer, columns(layer, machine.events));
+    const { states, events } = this.app.nameFilter.apply(layer, columns(layer, machine.events));
     const names = JSON.stringify([machine.name, layer.name, states.map(({ name }) => name), events]);
     if (names !== this.names) this.drawHead(layer, states.length, events);
     this.names = names;
@@ -131,7 +131,7 @@ export class Table {
   private unfilter(state: string, event: string | null): void {
     this.app.folds.reveal(state);
     const isShown = this.body.states.includes(state) && (event === null || this.shown.includes(event));
-    if (!isShown) this.app.names.text.value = "";
+    if (!isShown) this.app.nameFilter.text.value = "";
   }
 
   private focus(cell: HTMLElement | null): void {

@@ -1,4 +1,7 @@
-"""Puts a state into a sub-machine, or takes it out of one, with its row and all that speaks of it."""
+"""Puts a state into a sub-machine, or takes the state out of its sub-machine.
+
+The state keeps its row, and whatever names the state names it anew.
+"""
 
 from __future__ import annotations
 
