@@ -117,29 +117,30 @@ def table(title: str, jobs: dict[str, Job], goals: dict[str, float]) -> None:
     show(f"{title}: {seconds['statwalk'] / CHAINS_SOLVED * 1e9:.1f} ns a chain", seconds, goals)
 
 
-def two_bone_table(limb: Crowd) -> None:
-    """Measures and prints the table of two bones: the peer in its median process, and in its best one."""
+def two_bone_table(limb: Crowd, limit: JointLimit | None, iteration: int) -> None:
+    """Measures and prints a table of two bones: the peer in its median process, and in its best one."""
+    bend = BEND if limit else 0
     with ExitStack() as open_nodes:
         nodes = [open_nodes.enter_context(CcdOfThree()) for _ in range(PROCESSES)]
-        jobs = {f"process {number}": three_job(node, limb, 1, 0) for number, node in enumerate(nodes)}
-        seconds = least({"statwalk": limb.job("two-bone", pole_kind=POLE_DIRECTION)} | jobs, ROUNDS)
+        jobs = {
+            f"process {number}": three_job(node, limb, iteration, bend) for number, node in enumerate(nodes)
+        }
+        ours = limb.job("two-bone", limit, pole_kind=POLE_DIRECTION, iterations=iteration)
+        seconds = least({"statwalk": ours} | jobs, ROUNDS)
     ordered, peer = sorted(seconds[name] for name in jobs), f"CCDIKSolver, {PROCESSES} processes"
     shown = {"statwalk": seconds["statwalk"], f"{peer}: median": median(ordered), f"{peer}: best": ordered[0]}
+    title = f"two-bone, pole{', cones' if limit else ''}, iterations of the peer: {iteration}"
     nanoseconds = seconds["statwalk"] / CHAINS_SOLVED * 1e9
-    show(f"two-bone, pole: {nanoseconds:.1f} ns a chain", shown, {f"{peer}: median": 150})
+    show(f"{title}: {nanoseconds:.1f} ns a chain", shown, {f"{peer}: median": 150})
 
 
 def main() -> None:
     """Prints the tables."""
     limb, chain, ccd = Crowd(3), Crowd(JOINTS), {"iterations": ITERATIONS}
     free: Callable[..., Job] = chain.job
-    two_bone_table(limb)
+    for limit, iteration in ((None, 1), (CONES, CCD_ITERATIONS), (CONES, 1)):
+        two_bone_table(limb, limit, iteration)
     with CcdOfThree() as node:
-        limited = {"statwalk": limb.job("two-bone", CONES, pole_kind=POLE_DIRECTION)}
-        limited["statwalk, 1 iteration"] = limb.job("two-bone", CONES, pole_kind=POLE_DIRECTION, iterations=1)
-        limited[f"CCDIKSolver, {CCD_ITERATIONS} iterations"] = three_job(node, limb, CCD_ITERATIONS, BEND)
-        limited["CCDIKSolver, 1 iteration"] = three_job(node, limb, 1, BEND)
-        table("two-bone, pole, cones", limited, {f"CCDIKSolver, {CCD_ITERATIONS} iterations": 150})
         peer = f"CCDIKSolver, {ITERATIONS} iterations"
         free_ccd = {"statwalk": free("ccd", **ccd), peer: three_job(node, chain, ITERATIONS, 0)}
         table(f"CCD of {JOINTS} joints", free_ccd, {peer: 80})

@@ -17,7 +17,7 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_quat import conjugate, mul, normalized
-from statwalk.maths.simd.lanes import LANES
+from statwalk.maths.simd.lanes import LANES, broadcast
 from statwalk.maths.simd.pose_lanes import ROTATION, joint_at, load4, store4
 from statwalk.solve.chain_lanes import JOINT, LOCAL, TURNED
 from statwalk.solve.iterate import limited
@@ -25,7 +25,7 @@ from statwalk.solve.reach_tables import OF_SOLVER
 
 BACK = 1.5
 """1/s: how fast a joint goes back to its motion"""
-ZERO = np.float32(0)
+ZERO, ONE = np.float32(0), np.float32(1)
 
 
 @inlined
@@ -82,7 +82,9 @@ def add_turns(chains: Any, clamps: Any, number: int, scratch: Any) -> None:
         if chains.sensitivity[first + place] > ZERO:
             at = place * JOINT
             q = normalized(mul(load4(scratch, at + LOCAL), load4(scratch, at + TURNED)))
-            store4(scratch, at + LOCAL, limited(chains, clamps, first + place, q, scratch, at))
+            store4(
+                scratch, at + LOCAL, limited(chains, clamps, first + place, q, broadcast(ONE), scratch, at)
+            )
 
 
 @called

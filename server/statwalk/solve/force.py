@@ -83,7 +83,7 @@ def _step(chains: Any, clamps: Any, number: int, goal: Any, gain: Any, per_lengt
             for axis in range(3):
                 turn = _turn(axis, bone, minus(seen, end), per_length, part)
                 seen, q = rotated_back(turn, seen), mul(q, turn)
-            q = limited(chains, clamps, first + place, normalized(q), scratch, at)
+            q = limited(chains, clamps, first + place, normalized(q), broadcast(ONE), scratch, at)
             store4(scratch, at + LOCAL, q)
         end = plus(load3(scratch, at + OFFSET), rotated(q, end))
     return end

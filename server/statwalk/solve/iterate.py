@@ -39,19 +39,20 @@ FAR = 1e30
 
 
 @inlined
-def limited(chains: Any, clamps: Any, row: int, q: Any, scratch: Any, at: int) -> Any:
-    """Returns the local rotation of the joint of a row, whose memory is at `at`, clamped to the joint's
-    limits; writes by how much to CUT, if somebody reads it.
+def limited(chains: Any, clamps: Any, row: int, q: Any, per_length: Any, scratch: Any, at: int) -> Any:
+    """Returns the local rotation q of the joint of a row, whose memory is at `at`, clamped to the joint's
+    limits, at unit length; writes by how much to CUT, if somebody reads it. q may have any length,
+    `per_length` is 1 / that.
     """
     limit = clamps.row[chains.joint[row]]
+    inside = q[0] * per_length, q[1] * per_length, q[2] * per_length, q[3] * per_length
     if limit >= 0:
-        inside = clamp_rotation(clamps, limit, q)
+        q, inside = inside, clamp_rotation(clamps, limit, q, per_length)
         if chains.note[row] >= 0:
             x, y, z, w = inside[0] - q[0], inside[1] - q[1], inside[2] - q[2], inside[3] - q[3]
             apart = x * x + y * y + z * z + w * w  # twice 1 − cosine of half the angle
             store(scratch, at + CUT, apart * (broadcast(ONE) - of(0.25) * apart))
-        return inside
-    return q
+    return inside
 
 
 @inlined
@@ -78,7 +79,7 @@ def turned_by(chains: Any, clamps: Any, row: int, turn: Any, q: Any, scratch: An
     if chains.sensitivity[row] < ONE:
         zero, one = broadcast(ZERO), broadcast(ONE)
         turn = slerp((zero, zero, zero, one), turn, spread(chains.sensitivity, row))
-    return limited(chains, clamps, row, renormalized(mul(turn, q)), scratch, at)
+    return limited(chains, clamps, row, renormalized(mul(turn, q)), broadcast(ONE), scratch, at)
 
 
 @inlined
@@ -86,12 +87,22 @@ def aimed(chains: Any, clamps: Any, row: int, bone: Any, aim: Any, q: Any, scrat
     """Returns a joint's rotation q after the turn in its parent's frame that brings the vector `bone` to the
     direction of `aim`: as much of it as its sensitivity says, within its limits.
     """
+    if not is_free_joint(chains, clamps, row):
+        return _aimed_within(chains, clamps, row, bone, aim, q, scratch, at)
+    turn, square = half_way(bone, aim, root(vector_square(bone) * vector_square(aim)))
+    q, factor = mul(turn, renormalized(q)), per_root(square)  # q is known before the turn: nothing waits
+    return q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor
+
+
+@called
+def _aimed_within(
+    chains: Any, clamps: Any, row: int, bone: Any, aim: Any, q: Any, scratch: Any, at: int
+) -> Any:
     if chains.sensitivity[row] < ONE:
         return turned_by(chains, clamps, row, between(bone, aim), q, scratch, at)
     turn, square = half_way(bone, aim, root(vector_square(bone) * vector_square(aim)))
-    q, factor = mul(turn, renormalized(q)), per_root(square)  # q is known before the turn: nothing waits
-    q = q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor
-    return limited(chains, clamps, row, q, scratch, at)
+    q = mul(turn, renormalized(q))  # q is known before the turn: nothing waits
+    return limited(chains, clamps, row, q, per_root(square), scratch, at)
 
 
 @called

@@ -196,7 +196,7 @@ def _turn_end(
     row, last = chains.first[number + 1] - 1, (_count(chains, number) - 1) * JOINT
     place_joints(scratch, _count(chains, number), LOCAL)
     turned = mul(conjugate(load4(scratch, last + TURN)), end_rotation)
-    turned = limited(chains, clamps, row, turned, scratch, last)
+    turned = limited(chains, clamps, row, turned, broadcast(ONE), scratch, last)
     write_joint(values, joint_at(values, block, chains.joint[row]), turned, weight)
     if chains.is_noted[number]:
         store(scratch, last + NOTED, load(scratch, last + CUT))

@@ -128,12 +128,12 @@ def _bend(hinge: Any, old: Any, new: Any) -> Any:
 @inlined
 def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any) -> None:
     """Brings the first and the middle joint within their limits."""
-    first = chains.first[number]
-    store4(scratch, LOCAL, limited(chains, clamps, first, load4(scratch, LOCAL), scratch, 0))
+    first, one = chains.first[number], broadcast(ONE)
+    store4(scratch, LOCAL, limited(chains, clamps, first, load4(scratch, LOCAL), one, scratch, 0))
     at = middle * JOINT
-    bent = limited(chains, clamps, first + middle, load4(scratch, at + LOCAL), scratch, at)
+    bent = limited(chains, clamps, first + middle, load4(scratch, at + LOCAL), one, scratch, at)
     store4(scratch, at + LOCAL, bent)
-    note_cuts(chains, number, broadcast(ONE), scratch)
+    note_cuts(chains, number, one, scratch)
 
 
 @inlined

@@ -3,13 +3,16 @@
 import numpy as np
 import pytest
 from late_kernel import late_kernel
+from numba import types
 from scipy.spatial.transform import Rotation
 from statwalk.maths.clamp_kinds import CONE, EULER
 from statwalk.maths.clamp_table import CLAMP_TABLE, JointLimit, clamp_table
 from statwalk.maths.compiling import FLOAT, LONG, write
 from statwalk.maths.packed import ADDRESSES, opened, packed
 from statwalk.maths.pose import Pose
+from statwalk.maths.simd.clamp_lanes import clamp_rotation
 from statwalk.maths.simd.joint_lanes import clamp_joint
+from statwalk.maths.simd.lanes import broadcast
 from statwalk.maths.simd.pose_lanes import load3, load4, store3, store4
 from statwalk.rig.joint_types import joint
 from statwalk.rig.joints import clamped_transform
@@ -45,6 +48,16 @@ def clamp_all(table, row, translations, rotations):
         store4(rotations, 64 * block, q)
 
 
+@late_kernel(ADDRESSES, LONG, types.float32, write(FLOAT, 3))
+def clamp_long(table, row, length, rotations):
+    limits = _table(table)
+    long, per_length = broadcast(length), broadcast(np.float32(1) / length)
+    for block in range(rotations.shape[0]):
+        x, y, z, w = load4(rotations, 64 * block)
+        q = clamp_rotation(limits, row, (x * long, y * long, z * long, w * long), per_length)
+        store4(rotations, 64 * block, q)
+
+
 def lanes(rows):
     return np.ascontiguousarray(rows.reshape(-1, 16, rows.shape[1]).swapaxes(1, 2), np.float32)
 
@@ -76,6 +89,17 @@ def test_lanes_clamp_as_the_joints_do(name):
     np.testing.assert_allclose(translation, PLACE + REST.apply(expected_way), atol=3e-6)
     apart = Rotation.from_quat(rotation) * (REST * Rotation.from_quat(expected_turn)).inv()
     assert np.sort(apart.magnitude())[-3] < 1e-5  # at the far pole both ends are as near
+
+
+@pytest.mark.parametrize("length", [0.001, 100])
+@pytest.mark.parametrize("name", ["cone", "round cone", "range", "axes", "far axes"])
+def test_rotations_of_any_length_are_clamped_to_unit_length(name, length):
+    turns = Rotation.random(COUNT, random_state=8)
+    _, (_, expected) = clamped(LIMITS[name], np.zeros((COUNT, 3)), turns)
+    blocks = lanes((REST * turns).as_quat())
+    clamp_long(packed(clamp_table({0: LIMITS[name]}, POSE), CLAMP_TABLE).argument, 0, length, blocks)
+    apart = np.abs(unlaned(blocks) - expected).max(1)
+    assert np.sort(apart)[-3] < 3e-6  # where both ends are as near
 
 
 @pytest.mark.parametrize("name", LIMITS)

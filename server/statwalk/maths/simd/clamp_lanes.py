@@ -11,7 +11,6 @@ import numpy as np
 
 from statwalk.maths.clamp_kinds import EULER, FREE, HINGE, RANGE, TOLERANCE
 from statwalk.maths.compiling import inlined
-from statwalk.maths.reference import called
 from statwalk.maths.simd.euler_clamp import clamp_angles
 from statwalk.maths.simd.lane_elementary import angle, of, sine_cosine
 from statwalk.maths.simd.lane_functions import (
@@ -47,30 +46,47 @@ def spread3(values: Any, at: int) -> Any:
     return spread(values, at), spread(values, at + 1), spread(values, at + 2)
 
 
-@called
-def clamp_rotation(table: Any, row: int, q: Any) -> Any:
-    """Returns the local rotation q (x y z w, rest pose included) of the row's joint, clamped."""
+@inlined
+def clamp_rotation(table: Any, row: int, q: Any, per_length: Any) -> Any:
+    """Returns the local rotation q (x y z w, rest pose included) of the row's joint, clamped, at unit length;
+    q may have any length, `per_length` is 1 / that.
+
+    Roots and divisions take long: those of the clamp do not wait for those of `per_length`.
+    """
+    unit = q[0] * per_length, q[1] * per_length, q[2] * per_length, q[3] * per_length
     if table.kind[row] == FREE:
-        return q
-    into, frame = spread4(table.into, 4 * row), spread4(table.frame, 4 * row)
-    is_turned, is_framed = table.into[row, 3] != ONE, table.frame[row, 3] != ONE
-    relative = q
-    if is_turned:
-        relative = mul(into, relative)
-    if is_framed:
-        relative = mul(relative, frame)
+        return unit
     if table.kind[row] == EULER:
-        excess, clamped = clamp_angles(table, row, relative)
+        excess, clamped = clamp_angles(table, row, _relative(table, row, q), per_length)
+        if not any_above(excess, of(TOLERANCE)):
+            return unit
+        clamped = same_sign(renormalized(_back(table, row, clamped)), unit)
     else:
-        excess, clamped = clamp_swing_twist(table, row, relative)
-    if not any_above(excess, of(TOLERANCE)):
-        return q
-    if is_turned:
-        clamped = mul(conjugate(into), clamped)
-    if is_framed:
-        clamped = mul(clamped, conjugate(frame))
-    back = renormalized(same_sign(clamped, q))
-    return either4(excess - of(TOLERANCE), back, q)
+        excess, clamped = clamp_swing_twist(table, row, _relative(table, row, q), per_length)
+        if not any_above(excess, of(TOLERANCE)):
+            return unit
+        clamped = _back(table, row, clamped)
+    return either4(excess - of(TOLERANCE), clamped, unit)
+
+
+@inlined
+def _relative(table: Any, row: int, q: Any) -> Any:
+    """A local rotation relative to the rest pose, in the frame of the row's joint."""
+    if table.into[row, 3] != ONE:
+        q = mul(spread4(table.into, 4 * row), q)
+    if table.frame[row, 3] != ONE:
+        q = mul(q, spread4(table.frame, 4 * row))
+    return q
+
+
+@inlined
+def _back(table: Any, row: int, relative: Any) -> Any:
+    """The local rotation of one that is relative to the rest pose."""
+    if table.into[row, 3] != ONE:
+        relative = mul(conjugate(spread4(table.into, 4 * row)), relative)
+    if table.frame[row, 3] != ONE:
+        relative = mul(relative, conjugate(spread4(table.frame, 4 * row)))
+    return relative
 
 
 @inlined
@@ -107,23 +123,20 @@ def between(x: Any, low: Any, high: Any) -> Any:
 
 
 @inlined
-def clamp_swing_twist(table: Any, row: int, q: Any) -> Any:
+def clamp_swing_twist(table: Any, row: int, q: Any, per_length: Any) -> Any:
     """Returns the excess in radians, and the rotation with swing (about axes in the XZ plane, last)
-    and twist (about Y, first) clamped.
+    and twist (about Y, first) clamped; q may have any length, `per_length` is 1 / that.
     """
     x, y, z, w = q
-    one, zero = broadcast(ONE), broadcast(ZERO)
-    length_squared = fused(w, w, y * y)
-    is_turned_over = of(1e-13)  # swing by half a turn: no twist
-    factor = one / root(where_below(length_squared, is_turned_over, one, length_squared))
-    sine = where_below(length_squared, is_turned_over, zero, y * factor)
-    cosine = where_below(length_squared, is_turned_over, one, w * factor)
-    swing_x, swing_z, swing_w = (
-        fused(x, cosine, z * sine),
-        fused(z, cosine, -(x * sine)),
-        root(length_squared),
-    )
-    swing_excess, swing_x, swing_z, swing_w = _clamp_swing(table, row, swing_x, swing_z, swing_w)
+    one, zero, nothing = broadcast(ONE), broadcast(ZERO), of(1e-36)
+    swing_sine, swing_cosine = root(fused(x, x, z * z)), root(fused(w, w, y * y))  # times the length
+    factor = one / most(swing_cosine, nothing)
+    sine, cosine = y * factor, w * factor
+    cosine_of_unit, turned_over = swing_cosine * per_length, of(3e-7)  # swing by half a turn: no twist
+    sine = where_below(cosine_of_unit, turned_over, zero, sine)
+    cosine = where_below(cosine_of_unit, turned_over, one, cosine)
+    swing = fused(x, cosine, z * sine), fused(z, cosine, -(x * sine)), swing_sine, swing_cosine
+    swing_excess, swing_x, swing_z, swing_w = _clamp_swing(table, row, swing, per_length)
     twist_excess, sine, cosine = _clamp_twist(table, row, sine, cosine)
     whole = (
         fused(swing_x, cosine, -(swing_z * sine)),
@@ -140,27 +153,28 @@ def _clamp_twist(table: Any, row: int, sine: Any, cosine: Any) -> Any:
     middle_sine, middle_cosine, end_sine, end_cosine = spread4(table.twist, 4 * row)
     from_middle = fused(sine, middle_cosine, -(cosine * middle_sine))
     along = fused(cosine, middle_cosine, sine * middle_sine)
-    from_middle, along = turned(from_middle, along), size(along)
-    excess = fused(size(from_middle), end_cosine, -(along * end_sine)) * of(2.0)  # twice the sine of half
-    end = with_sign(end_sine, from_middle)
+    half = fused(size(from_middle), end_cosine, -(size(along) * end_sine))  # the sine of half the excess
+    excess = half * of(2.0)
+    end_sine, end_cosine = with_sign(end_sine, from_middle), with_sign(end_cosine, along)
     inside = of(TOLERANCE)
     return (
         excess,
-        where_below(inside, excess, fused(end, middle_cosine, end_cosine * middle_sine), sine),
-        where_below(inside, excess, fused(end_cosine, middle_cosine, -(end * middle_sine)), cosine),
+        where_below(inside, excess, fused(end_sine, middle_cosine, end_cosine * middle_sine), sine),
+        where_below(inside, excess, fused(end_cosine, middle_cosine, -(end_sine * middle_sine)), cosine),
     )
 
 
 @inlined
-def _clamp_swing(table: Any, row: int, x: Any, z: Any, w: Any) -> Any:
-    """The excess of a swing, and the clamped swing's quaternion x z w."""
-    sine_squared = fused(x, x, z * z)
-    sine = root(sine_squared)
+def _clamp_swing(table: Any, row: int, swing: Any, per_length: Any) -> Any:
+    """The excess of a swing, and the clamped swing's quaternion x z w at unit length; `swing` is of any
+    length: x z, √(x² + z²) and w.
+    """
+    if table.round[row, 1] > ZERO:
+        return _clamp_round(table, row, swing, per_length)
+    x, z, sine, w = swing[0] * per_length, swing[1] * per_length, swing[2] * per_length, swing[3] * per_length
     if table.kind[row] == HINGE:
         zero = broadcast(ZERO)
         return sine * of(2.0), zero, zero, broadcast(ONE)
-    if table.round[row, 1] > ZERO:
-        return _clamp_round(table, row, x, z, w, sine)
     tiny = of(1e-7)
     factor = where_below(sine, tiny, of(2.0), angle(sine, w) * of(2.0) / where_below(sine, tiny, tiny, sine))
     u, v = x * factor, z * factor
@@ -180,20 +194,16 @@ def _clamp_swing(table: Any, row: int, x: Any, z: Any, w: Any) -> Any:
 
 
 @inlined
-def _clamp_round(table: Any, row: int, x: Any, z: Any, w: Any, sine: Any) -> Any:
+def _clamp_round(table: Any, row: int, swing: Any, per_length: Any) -> Any:
     """`_clamp_swing` of a cone as wide along X as along Z: without angles. The excess is twice the sine of
     half the angle.
     """
+    x, z, sine, w = swing
     end_sine, end_cosine = spread(table.round, 2 * row), spread(table.round, 2 * row + 1)
-    excess = fused(sine, end_cosine, -(w * end_sine))
-    factor = end_sine / most(sine, of(SMALLEST_SINE))
+    excess = fused(sine, end_cosine, -(w * end_sine)) * per_length
     inside = of(0.5 * TOLERANCE)
-    return (
-        excess * of(2.0),
-        where_below(inside, excess, x * factor, x),
-        where_below(inside, excess, z * factor, z),
-        where_below(inside, excess, end_cosine, w),
-    )
+    factor = where_below(inside, excess, end_sine / most(sine, of(SMALLEST_SINE)), per_length)
+    return excess * of(2.0), x * factor, z * factor, where_below(inside, excess, end_cosine, w * per_length)
 
 
 @inlined

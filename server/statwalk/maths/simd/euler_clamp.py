@@ -23,28 +23,32 @@ from statwalk.maths.simd.lane_vector import per_root
 from statwalk.maths.simd.lanes import broadcast, spread
 
 ZERO, HALF, ONE = np.float32(0), np.float32(0.5), np.float32(1)
+SMALLEST = 1e-37
+"""the least product of p² and m² whose root is taken"""
 OF_ROW = 16
 """numbers of a row of `ClampTable.sines`"""
 
 
 @inlined
-def clamp_angles(table: Any, row: int, q: Any) -> Any:
+def clamp_angles(table: Any, row: int, q: Any, per_length: Any) -> Any:
     """Returns how far the angles of rotations are beyond the limits of a row, and the rotations with the
-    angles clamped. The excess is above 0 beyond the limits, about radians where it is small, and grows with
-    the angle.
+    angles clamped, at unit length; q may have any length, `per_length` is 1 / that.
+
+    The excess is above 0 beyond the limits, about radians where it is small, and grows with the angle.
 
     Of the two triples of angles of a rotation the nearer counts; with Y at a quarter turn, the nearest of
     all.
     """
-    at, lost = OF_ROW * row, of(LOCKED * LOCKED)
+    at, lost, per_square = OF_ROW * row, of(LOCKED * LOCKED), per_length * per_length
     s, d = (q[0] + q[2], q[3] - q[1]), (q[0] - q[2], q[3] + q[1])
     p_square, m_square = _square(s), _square(d)
-    known, clamped = least(p_square, m_square), q
-    sine, cosine_square = (m_square - p_square) * broadcast(HALF), most(p_square, lost) * most(m_square, lost)
+    known, clamped = least(p_square, m_square) * per_square, q
+    sine, cosine_square = (m_square - p_square) * broadcast(HALF), most(p_square * m_square, of(SMALLEST))
     per_cosine = per_root(cosine_square)
     cosine = cosine_square * per_cosine
     x, z = _scaled(_sum(s, d), per_cosine), _scaled(_difference(s, d), per_cosine)
     x, z = _from_middle(table, at, x), _from_middle(table, at + 8, z)
+    sine, cosine = sine * per_square, cosine * per_square
     y, y2 = _from_middle(table, at + 4, (sine, cosine)), _from_middle(table, at + 4, (sine, -cosine))
     x_end, y_end, z_end = _beyond(table, at, x), _beyond(table, at + 4, y), _beyond(table, at + 8, z)
     first = _largest_excess(table, at, x_end, y_end, z_end)
@@ -53,8 +57,9 @@ def clamp_angles(table: Any, row: int, q: Any) -> Any:
     if any_above(broadcast(ZERO), least(least(x[1], z[1]), spread(table.sines, at + 5))):
         x2_end, y2_end = _beyond(table, at, x2), _beyond(table, at + 4, y2)
         other = _largest_excess(table, at, x2_end, y2_end, _beyond(table, at + 8, z2))
-    excess = least(first, other) - of(ROUNDING) * per_cosine
+    excess = fused(per_cosine / per_square, -of(ROUNDING), least(first, other))
     if any_above(lost, known):
+        q = q[0] * per_length, q[1] * per_length, q[2] * per_length, q[3] * per_length
         excess_of_lost, angles = euler_excess(q, _three(table, 6 * row), _three(table, 6 * row + 3))
         excess, clamped = where_below(known, lost, excess_of_lost, excess), from_euler(angles)
     if any_above(excess, of(TOLERANCE)):
@@ -63,7 +68,8 @@ def clamp_angles(table: Any, row: int, q: Any) -> Any:
             x, y, z = _pick(other, first, x2, x), _pick(other, first, y2, y), _pick(other, first, z2, z)
             x_end, y_end, z_end = _beyond(table, at, x), _beyond(table, at + 4, y), _beyond(table, at + 8, z)
             is_other = where_below(other, first, broadcast(ONE), is_other)
-        s, d = _within(table, at + 4, y, y_end, is_other, (s, d), (p_square, m_square))
+        squares = p_square, m_square
+        s, d = _within(table, at + 4, y, y_end, is_other, (s, d), squares, per_length)
         of_known = _turned(s, d, _turn_back(table, at, x, x_end), _turn_back(table, at + 8, z, z_end))
         clamped = where4_below(known, lost, clamped, of_known)
     return excess, clamped
@@ -77,16 +83,18 @@ def _turned(s: Any, d: Any, x_back: Any, z_back: Any) -> Any:
 
 
 @inlined
-def _within(table: Any, at: int, y: Any, y_end: Any, is_other: Any, turns: Any, squares: Any) -> Any:
+def _within(
+    table: Any, at: int, y: Any, y_end: Any, is_other: Any, turns: Any, squares: Any, per_length: Any
+) -> Any:
     """p S and m D with Y clamped; of Y from the middle and beyond its end, p S and m D, p² and m². In lanes
     of the other triple p S are p and S with their signs changed.
     """
-    one, middle = broadcast(ONE), (spread(table.sines, at + 8), spread(table.sines, at + 9))
+    middle = (spread(table.sines, at + 8), spread(table.sines, at + 9))
     end = _sum(middle, (with_sign(spread(table.sines, at + 10), y[0]), spread(table.sines, at + 11)))
     p, m = end[1] - end[0], end[1] + end[0]
     p = where_below(broadcast(ZERO), is_other, -p, p) * per_root(squares[0])
     m, excess, zero = m * per_root(squares[1]), _excess(table, at, y_end), broadcast(ZERO)
-    p, m = where_below(zero, excess, p, one), where_below(zero, excess, m, one)
+    p, m = where_below(zero, excess, p, per_length), where_below(zero, excess, m, per_length)
     return _scaled(turns[0], p), _scaled(turns[1], m)
 
 

@@ -29,7 +29,7 @@ from statwalk.maths.simd.lane_quat import conjugate, minus, mul, plus, renormali
 from statwalk.maths.simd.lanes import broadcast
 from statwalk.maths.simd.pose_lanes import either3, either4
 
-ZERO = np.float32(0)
+ZERO, ONE = np.float32(0), np.float32(1)
 FLATTEST = 1e-3
 """cosine of the turn of a PRP joint below which its slides count as parallel"""
 
@@ -40,7 +40,7 @@ def clamp_joint(table: Any, row: int, t: Any, q: Any) -> Any:
     helical and planar joints depend on each other.
     """
     if table.screw[row, 0] == 0.0 and not table.turning[row, 1]:
-        return clamp_translation(table, row, t), clamp_rotation(table, row, q)
+        return clamp_translation(table, row, t), clamp_rotation(table, row, q, broadcast(ONE))
     into, frame, rest = (
         spread4(table.into, 4 * row),
         spread4(table.frame, 4 * row),
@@ -81,7 +81,7 @@ def _clamp_planar(table: Any, row: int, way: Any, q: Any) -> Any:
     """The excess of a planar joint one or both of whose slides turn with it, and its nearest translation and
     rotation.
     """
-    turn_excess, turn = clamp_swing_twist(table, row, q)
+    turn_excess, turn = clamp_swing_twist(table, row, q, broadcast(ONE))
     sine, cosine = of(2.0) * turn[1] * turn[3], fused(turn[3], turn[3], -(turn[1] * turn[1]))
     low, high = spread3(table.slide, 6 * row), spread3(table.slide, 6 * row + 3)
     if table.turning[row, 0]:  # RPP: both slides have turned
