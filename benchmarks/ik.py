@@ -10,13 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import ExitStack
+from copy import copy as copy_of
 from statistics import median
 from time import perf_counter
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from peers.fabrik import places_of_fabrik, places_within_cones
 from rounds import Job, Node, least, show
+from statwalk.maths import quat
 from statwalk.maths.clamp_kinds import CONE, EULER
 from statwalk.maths.clamp_table import CLAMP_TABLE, JointLimit, clamp_table
 from statwalk.maths.packed import packed
@@ -64,6 +66,19 @@ class Crowd:
         aim[:, 1] = np.abs(aim[:, 1])
         reach = np.linalg.norm(self.offsets, axis=-1).sum(1) * chance.uniform(0.5, 0.85, CHAINS_SOLVED)
         self.targets = aim / np.linalg.norm(aim, axis=1, keepdims=True) * reach[:, None]
+
+    def within_cones(self) -> Self:
+        """Returns the same chains with targets that CONES allow: the ends after random turns within them."""
+        other, chance = copy_of(self), np.random.default_rng(self.joints + 1)
+        turned, other.targets = np.broadcast_to(self.rest.rotation[0], (CHAINS_SOLVED, 4)), self.targets * 0
+        for bones in self.offsets[:, 1:].swapaxes(0, 1):
+            way = chance.normal(size=(CHAINS_SOLVED, 2))
+            way *= (BEND * np.sqrt(chance.uniform(size=CHAINS_SOLVED)) / np.linalg.norm(way, axis=1))[:, None]
+            swing = quat.from_rotation_vector(np.insert(way, 1, 0, axis=1))
+            twist = quat.from_axis_angle((0, 1, 0), chance.uniform(-BEND, BEND, CHAINS_SOLVED))
+            turned = quat.mul(turned, quat.mul(swing, twist))
+            other.targets += quat.rotate(turned, bones)
+        return other
 
     def job(self, solver: str, limit: JointLimit | None = None, **options: Any) -> Job:
         """Returns a job that solves all chains from their rest poses, and times the kernel alone."""
@@ -117,7 +132,7 @@ def table(title: str, jobs: dict[str, Job], goals: dict[str, float]) -> None:
     show(f"{title}: {seconds['statwalk'] / CHAINS_SOLVED * 1e9:.1f} ns a chain", seconds, goals)
 
 
-def two_bone_table(limb: Crowd, limit: JointLimit | None, iteration: int) -> None:
+def two_bone_table(title: str, limb: Crowd, limit: JointLimit | None, iteration: int) -> None:
     """Measures and prints a table of two bones: the peer in its median process, and in its best one."""
     bend = BEND if limit else 0
     with ExitStack() as open_nodes:
@@ -129,8 +144,8 @@ def two_bone_table(limb: Crowd, limit: JointLimit | None, iteration: int) -> Non
         seconds = least({"statwalk": ours} | jobs, ROUNDS)
     ordered, peer = sorted(seconds[name] for name in jobs), f"CCDIKSolver, {PROCESSES} processes"
     shown = {"statwalk": seconds["statwalk"], f"{peer}: median": median(ordered), f"{peer}: best": ordered[0]}
-    title = f"two-bone, pole{', cones' if limit else ''}, iterations of the peer: {iteration}"
     nanoseconds = seconds["statwalk"] / CHAINS_SOLVED * 1e9
+    title = f"two-bone, pole{title}, peer: {iteration} iterations"
     show(f"{title}: {nanoseconds:.1f} ns a chain", shown, {f"{peer}: median": 150})
 
 
@@ -138,8 +153,10 @@ def main() -> None:
     """Prints the tables."""
     limb, chain, ccd = Crowd(3), Crowd(JOINTS), {"iterations": ITERATIONS}
     free: Callable[..., Job] = chain.job
-    for limit, iteration in ((None, 1), (CONES, CCD_ITERATIONS), (CONES, 1)):
-        two_bone_table(limb, limit, iteration)
+    two_bone_table("", limb, None, 1)
+    for iteration in (CCD_ITERATIONS, 1):
+        two_bone_table(", cones that allow the targets", limb.within_cones(), CONES, iteration)
+        two_bone_table(", cones that allow no target", limb, CONES, iteration)
     with CcdOfThree() as node:
         peer = f"CCDIKSolver, {ITERATIONS} iterations"
         free_ccd = {"statwalk": free("ccd", **ccd), peer: three_job(node, chain, ITERATIONS, 0)}

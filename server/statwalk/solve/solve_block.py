@@ -61,6 +61,7 @@ from statwalk.solve.fabrik import solve_fabrik
 from statwalk.solve.force import solve_force
 from statwalk.solve.iterate import begin, limited
 from statwalk.solve.look_at import missed, solve_look_at
+from statwalk.solve.swivel import swivel_limb
 from statwalk.solve.two_bone import clamp_limb, solve_two_bone
 
 ZERO, ONE, UNKNOWN = np.float32(0), np.float32(1), np.float32(-1)
@@ -157,10 +158,11 @@ def _solve(chains: Any, clamps: Any, number: int, target: Any, pole: Any, weight
         middle = chains.middle[number]
         at = 3 * number
         hinge = spread(chains.hinge, at), spread(chains.hinge, at + 1), spread(chains.hinge, at + 2)
-        target, distance = solve_two_bone(scratch, count, middle, target, pole, hinge, softening)
+        target, distance, circle = solve_two_bone(scratch, count, middle, target, pole, hinge, softening)
         if chains.is_free[number]:
             return zero, distance
         clamp_limb(chains, clamps, number, middle, scratch)
+        swivel_limb(chains, clamps, number, circle, scratch)
     whole = chain_length(scratch, count)
     if solver != TWO_BONE:
         target = softened(target, load3(scratch, OFFSET), whole, softening)

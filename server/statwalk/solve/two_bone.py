@@ -42,7 +42,8 @@ def solve_two_bone(
     scratch: Any, count: int, middle: int, target: Any, pole: Any, hinge_of_start: Any, softening: Any
 ) -> Any:
     """Turns the first and the middle joint so that the last of `count` joints comes to the target; returns
-    the softened target, and how far the end is from the target.
+    the softened target, how far the end is from the target, and the circle of the middle joint (see
+    `swivel_limb`).
 
     `pole` is the direction in which the middle joint bends; zero: as it bends now. For a target out of
     reach the limb is straight and points at it; for a target that is too near it is folded. A knee keeps the
@@ -72,7 +73,8 @@ def solve_two_bone(
     new_x = scaled(added(scaled(onward, along), sideways, aside), per_upper)
     new_hinge = cross(sideways, onward)
     hinge = _old_hinge(raw, per_lengths, upper, first, new_x, new_hinge, hinge_of_start)
-    turned = between_frames(scaled(upper, per_upper), hinge, new_x, new_hinge)
+    circle = scaled(upper, per_upper), hinge, onward, sideways, along * per_upper, aside * per_upper
+    turned = between_frames(circle[0], hinge, new_x, new_hinge)
     store4(scratch, LOCAL, turned)
     old = dot(upper, lower) * per_lengths, dot(raw, hinge) * per_lengths
     new_cosine = (reach * reach - upper_square - lower_square) * (broadcast(HALF) * per_lengths)
@@ -81,8 +83,8 @@ def solve_two_bone(
     turn, at = _bend(hinge, old, (new_cosine, aside * reach * per_lengths)), middle * JOINT + LOCAL
     store4(scratch, at, mul(turn, load4(scratch, at)))
     if any_above(softening, broadcast(ZERO)):
-        return soft, length(added(minus(target, start), onward, -reach))
-    return soft, size(aim_length - reach)
+        return soft, length(added(minus(target, start), onward, -reach)), circle
+    return soft, size(aim_length - reach), circle
 
 
 @inlined
