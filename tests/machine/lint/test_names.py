@@ -18,8 +18,15 @@ def test_events_that_no_cell_answers():
 def test_motions_unknown_and_unused():
     assert found("state | GO | END\nA | B |\nB | | A", motions={"A": 1, "BB": 1}) == [
         ("unknown motion", "B has no motion 'B'; did you mean BB?"),
-        ("unused motion", "no state uses the motion 'BB'"),
+        ("unused motion", "motions that no state uses: BB"),
     ]
+
+
+def test_many_unused_motions_are_one_finding():
+    motions = {"A": 1, "B": 1} | {f"M{number}": 1 for number in range(100)}
+    (finding,) = found("state | GO | END\nA | B |\nB | | A", motions=motions)
+    assert finding[1].startswith("motions that no state uses: M0, M1, ")
+    assert finding[1].endswith("more")
 
 
 def test_parameters_unknown_and_unused():

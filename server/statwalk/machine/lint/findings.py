@@ -8,7 +8,7 @@ from typing import Literal
 
 Severity = Literal["error", "warning", "info"]
 
-SUBJECT_ENDS = {"property": ": ", "undefined state": " is no state"}
+SUBJECT_ENDS = {"property": ": ", "undefined state": " is no state", "unused motion": ": "}
 """the text that ends the subject of a message, for kinds whose message has more than the subject"""
 LINE = re.compile(r" \(line [0-9]+\)")
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from statwalk.errors import listed
 from statwalk.machine.compile.resolved_table import Motions
 from statwalk.machine.conditions.condition_info import condition_info
 from statwalk.machine.conditions.variables import ENTRY
@@ -231,10 +232,9 @@ def _missing_clips(name: str, state: StateDefinition, motions: Motions) -> Itera
 
 
 def unused_motions(contexts: Contexts, motions: Motions) -> Iterator[Finding]:
-    """Finds motions of the character that no state uses."""
+    """Finds motions of the character that no state uses; all in one finding, since they may be many."""
     used = {
         clip for context in contexts for state in context.definition.states.values() for clip in state.clips
     }
-    for name in motions or ():
-        if name not in used:
-            yield Finding("unused motion", "warning", f"no state uses the motion {name!r}")
+    if unused := tuple(name for name in motions or () if name not in used):
+        yield Finding("unused motion", "warning", f"motions that no state uses: {listed(unused)}")
