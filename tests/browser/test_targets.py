@@ -1,6 +1,7 @@
 """Point parameters in the page: a handle to drag, a character that looks at the pointer; all is logged."""
 
 import json
+from collections.abc import Callable
 
 import httpx
 from browser.conftest import Server, until
@@ -39,18 +40,37 @@ def test_he_looks_at_the_pointer_on_request(server: Server, viewer: Page) -> Non
     wait_for(lambda: reached(server, viewer)["weight"] == 0)
 
 
+def drag(page: Page, handle: str, right: float, down: float) -> tuple[float, float]:
+    """Drags a handle by pixels; returns where it was."""
+    until(page, "arg in __viewer.handles()", handle)
+    x, y = page.evaluate("arg => __viewer.handles()[arg]", handle)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for part in (0.2, 0.4, 0.6, 0.8, 1):
+        page.mouse.move(x + right * part, y + down * part)
+    page.mouse.up()
+    return x, y
+
+
 def test_a_dragged_handle_moves_its_point(server: Server, viewer: Page) -> None:
     until(viewer, "__viewer.ready")
     viewer.get_by_role("button", name="drag gaze").click()
-    until(viewer, "'gaze' in __viewer.handles()")
-    x, y = viewer.evaluate("__viewer.handles().gaze")
     before = len(gazes(server, viewer))
-    viewer.mouse.move(x, y)
-    viewer.mouse.down()
-    for step in range(1, 6):
-        viewer.mouse.move(x - 8 * step, y + 4 * step)
-    viewer.mouse.up()
+    x, y = drag(viewer, "gaze", -40, 20)
     wait_for(lambda: len(gazes(server, viewer)) > before)
     until(viewer, "__viewer.handles().gaze.every((at, i) => Math.abs(at - arg[i]) < 2)", [x - 40, y + 20])
     viewer.get_by_role("button", name="drag gaze").click()
     until(viewer, "!('gaze' in __viewer.handles())")
+
+
+def test_a_hand_follows_its_ball_as_far_as_the_arm_may(server: Server, opened: Callable[[str], Page]) -> None:
+    page = opened(f"{server.url}?machine=reach")
+    page.keyboard.press("r")
+    until(page, "__viewer.state() === 'REACH'")
+    drag(page, "left", 60, -90)
+    until(page, "__viewer.joints()['Left.hand'][1] > 1.45")
+    drag(page, "left", 0, 300)
+    until(page, "__viewer.joints()['Left.hand'][1] < 1.1")
+    assert (
+        page.evaluate("__viewer.joints()['Left.lowerarm'][1]") > 1.05
+    )  # the elbow stays where the shoulder lets it
