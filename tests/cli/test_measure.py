@@ -23,7 +23,7 @@ def test_over_budget_is_status_1_and_says_where(tmp_path):
     done = run(with_budgets(tmp_path, "budgets: {arrived: 0.01}\n"), "--cell", "WALK/STOP")
     assert done.returncode == 1
     assert "WALK/STOP: arrived 0." in done.stdout
-    assert "1 figures over budget" in done.stdout
+    assert "1 figure over budget" in done.stdout
 
 
 def test_json_is_for_programs(tmp_path):

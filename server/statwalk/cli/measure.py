@@ -14,6 +14,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from statwalk.character.role import Role
+from statwalk.cli.counted import counted
 from statwalk.errors import UnknownNameError
 from statwalk.services.library.load import load, shipped_machines
 from statwalk.services.library.measuring import measured
@@ -114,6 +115,7 @@ def measure(
         console.print(_fitting(console, rows, budgets), soft_wrap=True)
         for finding in findings:
             console.print(f"[yellow]{finding.severity}[/] line {finding.line}: {escape(finding.message)}")
-        console.print(f"{escape(machine)}: {len(rows)} rows, {len(findings)} figures over budget")
+        over = counted(len(findings), "figure")
+        console.print(f"{escape(machine)}: {counted(len(rows), 'row')}, {over} over budget")
     if findings:
         raise typer.Exit(1)

@@ -14,6 +14,7 @@ from rich.table import Table
 
 from statwalk.character.made_clips import with_clips
 from statwalk.character.role import Role, facts_of
+from statwalk.cli.counted import counted
 from statwalk.errors import MachineError, UnknownNameError
 from statwalk.files.character_file import load_character_file
 from statwalk.files.machine_yaml.machine_file import load_machine
@@ -86,6 +87,6 @@ def verify(
     else:
         if findings:
             console.print(shown(findings))
-        console.print(f"{escape(machine)}: {errors} errors, {warnings} warnings")
+        console.print(f"{escape(machine)}: {counted(errors, 'error')}, {counted(warnings, 'warning')}")
     if errors:
         raise typer.Exit(1)
