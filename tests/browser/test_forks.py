@@ -4,6 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import httpx
+import pytest
 from browser.conftest import Server, leave, until
 from browser.test_time import SCRUB
 from playwright.sync_api import Page
@@ -65,6 +66,29 @@ def test_a_click_in_the_past_walks_on_the_fork_and_stops(viewer: Page) -> None:
     until(viewer, "__viewer.state() === 'CSTP'")
     until(viewer, "__viewer.state() === 'STAT'")
     assert {"STWK", "WALK", "CSTP"} <= {state for _, _, state in viewer.evaluate("__viewer.lanes()")}
+
+
+@pytest.mark.parametrize("press", ["key", "button"])
+def test_a_press_that_began_live_ends_live_while_the_past_is_looked_at(
+    server: Server, viewer: Page, press: str
+) -> None:
+    until(viewer, "__viewer.tick() > 60 && __viewer.state() === 'STAT'")
+    if press == "key":
+        viewer.keyboard.down("ArrowUp")
+    else:
+        viewer.hover("[data-event=FORWARD]")
+        viewer.mouse.down()
+    until(viewer, "__viewer.state() === 'STWK'")
+    viewer.evaluate(SCRUB, viewer.evaluate("__viewer.tick()") - 20)
+    until(viewer, "__viewer.looking() === __viewer.tick()")
+    if press == "key":
+        viewer.keyboard.up("ArrowUp")
+    else:
+        viewer.mouse.up()
+    newest = f"{server.url}/api/stages/main"
+    wait_for(lambda: httpx.get(newest).json()["newest_input"]["text"].startswith("STOP "))
+    assert viewer.evaluate("__viewer.stage()") == "main"
+    assert viewer.evaluate("__viewer.looking()") is not None
 
 
 def test_the_ghost_of_the_origin_stands_at_the_same_tick_and_is_compared_by_joint(viewer: Page) -> None:

@@ -4,7 +4,14 @@ import { HeldKeys, type Intent, bindingOf, cap, mainEvent } from "./keyBindings"
 
 function held(): { keys: HeldKeys; said: string[] } {
   const said: string[] = [];
-  return { keys: new HeldKeys(({ kind, event }: Intent) => said.push(`${kind} ${event}`)), said };
+  return {
+    keys: new HeldKeys(
+      () =>
+        ({ kind, event }: Intent) =>
+          said.push(`${kind} ${event}`),
+    ),
+    said,
+  };
 }
 
 describe("HeldKeys", () => {

@@ -60,27 +60,32 @@ export function bindingOf(keys: Record<string, KeyBinding>, key: string, code: s
   return Object.keys(keys).find((name) => wanted.has(name)) ?? null;
 }
 
+/** Sends what a key does while it is down, and when it comes up. */
+export type Sender = (intent: Intent) => void;
+
 /**
  * Keys that are down. Each goes down once and comes up once, even if the keyboard repeats or loses events.
  */
 export class HeldKeys {
-  private readonly down = new Map<string, KeyBinding>();
+  private readonly down = new Map<string, { binding: KeyBinding; send: Sender }>();
 
-  constructor(private readonly send: (intent: Intent) => void) {}
+  /** `sender` is asked when a key goes down. */
+  constructor(private readonly sender: () => Sender) {}
 
   /** Returns false if the key is down already. */
   press(name: string, binding: KeyBinding): boolean {
     if (this.down.has(name)) return false;
-    this.down.set(name, binding);
-    onDown(binding).forEach(this.send);
+    const send = this.sender();
+    this.down.set(name, { binding, send });
+    onDown(binding).forEach(send);
     return true;
   }
 
   release(name: string): boolean {
-    const binding = this.down.get(name);
-    if (!binding) return false;
+    const held = this.down.get(name);
+    if (!held) return false;
     this.down.delete(name);
-    onUp(binding).forEach(this.send);
+    onUp(held.binding).forEach(held.send);
     return true;
   }
 

@@ -15,6 +15,7 @@ import type {
 } from "../net/protocol";
 import { reasonOf } from "../net/reason";
 import { Event } from "./event";
+import { Inputs } from "./inputs";
 import type { Frames } from "./frames";
 import type { Line } from "./line";
 import type { Notice } from "./notice";
@@ -53,14 +54,13 @@ export class Session {
   heardAt = 0;
   /** The stage, and the tick at which it came back, of the newest notice about it. */
   private toldRestored = "";
-  private refs = 1;
-  /** What follows an event in the past until the page watches its fork: there it would make other forks. */
-  private waiting: (() => void)[] | null = null;
+  readonly inputs: Inputs;
   /** The fork that the page goes to. */
   private forking = "";
 
   constructor(private readonly parts: SessionParts) {
     const { line, past } = parts;
+    this.inputs = new Inputs(parts);
     line.messages.on((message) => this.hear(message));
     line.failed.on(() => void this.findStage());
     line.link.subscribe(({ state }) => {
@@ -99,7 +99,7 @@ export class Session {
 
   private refused({ ref, title, detail }: Refused): void {
     if (this.trip.answer(ref, performance.now())) return;
-    this.waiting = null;
+    this.inputs.forget();
     this.parts.playback.scrubber.refused();
     this.parts.notices.emit(detail || title);
   }
@@ -113,8 +113,8 @@ export class Session {
     this.tellTrouble(hello);
     stage.greet(hello);
     this.tellRestored(hello);
-    if (hello.stage === this.forking) this.sendWaiting();
-    this.waiting = null;
+    if (hello.stage === this.forking) this.inputs.sendWaiting();
+    this.inputs.forget();
     selection.settle();
     if (restarted) playback.scrubber.forget();
     else playback.scrubber.again();
@@ -158,7 +158,7 @@ export class Session {
 
   /** An event that was sent to the newest tick makes no fork. */
   private accepted(stage: string): void {
-    if (stage === this.parts.stage.id) this.sendWaiting();
+    if (stage === this.parts.stage.id) this.inputs.sendWaiting();
   }
 
   private fork(stage: string): void {
@@ -203,33 +203,9 @@ export class Session {
     this.access.value = await api.access().catch(() => this.access.value);
   }
 
-  /** Whether an input has made a fork that is not watched yet: what is sent now waits for the fork. */
-  get isForking(): boolean {
-    return this.waiting !== null;
-  }
-
   /** Sends an event to the watched actor; in the past it makes a fork. */
   event(kind: EventKind, event: string): void {
-    const actor = this.parts.selection.actor.value;
-    const tick = this.parts.playback.looking.value;
-    if (actor === null) return;
-    if (this.waiting) {
-      this.waiting.push(() => this.post(kind, actor, event));
-      return;
-    }
-    const isSent = this.post(kind, actor, event, tick === null ? {} : { tick });
-    if (isSent && tick !== null) this.waiting = [];
-  }
-
-  private post(kind: EventKind, actor: number, event: string, past: { tick?: number } = {}): boolean {
-    const ref = `event ${this.refs++}`;
-    return this.parts.line.send({ type: "event", kind, actor, event, ref, ...past });
-  }
-
-  private sendWaiting(): void {
-    const waiting = this.waiting ?? [];
-    this.waiting = null;
-    for (const send of waiting) send();
+    this.inputs.sender()({ kind, event });
   }
 
   ping(): void {

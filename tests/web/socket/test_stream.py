@@ -132,6 +132,18 @@ def test_an_event_in_the_past_forks(address: str, stage: str, rest: httpx.Client
     assert rest.get(stage).json()["head"] == 30
 
 
+def test_an_event_counts_now_while_its_viewer_looks_at_the_past(
+    address: str, stage: str, rest: httpx.Client
+) -> None:
+    with Watcher(address, stage) as viewer:
+        rest.post(f"{stage}/step", json={"ticks": 30})
+        viewer.say(type="look", tick=10)
+        viewer.frame_at(10)
+        viewer.say(type="event", event="FORWARD", now=True)
+        assert viewer.text("accepted")["tick"] == 30
+    assert "FORWARD" in rest.get(stage).json()["newest_input"]["text"]
+
+
 def test_actors_that_come_and_go_are_announced(address: str, stage: str, rest: httpx.Client) -> None:
     with Watcher(address, stage) as viewer:
         viewer.frame()

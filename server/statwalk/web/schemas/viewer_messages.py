@@ -31,11 +31,14 @@ class Ack(RequestModel):
 
 
 class PostEvent(NewEvent):
-    """Sends an event at `tick`, by default the tick that the viewer watches; a past tick makes a fork."""
+    """Sends an event at `tick`, by default the tick that the viewer watches; a past tick makes a fork. With
+    `now` the event counts in the present, whatever the viewer watches.
+    """
 
     type: Literal["event"]
     ref: Ref = None
     tick: Tick | None = None
+    now: bool = False
     key: IdempotencyKey = ""
 
 

@@ -124,8 +124,8 @@ class Inbox:
             case Ping(ref=ref):
                 self.answer(messages.pong(ref, self.host.handle(ask.Status()).tick))
             case PostEvent(ref=ref):
-                at = self.looked_at if message.tick is None else message.tick
-                await self.post(ref, message, at)
+                watched = self.looked_at if message.tick is None else message.tick
+                await self.post(ref, message, None if message.now else watched)
                 self.remember(message)
             case PostParameter(ref=ref):
                 await self.post(ref, message, self.looked_at)

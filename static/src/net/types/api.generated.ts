@@ -4206,7 +4206,10 @@ export interface components {
             /** @default null */
             ref?: string | number | null;
         };
-        /** @description Sends an event at `tick`, by default the tick that the viewer watches; a past tick makes a fork. */
+        /**
+         * @description Sends an event at `tick`, by default the tick that the viewer watches; a past tick makes a fork. With
+         *     `now` the event counts in the present, whatever the viewer watches.
+         */
         PostEvent: {
             event: string;
             /** @default null */
@@ -4225,6 +4228,8 @@ export interface components {
             ref?: string | number | null;
             /** @default null */
             tick?: number | null;
+            /** @default false */
+            now?: boolean;
             /** @default  */
             key?: string;
         };

@@ -3,7 +3,7 @@
  * tap presses and a long press holds.
  */
 
-import { HeldKeys, type Intent } from "../../state/keyBindings";
+import { HeldKeys, type Sender } from "../../state/keyBindings";
 import type { KeyBinding } from "../../net/protocol";
 
 const LONG_PRESS_MS = 300;
@@ -28,12 +28,12 @@ export class EventPresses {
   private readonly timers = new Map<string, ReturnType<typeof setTimeout>>();
   private readonly taps = new Map<string, Tap>();
 
-  /** `answer` begins to wait for a motion's answer. */
+  /** `sender` is asked when a press begins; `answer` begins to wait for a motion's answer. */
   constructor(
-    send: (intent: Intent) => void,
+    sender: () => Sender,
     private readonly answer: () => Promise<void>,
   ) {
-    this.held = new HeldKeys(send);
+    this.held = new HeldKeys(sender);
     for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.letGo());
   }
 

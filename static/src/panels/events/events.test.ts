@@ -10,7 +10,9 @@ function shown() {
   const app = exampleApp();
   const host = document.createElement("section");
   const sent: string[] = [];
-  vi.spyOn(app.session, "event").mockImplementation((kind, event) => void sent.push(`${kind} ${event}`));
+  vi.spyOn(app.session.inputs, "sender").mockReturnValue(
+    ({ kind, event }) => void sent.push(`${kind} ${event}`),
+  );
   eventsPanel(host, app);
   watch(app, { events: ["FORWARD", "STOP", "END"], keys });
   const button = (event: string): HTMLButtonElement => host.querySelector(`[data-event=${event}]`)!;

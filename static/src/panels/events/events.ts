@@ -37,11 +37,11 @@ export function keysFor(event: string, keys: Record<string, KeyBinding>): Keyed[
 export function eventsPanel(host: HTMLElement, app: App): void {
   const { machine, session, selection, nameFilter } = app;
   const presses = new EventPresses(
-    ({ kind, event }) => session.event(kind, event),
+    () => session.inputs.sender(),
     () => motionAnswer(selection.state),
   );
   selection.actor.subscribe(() => presses.letGo());
-  session.leaving.on(() => session.isForking || presses.letGo());
+  session.leaving.on(() => session.inputs.isForking || presses.letGo());
   /** The events whose keys are down. */
   const down = signal<ReadonlySet<string>>(new Set());
   new Keyboard(app, (event, isDown) => {

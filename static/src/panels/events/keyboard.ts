@@ -20,7 +20,7 @@ export class Keyboard {
     private readonly app: App,
     private readonly shown: (event: string, down: boolean) => void,
   ) {
-    this.held = new HeldKeys(({ kind, event }) => app.session.event(kind, event));
+    this.held = new HeldKeys(() => app.session.inputs.sender());
     window.addEventListener("keydown", (press) => this.down(press));
     window.addEventListener("keyup", (press) => this.up(press));
     for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => this.letGo());
