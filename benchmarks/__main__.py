@@ -6,6 +6,7 @@ import feet
 import frame
 import ik
 import lanes
+import limbs
 import load
 import machine
 import morph
@@ -31,6 +32,7 @@ for table in (
     load,
     frame,
     ik,
+    limbs,
     world,
     machine,
     whynot,

@@ -88,8 +88,8 @@ def nearest(name: str, names: Iterable[str]) -> str:
     return f"; did you mean {short[matches[0]]}?" if matches else ""
 
 
-def listed(names: tuple[str, ...]) -> str:
-    """Returns the names with commas, and how many more there are than MOST_LISTED."""
+def abridged(names: tuple[str, ...]) -> str:
+    """Returns the first MOST_LISTED names with commas, and how many more there are."""
     more = len(names) - MOST_LISTED
     listed = ", ".join(names[:MOST_LISTED]) or "none"
     return f"{listed} … and {more:,} more" if more > 0 else listed
@@ -104,7 +104,7 @@ class UnknownNameError(StatwalkError):
         self.kind, self.name, self.known, self.why = kind, name, tuple(known), why
         suggestion = nearest(name, self.known) or "."
         super().__init__(
-            f"no {kind} is called {name[:LONGEST_NAME]!r}{suggestion} There are: {listed(self.known)}"
+            f"no {kind} is called {name[:LONGEST_NAME]!r}{suggestion} There are: {abridged(self.known)}"
             + (why and f". {why}")
         )
 

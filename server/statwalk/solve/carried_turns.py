@@ -82,9 +82,8 @@ def add_turns(chains: Any, clamps: Any, number: int, scratch: Any) -> None:
         if chains.sensitivity[first + place] > ZERO:
             at = place * JOINT
             q = normalized(mul(load4(scratch, at + LOCAL), load4(scratch, at + TURNED)))
-            store4(
-                scratch, at + LOCAL, limited(chains, clamps, first + place, q, broadcast(ONE), scratch, at)
-            )
+            q = limited(chains, clamps, first + place, q, broadcast(ONE), scratch, at)
+            store4(scratch, at + LOCAL, q)
 
 
 @called

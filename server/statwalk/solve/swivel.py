@@ -26,9 +26,10 @@ ONE = np.float32(1)
 STEPS = 4
 """of Newton's method"""
 WITHIN = 1e-12
-"""the square of what limits cut of a unit vector, below which it counts as nothing"""
+"""the square of the length by which limits move the end of a unit vector; less counts as nothing"""
 FLATTEST = 0.15
-"""the square of the cosine between the circle and the way back inside, below which a step grows no longer"""
+"""the least square of the cosine of the angle between the circle and the way back within the limits; a step
+counts a smaller one as so large"""
 FARTHEST = 1.0
 """the tangent of the largest step"""
 SMALLEST = 1e-6
@@ -73,8 +74,9 @@ def swivel_limb(chains: Any, clamps: Any, number: int, circle: Any, scratch: Any
 
 @inlined
 def _keeps_hinge(chains: Any, clamps: Any, number: int) -> Any:
-    """Whether the first joint has to turn the hinge of the middle joint along: a cone bends to all sides, and
-    angles of the first joint would cut the bone's direction with the hinge's.
+    """Whether the first joint turns so that the middle joint bends about its hinge. A middle joint with a
+    cone needs no hinge: it bends to all sides. A first joint with angles can't keep the hinge: what its
+    limits cut of the hinge's direction moves the bone, too.
     """
     first = chains.first[number]
     start, bend = clamps.row[chains.joint[first]], clamps.row[chains.joint[first + chains.middle[number]]]

@@ -6,13 +6,12 @@ import type { Line } from "./line";
 import type { Playback } from "./playback";
 import type { Selection } from "./selection";
 
-/** When an event counts: at a tick of the past, now, or when the page looks. */
-interface When {
-  tick?: number;
-  now?: true;
-}
+/** When an event counts: at a tick of the past, or in the present. */
+type When = { tick: number } | { now: true };
 
-export interface InputParts {
+const PRESENT: When = { now: true };
+
+interface InputParts {
   line: Line;
   playback: Playback;
   selection: Selection;
@@ -40,13 +39,13 @@ export class Inputs {
     return ({ kind, event }) => {
       const tick = isPresent ? null : playback.looking.peek();
       if (actor === null) return;
-      if (this.waiting) return void this.waiting.push(() => this.post(kind, actor, event));
-      const isSent = this.post(kind, actor, event, tick === null ? { now: true } : { tick });
+      if (this.waiting) return void this.waiting.push(() => this.post(kind, actor, event, PRESENT));
+      const isSent = this.post(kind, actor, event, tick === null ? PRESENT : { tick });
       if (isSent && tick !== null) this.waiting = [];
     };
   }
 
-  private post(kind: EventKind, actor: number, event: string, when: When = {}): boolean {
+  private post(kind: EventKind, actor: number, event: string, when: When): boolean {
     return this.parts.line.send({ type: "event", kind, actor, event, ref: `event ${this.refs++}`, ...when });
   }
 

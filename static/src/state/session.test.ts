@@ -15,5 +15,12 @@ it("keeps what follows an event in the past until the server has answered", () =
   app.session.event("release", "JUMP");
   expect(sent).toMatchObject([{ kind: "hold", tick: 0 }]);
   app.line.messages.emit({ type: "accepted", ref: "a", tick: 0, seq: 1, stage: "main" });
-  expect(sent[1]).toEqual({ type: "event", kind: "release", actor: 1, event: "JUMP", ref: "event 2" });
+  expect(sent[1]).toEqual({
+    type: "event",
+    kind: "release",
+    actor: 1,
+    event: "JUMP",
+    ref: "event 2",
+    now: true,
+  });
 });

@@ -128,7 +128,7 @@ def test_the_mouse_moves_a_blend_over_two_parameters_and_a_clip_of_it(own: Serve
 
 
 def test_a_marker_is_added_moved_and_deleted(own: Server, table: Page) -> None:
-    """The field says what is wrong with a text that is no marker."""
+    """A text that cannot be a marker is refused, and its field says why."""
     inspect(table, "th[data-state=WALK]")
     markers = table.locator("#cell fieldset", has_text="markers")
     markers.get_by_label("new").fill("left-down")

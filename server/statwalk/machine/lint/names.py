@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from statwalk.errors import listed
+from statwalk.errors import abridged
 from statwalk.machine.compile.resolved_table import Motions
 from statwalk.machine.conditions.condition_info import condition_info
 from statwalk.machine.conditions.variables import ENTRY
@@ -237,4 +237,4 @@ def unused_motions(contexts: Contexts, motions: Motions) -> Iterator[Finding]:
         clip for context in contexts for state in context.definition.states.values() for clip in state.clips
     }
     if unused := tuple(name for name in motions or () if name not in used):
-        yield Finding("unused motion", "warning", f"motions that no state uses: {listed(unused)}")
+        yield Finding("unused motion", "warning", f"motions that no state uses: {abridged(unused)}")
