@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from foot_at_step import EDGE, FEET, FRONT, HEIGHT, LOWEST, ON_THE_FLOOR, legs_at
-from foot_kernels import raised
+from foot_kernels import gently, raised
+from statwalk.solve.foot_flight import BRAKES, FASTEST_FALL, HASTE, SLOWEST_FALL
 from statwalk.solve.foot_height import KERB, WAY_OUT
 from statwalk.solve.foot_tables import OF_FOOT, Y
 
@@ -36,3 +37,29 @@ def test_what_is_higher_counts_less_and_less() -> None:
 
 def test_a_foot_in_the_middle_of_a_step_rises_out_of_it_slowly() -> None:
     assert floor(ON_THE_FLOOR, EDGE + 1.0, 0.0, old=0.03) == pytest.approx(0.03 + WAY_OUT / 60, abs=1e-6)
+
+
+def lowered(to: float, old: float, rate: float, shown: float, floor: float) -> float:
+    """The height of a foot that would come down from `old` to `to` in a tick."""
+    keep = np.zeros((1, OF_FOOT))
+    keep[0, Y] = to
+    gently(keep, old, rate, shown, floor)
+    return float(keep[0, Y])
+
+
+def test_a_foot_that_is_lowered_far_does_not_fall_at_once() -> None:
+    assert lowered(-0.1, 0.0, 0.0, 0.0, -0.36) == pytest.approx(-HASTE / 3600)
+    assert lowered(-0.3, -0.1, -60.0, -0.1, -0.36) == pytest.approx(-0.1 - FASTEST_FALL / 60)
+
+
+def test_a_foot_that_is_lowered_brakes_before_the_ground() -> None:
+    fall = SLOWEST_FALL + BRAKES * 0.01
+    assert lowered(-0.1, -0.09, -3.0, -0.09, -0.1) == pytest.approx(-0.09 - fall / 60)
+
+
+def test_a_foot_that_its_motion_brings_down_is_not_held_above_it() -> None:
+    assert lowered(0.0, 0.0, 0.0, 0.1, -0.2) == 0.0
+
+
+def test_a_foot_on_the_ground_is_not_below_it() -> None:
+    assert lowered(-0.05, -0.04, 0.0, -0.049, -0.05) == -0.05

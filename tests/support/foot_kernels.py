@@ -8,7 +8,7 @@ from numba import types
 from statwalk.maths.compiling import LONG, write
 from statwalk.maths.reference import by_reference
 from statwalk.solve.foot_aside import way_out
-from statwalk.solve.foot_height import floor_of
+from statwalk.solve.foot_height import come_down_gently, floor_of
 from statwalk.solve.foot_path import along_path, choose_landing, stretch_path
 from statwalk.solve.foot_points import ankle_of
 from statwalk.solve.foot_tables import FEET, TO_X, TO_Z
@@ -59,3 +59,9 @@ def raised(feet: Any, legs: Any, keep: Any, level: float) -> Any:
 def yaw(feet: Any, legs: Any) -> Any:
     """Returns the yaw of foot 0 of an actor at the origin."""
     return ankle_of(by_reference(feet), legs, 0, 0, (0.0, 0.0, 0.0, 0.0, 1.0))[3]
+
+
+@late_kernel(write(DOUBLE, 2), DOUBLE, DOUBLE, DOUBLE, DOUBLE)
+def gently(keep: Any, old: float, rate: float, shown: float, floor: float) -> None:
+    """Slows down the foot that `keep` has."""
+    come_down_gently(keep, 0, 0, old, rate, shown, floor, 1 / 60)

@@ -22,11 +22,10 @@ from statwalk.character.foot_prints import (
     landings,
     unit_of,
 )
-from statwalk.character.skin_points import SkinPoints, bound_points, outermost
+from statwalk.character.sole_points import sole_points
 from statwalk.maths import transform, vector
-from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.arrays import Floats
 from statwalk.maths.columns import locked
-from statwalk.maths.elementary import sincos
 from statwalk.motion.blend_space import Motion
 from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.model_buffer import JointList
@@ -35,10 +34,6 @@ from statwalk.solve.foot_tables import OF_ACTOR, OF_FOOT, SINCE, FootTables
 
 SOFTENING = 0.02
 """of the length of a leg"""
-SLOPES, ROUND = (0.25, 1.2), 8
-"""how far the directions lean in which the points of a sole are looked for, and how many are all round"""
-SLOPES_ON_GROUND, ROUND_ON_GROUND = (0.25, 1.2, 5.0), 16
-"""the same on uneven ground, where any corner of the sole may come over the edge of a step"""
 
 
 def leg_chain(character: Character, foot: Foot) -> Chain:
@@ -78,14 +73,14 @@ def leg_tables(
     `columns`: the first of the foot lock in the solvers' memory, and the first for uneven ground or -1.
     """
     rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
-    soles = [_sole(character, foot, rest, is_uneven=columns[1] >= 0) for foot in feet]
+    unit = unit_of([foot.length(rest) for foot in feet])
+    soles = [sole_points(character, foot, rest, unit if columns[1] >= 0 else None) for foot in feet]
     pelvis = carrier(character.skeleton, [foot.hip for foot in feet])
     pelvis = -1 if pelvis is None else pelvis
     above = int(character.skeleton.parent[pelvis]) if pelvis >= 0 else -1
     wanted = {joint for foot in feet for joint in foot.leg} | {above} - {-1}
-    carriers = np.concatenate([carrier for carrier, _ in soles] or [np.zeros(0, np.int64)])
+    carriers = np.concatenate([sole.carriers for sole in soles] or [np.zeros(0, np.int64)])
     joints = JointList.of(character.skeleton, sorted(wanted | set(carriers.tolist())))
-    unit = unit_of([foot.length(rest) for foot in feet])
     stands = _contacts(feet, contacts, motions)
     if columns[1] >= 0:
         stands = [(motion, foot, joined(spans) if motion.loop else spans) for motion, foot, spans in stands]
@@ -97,8 +92,8 @@ def leg_tables(
     of_feet = list(zip(feet, forward, prints, strict=True))
     skins = [from_ankle(foot, rest, way, foot.skin.at(rest)) - size[:2] for foot, way, size in of_feet]
     on_print = [
-        from_ankle(foot, rest, way, transform.apply(rest[carrier], points)) - size[:2]
-        for (foot, way, size), (carrier, points) in zip(of_feet, soles, strict=True)
+        from_ankle(foot, rest, way, transform.apply(rest[sole.carriers], sole.places)) - size[:2]
+        for (foot, way, size), sole in zip(of_feet, soles, strict=True)
     ]
     below = joints_below(character, feet, joints.joints)
     return locked(
@@ -114,9 +109,10 @@ def leg_tables(
             length=np.array([foot.length(rest) for foot in feet], np.float64) / unit,
             unit=np.array([unit]),
             other=beside(rest, feet),
-            first_point=_firsts([len(points) for _, points in soles]),
+            first_point=_firsts([len(sole.places) for sole in soles]),
+            lowest=np.array([sole.lowest for sole in soles], np.int32),
             carrier=joints.places(carriers).astype(np.int32),
-            point=_rows([point for _, points in soles for point in points]),
+            point=_rows([place for sole in soles for place in sole.places]),
             first_span=_firsts([len(row) for row in spans]),
             span=np.array([span for row in spans for span in row], np.float64).reshape(-1, 2),
             on_print=np.concatenate([np.zeros((0, 2)), *on_print]).round(DECIMALS) / unit,
@@ -139,22 +135,6 @@ def _rows(vectors: Sequence[Floats]) -> NDArray[np.float64]:
 
 def _firsts(counts: Sequence[int]) -> NDArray[np.int32]:
     return np.concatenate([[0], np.cumsum(counts, dtype=np.int64)]).astype(np.int32)
-
-
-def _sole(character: Character, foot: Foot, rest: Floats, *, is_uneven: bool) -> tuple[Ints, Floats]:
-    """The points of a foot's skin that lie lowest in the pose of rest and in feet that lean to any side:
-    their carriers, and where they are in the frames of their carriers.
-    """
-    skin = bound_points(character, foot.joints)
-    skin = skin if skin.count else SkinPoints.of_joints_themselves(foot.joints, len(character.skeleton))
-    points = skin.at(rest)
-    slopes, count = (SLOPES_ON_GROUND, ROUND_ON_GROUND) if is_uneven else (SLOPES, ROUND)
-    sine, cosine = sincos(np.arange(count) * (2 * np.pi / count))
-    directions = [(0.0, -1.0, 0.0)]
-    directions += [(c * lean, -1.0, s * lean) for lean in slopes for s, c in zip(sine, cosine, strict=True)]
-    chosen = outermost(points, np.array(directions).T)
-    carriers = skin.carriers[chosen]
-    return carriers, transform.apply(transform.invert(rest[carriers]), points[chosen])
 
 
 def _ahead(foot: Foot, rest: Floats) -> Floats:

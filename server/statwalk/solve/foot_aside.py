@@ -32,8 +32,10 @@ STUMBLE, CLEARED = 0.015, 0.035
 """metres by which a point of the sole is below the top of a step: from STUMBLE on the step is in its way,
 from CLEARED on wholly
 """
-DEEPEST = 0.09
-"""metres by which a foot is moved aside at most"""
+ROOM, DEEPEST = 0.008, 0.09
+"""metres between the sole of a foot that is moved aside and the step: the ankle above is thicker; metres by
+which a foot is moved aside at most
+"""
 COME_BACK = 25.0
 """1/s: how eagerly a foot that a step has kept aside comes back"""
 
@@ -57,8 +59,8 @@ def way_out(f: Any, legs: Any, row: int, foot: int, root: Any, x: float, y: floa
 @inlined
 def _out_of(ground: Any, piece: int, x: float, y: float, z: float) -> Any:
     """The nearest way out of a level piece for a point below its top, through one of its sides."""
-    low_x, low_z = ground[piece, 0] - x, ground[piece, 1] - z
-    high_x, high_z = ground[piece, 2] - x, ground[piece, 3] - z
+    low_x, low_z = ground[piece, 0] - ROOM - x, ground[piece, 1] - ROOM - z
+    high_x, high_z = ground[piece, 2] + ROOM - x, ground[piece, 3] + ROOM - z
     below = ground[piece, 4] - y
     if low_x > 0.0 or low_z > 0.0 or high_x < 0.0 or high_z < 0.0 or below <= STUMBLE:
         return 0.0, 0.0
@@ -71,14 +73,10 @@ def _out_of(ground: Any, piece: int, x: float, y: float, z: float) -> Any:
 
 
 @inlined
-def without_haste(
-    keep: Any, row: int, shift: int, rate: int, aside: int, old: float, way: float, dt: float
-) -> None:  # fmt: skip
-    """Moves into `aside`, where it dies out, what a change of `shift` along the `way` has of haste; a foot
-    that is held back is held back at once: there is a step.
-    """
+def without_haste(keep: Any, row: int, shift: int, rate: int, aside: int, old: float, dt: float) -> None:
+    """Moves into `aside`, where it dies out, what a change of `shift` has of haste."""
     step, before, most = keep[row, shift] - old, keep[row, rate] * dt, HASTE * dt * dt
-    made = min(step, before + most) if way > 0.0 else max(step, before - most)
+    made = min(max(step, before - most), before + most)
     keep[row, aside] += made - step
     keep[row, rate] = made / dt
 

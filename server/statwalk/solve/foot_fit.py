@@ -35,8 +35,6 @@ from statwalk.solve.foot_tables import (
     CLIMB,
     FIT,
     FLIES,
-    FROM_X,
-    FROM_Z,
     HEIGHT,
     LIFT,
     PLAN,
@@ -68,6 +66,10 @@ from statwalk.solve.footing import height_under, slope_under
 
 NEAR, FAR = 0.03, 0.12
 """metres above the ground: a foot that is nearer lies on the slope; one that is farther is as in its motion
+"""
+SOON_S, BLENDED = 0.1, 0.5
+"""a foot whose motion lands in so few seconds, while more than this share of a pose offset is left, lands
+where it is: the offset keeps it away from where its motion lands
 """
 LEAN = 18.0
 """1/s: how eagerly a foot leans to a slope"""
@@ -121,15 +123,15 @@ def _on_its_way(
     old_x, old_z = keep[row, at + SHIFT_X], keep[row, at + SHIFT_Z]
     x, z = here[0] - keep[row, at + ASIDE_X], here[1] - keep[row, at + ASIDE_Z]
     if landing[0]:
-        to_x, to_z = (landing[1], landing[2]) if landing[4] >= 0.0 else own
+        seconds = landing[4] if landing[4] > SOON_S or left < BLENDED else -1.0
+        to_x, to_z = (landing[1], landing[2]) if seconds >= 0.0 else own
         if is_new(keep, row, at, to_x, to_z):
-            set_off(f, keep, row, foot, at, to_x, to_z, landing[3], landing[4])
-        fly(keep, row, at, x, z, landing[4], dt)
+            set_off(f, keep, row, foot, at, to_x, to_z, landing[3], seconds)
+        fly(keep, row, at, x, z, seconds, dt)
     else:
         look_ahead(f, keep, row, foot, at, x, z, yaw, dt)
-    to_x, to_z = keep[row, at + TO_X] - keep[row, at + FROM_X], keep[row, at + TO_Z] - keep[row, at + FROM_Z]
-    without_haste(keep, row, at + SHIFT_X, at + SHIFT_X_RATE, at + ASIDE_X, old_x, to_x, dt)
-    without_haste(keep, row, at + SHIFT_Z, at + SHIFT_Z_RATE, at + ASIDE_Z, old_z, to_z, dt)
+    without_haste(keep, row, at + SHIFT_X, at + SHIFT_X_RATE, at + ASIDE_X, old_x, dt)
+    without_haste(keep, row, at + SHIFT_Z, at + SHIFT_Z_RATE, at + ASIDE_Z, old_z, dt)
     if keep[row, lock + PLANTED] == 0.0:
         go_aside(f, legs, keep, row, foot, lock, at, root, left, dt)
     keep[row, at + SHIFT_X] += keep[row, at + ASIDE_X]
@@ -179,7 +181,8 @@ def _stand(f: Any, keep: Any, row: int, foot: int, at: int, x: float, z: float, 
 def _nearness(f: Any, legs: Any, row: int, foot: int, root: Any, taken: float) -> Any:
     """1 for a foot that is near the ground in its motion, 0 for one that is far above it."""
     least = 1e9
-    for point in range(f.first_point[foot], f.first_point[foot + 1]):
+    first = f.first_point[foot]
+    for point in range(first, first + f.lowest[foot]):
         _, y, _ = stage_point(f, legs, row, point, root)
         least = min(least, y)
     part = min(max((FAR - (least - root[1] - taken)) / (FAR - NEAR), 0.0), 1.0)

@@ -54,7 +54,7 @@ FASTEST_FALL, SLOWEST_FALL, BRAKES = 2.5, 0.4, 20.0
 """m/s at which a foot on its way is lowered at most; the same where it lands; and how much faster for each
 metre above that (1/s)
 """
-HASTE = 80.0
+HASTE = 50.0
 """m/s² with which a foot on its way changes its pace at most; what is missing dies out"""
 AHEAD_S = 0.15
 """seconds: a foot whose motion does not say where it lands looks so far ahead"""

@@ -12,6 +12,7 @@ from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
 from statwalk.maths.springs import settled
+from statwalk.solve.foot_flight import BRAKES, FASTEST_FALL, HASTE, SLOWEST_FALL
 from statwalk.solve.foot_points import stage_point
 from statwalk.solve.foot_tables import PLANTED, STANDING, TURN, Y_RATE, X, Y, Z
 from statwalk.solve.ground import ground_at
@@ -90,3 +91,19 @@ def raise_foot(
     if height < floor:
         height, rate = floor, (floor - old) / dt
     keep[row, at + Y], keep[row, at + Y_RATE] = height, rate
+
+
+@inlined
+def come_down_gently(
+    keep: Any, row: int, at: int, old: float, rate: float, shown: float, floor: float, dt: float
+) -> None:
+    """Lets a foot that is lowered below its motion come down as slowly as one on its way (`foot_flight`).
+
+    `old` and `rate`: its height before this tick, and how fast that changed; `shown`: the height at which it
+    would be where it was shown then.
+    """
+    fall = min(FASTEST_FALL, SLOWEST_FALL + BRAKES * max(shown - floor, 0.0))
+    least = max(shown - fall * dt, old + (rate - HASTE * dt) * dt)
+    least = max(min(least, 0.0), floor)
+    if keep[row, at + Y] < least:
+        keep[row, at + Y], keep[row, at + Y_RATE] = least, (least - old) / dt

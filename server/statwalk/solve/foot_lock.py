@@ -17,7 +17,7 @@ from typing import Any
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
-from statwalk.solve.foot_height import LOOK_AHEAD, floor_of, raise_foot
+from statwalk.solve.foot_height import LOOK_AHEAD, come_down_gently, floor_of, raise_foot
 from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, size_of, speeds_of, stage_point
 from statwalk.solve.foot_return import approach, eagerness, take_rates
 from statwalk.solve.foot_tables import (
@@ -113,7 +113,10 @@ def step_foot(
     ahead = fall * LOOK_AHEAD if blends else 0.0
     lands = is_down and _must_land(keep, row, at, other, speed)
     floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, level + old[3], dt)
+    rate = keep[row, at + Y_RATE]
     raise_foot(keep, row, at, floor, is_down or blends, speed, ahead, lands, dt)
+    if f.fit[0] >= 0 and lands:
+        come_down_gently(keep, row, at, old[3], rate, level + old[3] - low[2], floor, dt)
     _perhaps_plant(f, keep, row, at, low, root, is_down, blends, lands, speed)
     if keep[row, at + PLANTED] == STANDING:
         _roll(f, legs, keep, row, at, low, ankle, root)

@@ -56,7 +56,7 @@ def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any, away_x: floa
     best = f.first_point[foot]
     if f.ground.shape[0] == 0:
         least = _height(f, legs, row, best)
-        for point in range(best + 1, f.first_point[foot + 1]):
+        for point in range(best + 1, best + f.lowest[foot]):
             height = _height(f, legs, row, point)
             if height < least:
                 best, least = point, height
@@ -64,7 +64,7 @@ def lowest_point(f: Any, legs: Any, row: int, foot: int, root: Any, away_x: floa
         return best, bx, by, bz
     bx, by, bz = stage_point(f, legs, row, best, root)
     least = by - ground_at(f.ground, bx + away_x, bz + away_z, root[1])
-    for point in range(best + 1, f.first_point[foot + 1]):
+    for point in range(best + 1, best + f.lowest[foot]):
         x, y, z = stage_point(f, legs, row, point, root)
         height = y - ground_at(f.ground, x + away_x, z + away_z, root[1])
         if height < least:
@@ -79,7 +79,7 @@ def flat_place(f: Any, legs: Any, row: int, foot: int, root: Any, sine: float, c
     """
     best = f.first_point[foot]
     least = _height(f, legs, row, best)
-    for point in range(best + 1, f.first_point[foot + 1]):
+    for point in range(best + 1, best + f.lowest[foot]):
         height = _height(f, legs, row, point)
         if height < least:
             best, least = point, height

@@ -38,6 +38,8 @@ class FootTables(NamedTuple):
     other: Annotated[NDArray[np.int32], "foot"]
     """the foot beside it, -1 none: of two feet each waits for the other"""
     first_point: Annotated[NDArray[np.int32], "foot + 1"]
+    lowest: Annotated[NDArray[np.int32], "foot"]
+    """how many of a foot's points lie lowest: the first; on uneven ground more follow, all over the sole"""
     carrier: Annotated[NDArray[np.int32], "point"]
     """the index in `joints` of the joint that carries a point"""
     point: Annotated[NDArray[np.float64], "point, xyz"]

@@ -82,7 +82,9 @@ def _play_motion(subject: Subject, row: int) -> Played:
     ticks = round(duration * RATE) * (1 + bool(machine.loop[row]))
     trials = [CellTrial(row, 0.0, place=place) for place in subject.places]
     recording = record(subject.role, trials, max(ticks, 3), subject.checkpoint)
-    values, count = _held(subject, recording, np.ones(recording.left.shape, bool)), len(trials)
+    watched = np.ones(recording.left.shape, bool)
+    watched[0] = False  # the pose at 0 was put there, not shown
+    values, count = _held(subject, recording, watched), len(trials)
     return Played(values, [""] * count, [0.0] * count, [""] * count, [0] * count, subject.places)
 
 

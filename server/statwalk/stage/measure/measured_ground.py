@@ -15,7 +15,7 @@ from statwalk.solve.foot_targets import MEAN_STEP, MEAN_STEPS
 
 DEEP = 0.001
 """metres: a point that is less deep below the ground is not looked for at its sides"""
-STEP, FARTHEST = 0.002, 0.15
+STEP, FARTHEST = 0.001, 0.15
 """metres: how finely, and how far, the way out of the ground is looked for at the sides"""
 
 
