@@ -3,7 +3,7 @@
 import { type State, makeState } from "../state/state";
 import { onTheme, reducedMotion } from "../ui/dom";
 import type { FollowCamera } from "./camera/followCamera";
-import { chooseQuality } from "./quality";
+import { chooseQuality, leastStep_s } from "./quality";
 import { Scene } from "./scene";
 import { shareCamera } from "./sharedCamera";
 import { teachCutaway } from "./cutaway";
@@ -26,7 +26,8 @@ export function makeApp(canvas: HTMLCanvasElement, renderer: string): App {
   teachCutaway();
   const state = makeState();
   const quality = chooseQuality(renderer, location.search);
-  const view = new StageView(new Scene(canvas, quality, reducedMotion), state);
+  const leastStep = leastStep_s(quality, location.search);
+  const view = new StageView(new Scene(canvas, quality, leastStep, reducedMotion), state);
   state.frame.on(() => view.update());
   const { view: camera } = view.scene;
   shareCamera(state, camera);

@@ -3,8 +3,10 @@
 
 export type Quality = "low" | "high";
 
-/** Seconds between two drawings at least; a little less than a thirtieth, as no browser keeps time exactly. */
-export const LEAST_STEP_S: Record<Quality, number> = { low: 0.03, high: 0 };
+/** Drawings a second. */
+const MOST_FPS: Record<Quality, number> = { low: 30, high: Infinity };
+/** Of the time between two drawings, how much must be over: no browser keeps time exactly. */
+const NEARLY = 0.9;
 
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
@@ -13,6 +15,12 @@ export function chooseQuality(rendererName: string, search: string): Quality {
   const wanted = new URLSearchParams(search).get("quality");
   if (wanted === "low" || wanted === "high") return wanted;
   return SOFTWARE.test(rendererName) ? "low" : "high";
+}
+
+/** Returns the seconds between two drawings at least; an address with `?fps=` spares a battery or a processor. */
+export function leastStep_s(quality: Quality, search: string): number {
+  const wanted = Number(new URLSearchParams(search).get("fps"));
+  return NEARLY / Math.min(MOST_FPS[quality], wanted > 0 ? wanted : Infinity);
 }
 
 /** Returns the name of the WebGL renderer, "" without WebGL 2. */

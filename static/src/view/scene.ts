@@ -5,7 +5,7 @@ import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment
 import { FollowCamera } from "./camera/followCamera";
 import { Ground } from "./ground";
 import { Lights } from "./lights";
-import { LEAST_STEP_S, type Quality } from "./quality";
+import type { Quality } from "./quality";
 import { Event } from "../state/event";
 import { backgroundOf, type SceneLook } from "../state/sceneSettings";
 
@@ -46,6 +46,8 @@ export class Scene {
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly quality: Quality,
+    /** Seconds between two drawings at least. */
+    private readonly leastStep_s: number,
     still: () => boolean,
   ) {
     const high = quality === "high";
@@ -148,7 +150,7 @@ export class Scene {
   draw(dt: number): boolean {
     if (this.view.update(dt)) this.dirty = true;
     this.undrawn += dt;
-    if (!this.dirty || this.undrawn < LEAST_STEP_S[this.quality]) return false;
+    if (!this.dirty || this.undrawn < this.leastStep_s) return false;
     this.dirty = false;
     this.undrawn = 0;
     this.view.camera.updateMatrixWorld();
