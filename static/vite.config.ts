@@ -27,6 +27,7 @@ export default defineConfig({
   test: {
     include: ["src/**/*.test.ts"],
     environment: "node",
+    pool: "threads", // takes a quarter less of the processors than processes do
     css: true,
     // Tests take lit's development build, which says so.
     onConsoleLog: (log) => !log.includes("Lit is in dev mode"),
