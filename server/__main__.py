@@ -120,11 +120,9 @@ def find_browser() -> None:
         return
     if shutil.which("apt-get") and os.geteuid() == 0:
         run("apt-get", "update", "-q")
-        run("apt-get", "install", "-y", "-q", "--no-install-recommends", BROWSERS[0])
+        run("apt-get", "install", "-y", "-q", "--no-install-recommends", "chromium")
         return
-    sys.exit(
-        f"The tests need a Chromium: install one (Debian: apt-get install {BROWSERS[0]}) and run this again"
-    )
+    sys.exit("The tests need a Chromium: install one (Debian: apt-get install chromium) and run this again")
 
 
 def find_assimp() -> None:
