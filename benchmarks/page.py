@@ -26,7 +26,7 @@ CROWDS = [("swarm.bee", 200), ("swarm.bee", 1000), ("street.walker", 200), ("str
 SPACE_M = {"swarm.bee": 0.4, "street.walker": 1.2}
 DRAWINGS, MOST_S, PATIENCE_S, OFTEN_MS = 40, 30, 240, 100
 SIZE = {"width": 1280, "height": 800}
-CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "chromium-headless-shell")
+CHROMIUMS = ("chromium", "chromium-browser", "google-chrome")
 COUNT_CALLS = """
 window.drawCalls = 0;
 for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) {

@@ -19,16 +19,9 @@ ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
 LOCKS = ROOT / "server" / "locks"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-BROWSERS = (
-    "chromium-headless-shell",  # Chromium without windows: opens a page in little more than half the time
-    "chromium",
-    "chromium-browser",
-    "google-chrome",
-    "google-chrome-stable",
-    "microsoft-edge",
-)
-ALONE = "tests/reliability/alone"
-"""tests beside which no other test runs: they count seconds"""
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
+ALONE = ("tests/reliability/alone", "tests/browser")
+"""tests beside which no other test runs: they count seconds, or a browser draws on all processors"""
 VIEWER_SOURCES = (
     "index.html",
     "package.json",
@@ -113,7 +106,7 @@ def find_browser() -> None:
         return
     if (
         subprocess.run(
-            [PYTHON, "-m", "playwright", "install", "--with-deps", "--only-shell", "chromium"], cwd=ROOT
+            [PYTHON, "-m", "playwright", "install", "--with-deps", "chromium"], cwd=ROOT
         ).returncode
         == 0
     ):
@@ -137,7 +130,9 @@ def find_assimp() -> None:
 
 
 def run_tests(arguments: list[str]) -> None:
-    """Runs the tests that are asked for; without arguments all tests, those last that count seconds."""
+    """Runs the tests that are asked for; without arguments all tests, those last that count seconds or look
+    at the page.
+    """
     pytest = PYTHON, "-m", "pytest"
     # the tests start Python hundreds of times: without bytecode each start compiles every module
     os.environ["PYTHONPYCACHEPREFIX"] = str(VENV / "bytecode")
@@ -146,8 +141,8 @@ def run_tests(arguments: list[str]) -> None:
         run(*pytest, *arguments)
         return
     workers = "--numprocesses=auto", "--maxprocesses=4", "--dist=loadfile", "--no-loadscope-reorder"
-    run(*pytest, *workers, f"--ignore={ALONE}")
-    run(*pytest, ALONE)
+    run(*pytest, *workers, *(f"--ignore={folder}" for folder in ALONE))
+    run(*pytest, *ALONE)
 
 
 def main(arguments: list[str]) -> None:
