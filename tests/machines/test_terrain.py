@@ -16,14 +16,11 @@ from statwalk.character.role import Role
 from statwalk.rig.evaluate import world_from_local
 from statwalk.services.library.load import load_role
 from statwalk.stage.measure.limbs import hands_of
-from statwalk.stage.measure.measure import measure_cells
-from statwalk.stage.measure.subject import Subject
 from statwalk.stage.stage import Stage
 
 TERRAIN = load_role(MACHINES / "terrain")
 GROUND = TERRAIN.definition.ground
 LEVEL = Role.build("level", TERRAIN.character, replace(TERRAIN.definition, ground=()), "Root")
-SUBJECT = Subject(TERRAIN)
 WAYS = {
     "up": ((0, 0, 0), 0.0),
     "down": ((0, 0, 8.9), np.pi),
@@ -160,12 +157,3 @@ def test_ground_without_pieces_near_changes_little() -> None:
     role = Role.build("far", TERRAIN.character, replace(TERRAIN.definition, ground=(far,)), "Root")
     there = crossing(role, (0, 0, 0), 0.0, ticks=200)
     assert np.abs(there.world - level_walk().world[:200])[..., 3].max() < 0.01
-
-
-@pytest.mark.parametrize("cell", ["TRGT/STOP", "WALK/STOP"])
-def test_stopping_anywhere_on_the_stairs_neither_jumps_nor_puts_feet_into_steps(cell: str) -> None:
-    (measured,) = measure_cells(SUBJECT, [SUBJECT.cell(cell)])
-    worst = {name: figure.worst for name, figure in measured.figures.items()}
-    assert worst["jump"] < 1.4
-    assert worst["joint"] < 2.0
-    assert worst["sink"] < 0.006
