@@ -26,9 +26,9 @@ HELD = {"WALK/STOP": 0.005, "WALK/JUMP": 0.005, "STAT/LEFT": 0.005, "STAT/CROUCH
 HELD |= {"WALK/LEFT": 0.015, "WALK/RIGHT": 0.015, "STWK/STOP": 0.01, "TLFT/STOP": 0.005, "TRGT/LEFT": 0.01}
 """metres: the farthest slide in any contact, from ten phases and through interruptions"""
 ON_STAIRS = {
-    "TRGT/LEFT": {"slide": 0.008, "sink": 0.008, "jump": 1.3, "joint": 1.7},
-    "TRGT/STOP": {"slide": 0.004, "sink": 0.006, "jump": 1.4, "joint": 1.5},
-    "WALK/STOP": {"slide": 0.010, "sink": 0.005, "jump": 1.2, "joint": 1.2},
+    "TRGT/LEFT": {"slide": 0.012, "sink": 0.008, "jump": 1.2, "joint": 1.7},
+    "TLFT/STOP": {"slide": 0.005, "sink": 0.005, "jump": 1.2, "joint": 1.7},
+    "WALK/LEFT": {"slide": 0.015, "sink": 0.007, "jump": 1.2, "joint": 2.1},
 }
 RUNNER = {"STAND/GO": 0.006, "MOVE/STOP": 0.004, "MOVE/HURRY": 0.005, "RUN/STOP": 0.003, "RUN/EASE": 0.007}
 """metres: slides of walker-layers; without the foot lock up to 1,209 mm"""

@@ -19,6 +19,7 @@ from statwalk.solve.foot_tables import (
     AIM_Z,
     AT_X,
     AT_Z,
+    BENT,
     CLIMB,
     FLIES,
     FROM_X,
@@ -56,6 +57,10 @@ metre above that (1/s)
 """
 HASTE = 50.0
 """m/s² with which a foot on its way changes its pace at most; what is missing dies out"""
+GENTLE, GENTLEST = 3.0, 0.3
+"""share of HASTE with which a foot rises, for each unit by which its leg is bent; at least"""
+SHORT_WAY, LONG_WAY = 0.45, 0.7
+"""metres: on a longer way there is no time to rise gently"""
 AHEAD_S = 0.15
 """seconds: a foot whose motion does not say where it lands looks so far ahead"""
 FORGET = 4.0
@@ -121,17 +126,21 @@ def fly(keep: Any, row: int, at: int, x: float, z: float, seconds: float, dt: fl
     fall = min(FASTEST_FALL, SLOWEST_FALL + BRAKES * max(above, 0.0))
     height = max(height, keep[row, at + HEIGHT] - fall * dt)
     keep[row, at + PROGRESS] = gone
-    _climb(keep, row, at, height, dt)
+    _climb(keep, row, at, height, math.sqrt(square), dt)
     keep[row, at + SHIFT_X] = shift_x + (share - gone) * u
     keep[row, at + SHIFT_Z] = shift_z + (share - gone) * v
 
 
 @inlined
-def _climb(keep: Any, row: int, at: int, height: float, dt: float) -> None:
-    """Wants the height of the path, without haste."""
+def _climb(keep: Any, row: int, at: int, height: float, way: float, dt: float) -> None:
+    """Wants the height of the path, without haste: the knee of a leg that is nearly straight moves much
+    farther than its foot rises.
+    """
     step, before = height - keep[row, at + HEIGHT], keep[row, at + CLIMB] * dt
     most = HASTE * dt * dt
-    made = min(max(step, before - most), before + most)
+    hurry = (way - SHORT_WAY) / (LONG_WAY - SHORT_WAY)
+    rise = min(max(GENTLE * keep[row, at + BENT], GENTLEST, hurry), 1.0) * most
+    made = min(max(step, before - most), before + rise)
     keep[row, at + SLIP] += made - step
     keep[row, at + HEIGHT], keep[row, at + CLIMB] = height, made / dt
 

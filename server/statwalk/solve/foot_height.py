@@ -23,6 +23,8 @@ LEAST_CLEARANCE, NEARLY_THERE = 0.009, 0.004
 """metres by which a foot on its way is lifted at least, until it is so near to its motion"""
 RISE = 24.0
 """1/s: how eagerly a foot comes to its height"""
+SOFT = 0.8
+"""m/s at which a foot touches uneven ground in a blend at most"""
 LOOK_AHEAD = 2.0 / RISE
 """seconds by which a foot comes later to its height, so that it looks so far ahead in a blend"""
 KERB = 0.025
@@ -105,5 +107,15 @@ def come_down_gently(
     fall = min(FASTEST_FALL, SLOWEST_FALL + BRAKES * max(shown - floor, 0.0))
     least = max(shown - fall * dt, old + (rate - HASTE * dt) * dt)
     least = max(min(least, 0.0), floor)
+    if keep[row, at + Y] < least:
+        keep[row, at + Y], keep[row, at + Y_RATE] = least, (least - old) / dt
+
+
+@inlined
+def touch_softly(keep: Any, row: int, at: int, old: float, shown: float, floor: float, dt: float) -> None:
+    """Holds a foot above its motion that would come down faster than it can brake; arguments as in
+    `come_down_gently`.
+    """
+    least = shown - (SOFT + BRAKES * max(shown - floor, 0.0)) * dt
     if keep[row, at + Y] < least:
         keep[row, at + Y], keep[row, at + Y_RATE] = least, (least - old) / dt

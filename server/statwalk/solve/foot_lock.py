@@ -17,7 +17,7 @@ from typing import Any
 
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
-from statwalk.solve.foot_height import LOOK_AHEAD, come_down_gently, floor_of, raise_foot
+from statwalk.solve.foot_height import LOOK_AHEAD, come_down_gently, floor_of, raise_foot, touch_softly
 from statwalk.solve.foot_points import ankle_of, lowest_point, shown_point, size_of, speeds_of, stage_point
 from statwalk.solve.foot_return import approach, eagerness, take_rates
 from statwalk.solve.foot_tables import (
@@ -45,7 +45,7 @@ from statwalk.solve.ground import ground_at
 LOW, SLOW = 0.012, 0.35
 """a foot is planted when its lowest point is this near to the ground (metres), and slower than this (m/s)"""
 NOT_FAST, TOUCHING = 1.0, 0.005
-"""the same of a foot that its blend brings to the ground: it would drag"""
+"""the same of a foot that a blend, or uneven ground, brings to the ground: it would drag"""
 LANDING = 2.0
 """m/s: a foot that its motion plants, while the other is in the air, comes down unless it is faster"""
 LIFTED = 0.003
@@ -94,7 +94,7 @@ def step_foot(
     ankle = ankle_of(f, legs, row, foot, root)
     low = lowest_point(f, legs, row, foot, root, keep[row, at + X], keep[row, at + Z])
     level = keep[row, at + LOWEST_Y] if keep[row, at + SINCE] >= 0.0 else low[2]
-    speed, fall = speeds_of(f, legs, keep, row, at, low, root, dt)
+    speed, fall, sank = speeds_of(f, legs, keep, row, at, low, root, dt)
     if keep[row, at + SINCE] < 0.0:
         _begin(f, keep, row, at, low, ankle, root, is_down)
     old = keep[row, at + X], keep[row, at + Z], keep[row, at + TURN], keep[row, at + Y]
@@ -116,7 +116,9 @@ def step_foot(
     rate = keep[row, at + Y_RATE]
     raise_foot(keep, row, at, floor, is_down or blends, speed, ahead, lands, dt)
     if f.fit[0] >= 0 and lands:
-        come_down_gently(keep, row, at, old[3], rate, level + old[3] - low[2], floor, dt)
+        come_down_gently(keep, row, at, old[3], rate, old[3] + sank, floor, dt)
+    if f.fit[0] >= 0 and blends and keep[row, at + PLANTED] == 0.0:
+        touch_softly(keep, row, at, old[3], old[3] + sank, floor, dt)
     _perhaps_plant(f, keep, row, at, low, root, is_down, blends, lands, speed)
     if keep[row, at + PLANTED] == STANDING:
         _roll(f, legs, keep, row, at, low, ankle, root)
@@ -203,13 +205,16 @@ def _perhaps_plant(
     f: Any, keep: Any, row: int, at: int, low: Any, root: Any, is_down: bool, blends: bool, lands: bool,
     speed: float,
 ) -> None:  # fmt: skip
-    """Plants a foot that has come down where its motion plants it, or that touches the ground in a blend."""
+    """Plants a foot that has come down where its motion plants it, or that touches the ground in a blend, or
+    uneven ground: its motion knows nothing of that.
+    """
     if keep[row, at + PLANTED] != 0.0 or keep[row, at + SINCE] < SHORTEST_STEP:
         return
     x, z = keep[row, at + X], keep[row, at + Z]
     height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
     comes_down = is_down and (lands or speed <= SLOW) and height < LOW
-    if comes_down or (blends and speed <= NOT_FAST and height < TOUCHING):
+    touches = (blends or f.fit[0] >= 0) and speed <= NOT_FAST
+    if comes_down or (touches and height < TOUCHING):
         keep[row, at + PLANTED], keep[row, at + SINCE], keep[row, at + PIVOT] = STANDING, 0.0, low[0]
         keep[row, at + EAGER] = keep[row, at + TOO_SHORT] = 0.0
 

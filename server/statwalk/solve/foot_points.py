@@ -107,17 +107,18 @@ def _height(f: Any, legs: Any, row: int, point: int) -> Any:
 @inlined
 def speeds_of(f: Any, legs: Any, keep: Any, row: int, at: int, low: Any, root: Any, dt: float) -> Any:
     """Returns the speed over the ground (m/s) of the point that was the lowest in the tick before, and how
-    fast it comes down (m/s); notes the lowest point `low` and where it is.
+    fast it comes down (m/s), and by how much it has (metres); notes the lowest point `low` and where it is.
     """
-    speed, fall = 0.0, 0.0
+    speed, fall, sank = 0.0, 0.0, 0.0
     if keep[row, at + SINCE] >= 0.0:
         x, y, z = stage_point(f, legs, row, int(keep[row, at + LOWEST]), root)
         x, z = x - keep[row, at + LOWEST_X], z - keep[row, at + LOWEST_Z]
         speed = math.sqrt(x * x + z * z) / dt
+        sank = keep[row, at + LOWEST_Y] - y
         fall = max((keep[row, at + LOWEST_Y] - max(y, low[2])) / dt, 0.0)
     keep[row, at + LOWEST], keep[row, at + LOWEST_X] = low[0], low[1]
     keep[row, at + LOWEST_Y], keep[row, at + LOWEST_Z] = low[2], low[3]
-    return speed, min(fall, FASTEST_FALL)
+    return speed, min(fall, FASTEST_FALL), sank
 
 
 @inlined

@@ -105,14 +105,15 @@ TOOK = FIT
 (
     TILT_X_RATE, TILT_Z_RATE, SLOPE_X, SLOPE_Z, PLAN, HEIGHT, SLIP, SLIP_RATE, AT_X, AT_Z, FROM_X, FROM_Z,
     TO_X, TO_Z, AIM_X, AIM_Z, OLD_X, OLD_Z, SHIFTED, PROGRESS, CLIMB, ASIDE_X, ASIDE_Z, ASIDE_X_RATE,
-    ASIDE_Z_RATE, SHIFT_X_RATE, SHIFT_Z_RATE, PATH,
-) = range(2 * FIT, 2 * FIT + 28)  # fmt: skip
+    ASIDE_Z_RATE, SHIFT_X_RATE, SHIFT_Z_RATE, BENT, PATH,
+) = range(2 * FIT, 2 * FIT + 29)  # fmt: skip
 """how fast the slope changes; the slope that is wanted; STANDS, FLIES, SEARCHES or 0, a new foot; the height
 that is wanted, and how far above it the foot still is (metres), with the rate; where the middle of the sole
 lies once it is flat, on the stage; where it set off and where it lands; where its motion lands; SHIFT as it
 set off, and the share 0…1 of the way to its new SHIFT; the share of its path that is behind it; how fast it
 rises (m/s); the part of SHIFT that keeps it out of steps and from haste, and how fast that changes; how fast
-the rest of SHIFT changes; the first of PATH_PARTS + 1 heights along it
+the rest of SHIFT changes; how much its leg was bent in the tick before (0: straight, 1: folded); the first of
+PATH_PARTS + 1 heights along it
 """
 SAG, OF_GROUND = 0, 1
 """the number of an actor on uneven ground, before its feet: metres by which its pelvis is lowered"""

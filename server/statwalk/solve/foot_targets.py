@@ -16,6 +16,7 @@ from statwalk.maths.springs import settled
 from statwalk.solve.chains import POLE, ROTATION, TARGET, WEIGHT
 from statwalk.solve.foot_points import ankle_of, in_units
 from statwalk.solve.foot_tables import (
+    BENT,
     DROP,
     DROP_RATE,
     FLIES,
@@ -142,6 +143,7 @@ def aim_leg(
     if f.fit[0] >= 0:  # a foot that is out of reach stays above its place: beside it there may be a step
         missing = _missing(f, legs, keep, row, foot, at, root, f.length[foot])
         y += min(max(missing - drop, 0.0), MOST_OVER)
+        _note_bend(f, legs, keep, row, foot, root, x, y + drop, z)
     inputs[TARGET + 1, lane] = y * f.unit[0]
     inputs[TARGET + 2, lane] = (z * root[4] + x * root[3]) * f.unit[0]
     for axis in range(3):
@@ -151,6 +153,21 @@ def aim_leg(
         inputs[POLE + axis, lane] = bend
     _write_rotation(legs, inputs, block, f.ankle[foot], lane, keep[row, at + TURN])
     inputs[WEIGHT, lane] = weight
+
+
+@inlined
+def _note_bend(
+    f: Any, legs: Any, keep: Any, row: int, foot: int, root: Any, x: float, y: float, z: float
+) -> None:
+    """Notes how much a leg is bent whose ankle is x, y, z units from the root, and from the animated hip."""
+    block, lane = place_of(row)
+    place = f.hip[foot]
+    hip = in_units(
+        f, legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
+    )
+    u, v, w = hip[0] - root[0] - x, hip[1] - root[1] - y, hip[2] - root[2] - z
+    stretched = min((u * u + v * v + w * w) / (f.length[foot] * f.length[foot]), 1.0)
+    keep[row, f.fit[0] + OF_GROUND + foot * OF_FIT + BENT] = math.sqrt(1.0 - stretched)
 
 
 @inlined
