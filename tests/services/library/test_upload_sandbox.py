@@ -77,7 +77,7 @@ def test_out_of_memory(tmp_path: Path) -> None:
 def test_out_of_time(tmp_path: Path) -> None:
     ended = child(
         tmp_path,
-        "upload_sandbox.PROCESSOR_SECONDS = 1\ndef spin(*_):\n    while True: pass\n"
+        "upload_sandbox.PROCESSOR_SECONDS = 3\ndef spin(*_):\n    while True: pass\n"
         "upload_sandbox.read_upload = spin",
     )
     assert ended.returncode == -signal.SIGXCPU

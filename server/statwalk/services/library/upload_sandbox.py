@@ -123,7 +123,7 @@ def refusal(status: int, error_output: bytes) -> ContentError:
 
 def main(upload: str, out: str, name: str, how: str = "{}") -> None:
     """Runs the child that reads an upload."""
-    answer_as_child(lambda: read_upload(Path(upload), name, _reading(how)), Path(out))
+    answer_as_child(lambda: read_upload(Path(upload), name, _reading(how)), Path(out), PROCESSOR_SECONDS)
 
 
 def answer_as_child(
