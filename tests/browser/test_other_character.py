@@ -20,7 +20,7 @@ PATIENCE = 60.0
 
 
 @pytest.fixture
-def made(server: Server) -> Iterator[Callable[[Path], str]]:
+def made(server: Server, page: Page) -> Iterator[Callable[[Path], str]]:
     """Makes a machine of a model file and returns its name; afterwards the machine and its stage are gone."""
     names: list[str] = []
 
@@ -35,6 +35,7 @@ def made(server: Server) -> Iterator[Callable[[Path], str]]:
         return file.stem
 
     yield make
+    page.goto("about:blank")  # before it can ask for what is deleted
     for stage in httpx.get(f"{server.url}/api/stages").json():
         if stage["id"] != "main":
             httpx.delete(f"{server.url}/api/stages/{stage['id']}")
