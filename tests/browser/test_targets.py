@@ -32,7 +32,8 @@ def gazes(server: Server, viewer: Page) -> list[float]:
     return [line["value"] for line in found if line.get("parameter") == "gaze.x"]
 
 
-def test_he_looks_at_the_pointer_on_request(server: Server, viewer: Page) -> None:
+def test_he_looks_at_the_pointer_on_request(server: Server, opened: Callable[[str], Page]) -> None:
+    viewer = opened(f"{server.url}?machine=faq-walker")  # on a stage of his own he stands where he began
     until(viewer, "__viewer.state() === 'STAT'")
     assert reached(server, viewer)["weight"] == 0
     box = viewer.locator("#stage-view").bounding_box()
