@@ -10,8 +10,7 @@ from typing import Any
 
 import httpx
 import pytest
-from browser.chromium import REBOUND
-from browser.conftest import Server, until
+from browser.conftest import REBOUND, Server, until
 from live_routes import unguarded
 from playwright.sync_api import Page
 from serving import serving
