@@ -92,10 +92,11 @@ def test_a_press_that_began_live_ends_live_while_the_past_is_looked_at(
 
 
 def test_the_ghost_of_the_origin_stands_at_the_same_tick_and_is_compared_by_joint(viewer: Page) -> None:
-    fork(viewer)
+    fork(viewer, lambda: viewer.keyboard.down("ArrowUp"))  # he walks away from his ghost
     viewer.keyboard.press("x")
     viewer.keyboard.press("p")
     viewer.wait_for_selector("[data-link=paused]")
+    viewer.keyboard.up("ArrowUp")
     until(viewer, "__viewer.ghost() === __viewer.tick()")
     viewer.keyboard.press("o")
     until(viewer, "document.querySelectorAll('#difference tbody tr').length > 3")
