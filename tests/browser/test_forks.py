@@ -16,7 +16,6 @@ AT_MAIN = "__viewer.stage() === 'main' && __viewer.ready && __viewer.link() === 
 def fork(page: Page, act: Callable[[], None] | None = None) -> str:
     """Sends an event to the past, by default with a key; returns the stage that this makes."""
     until(page, "__viewer.tick() > 60 && __viewer.state() === 'STAT'")
-    until(page, "__viewer.tick() > arg + 10", page.evaluate("__viewer.tick()"))  # he stood then, too
     page.evaluate(SCRUB, page.evaluate("__viewer.tick()") - 10)
     until(page, "__viewer.looking() === __viewer.tick()")
     (act or (lambda: page.keyboard.press("c")))()
