@@ -28,6 +28,8 @@ HELD |= {"WALK/LEFT": 0.015, "WALK/RIGHT": 0.015, "STWK/STOP": 0.01, "TLFT/STOP"
 ON_STAIRS = {
     "TRGT/LEFT": {"slide": 0.012, "sink": 0.008, "jump": 1.2, "joint": 1.7},
     "TLFT/STOP": {"slide": 0.005, "sink": 0.005, "jump": 1.2, "joint": 1.7},
+    "TRGT/STOP": {"slide": 0.003, "sink": 0.005, "jump": 1.2, "joint": 1.4},
+    "WALK/STOP": {"slide": 0.005, "sink": 0.004, "jump": 1.1, "joint": 1.1},
     "WALK/LEFT": {"slide": 0.015, "sink": 0.007, "jump": 1.2, "joint": 2.1},
 }
 RUNNER = {"STAND/GO": 0.006, "MOVE/STOP": 0.004, "MOVE/HURRY": 0.005, "RUN/STOP": 0.003, "RUN/EASE": 0.007}

@@ -58,9 +58,9 @@ metre above that (1/s)
 HASTE = 50.0
 """m/s² with which a foot on its way changes its pace at most; what is missing dies out"""
 GENTLE, GENTLEST = 3.0, 0.3
-"""share of HASTE with which a foot rises, for each unit by which its leg is bent; at least"""
+"""a foot rises with BENT times GENTLE of HASTE, with GENTLEST of HASTE at least"""
 SHORT_WAY, LONG_WAY = 0.45, 0.7
-"""metres: on a longer way there is no time to rise gently"""
+"""metres: a foot on a way up to SHORT_WAY rises gently, a foot on a way from LONG_WAY on rises with HASTE"""
 AHEAD_S = 0.15
 """seconds: a foot whose motion does not say where it lands looks so far ahead"""
 FORGET = 4.0

@@ -45,7 +45,9 @@ from statwalk.solve.ground import ground_at
 LOW, SLOW = 0.012, 0.35
 """a foot is planted when its lowest point is this near to the ground (metres), and slower than this (m/s)"""
 NOT_FAST, TOUCHING = 1.0, 0.005
-"""the same of a foot that a blend, or uneven ground, brings to the ground: it would drag"""
+"""a foot that touches the ground in a blend, or touches uneven ground, is planted when it is slower than
+NOT_FAST (m/s), and nearer to the ground than TOUCHING (metres): otherwise the foot would drag
+"""
 LANDING = 2.0
 """m/s: a foot that its motion plants, while the other is in the air, comes down unless it is faster"""
 LIFTED = 0.003

@@ -99,13 +99,18 @@ def begin_pelvis(f: Any, keep: Any, row: int) -> None:
 
 
 @inlined
-def _missing(f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, root: Any, reach: float) -> Any:
-    """How much lower a hip must be for its leg to reach the shown ankle from `reach` units."""
+def _hip_of(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
+    """x, y, z of an animated hip on the stage."""
     block, lane = place_of(row)
     place = f.hip[foot]
-    x, y, z = in_units(
-        f, legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
-    )
+    x, y, z = legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane]
+    return in_units(f, x, y, z, root)
+
+
+@inlined
+def _missing(f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, root: Any, reach: float) -> Any:
+    """How much lower a hip must be for its leg to reach the shown ankle from `reach` units."""
+    x, y, z = _hip_of(f, legs, row, foot, root)
     ankle = ankle_of(f, legs, row, foot, root)
     x, z = x - ankle[0] - keep[row, at + X], z - ankle[2] - keep[row, at + Z]
     y -= ankle[1] + keep[row, at + Y]
@@ -160,11 +165,7 @@ def _note_bend(
     f: Any, legs: Any, keep: Any, row: int, foot: int, root: Any, x: float, y: float, z: float
 ) -> None:
     """Notes how much a leg is bent whose ankle is x, y, z units from the root, and from the animated hip."""
-    block, lane = place_of(row)
-    place = f.hip[foot]
-    hip = in_units(
-        f, legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane], root
-    )
+    hip = _hip_of(f, legs, row, foot, root)
     u, v, w = hip[0] - root[0] - x, hip[1] - root[1] - y, hip[2] - root[2] - z
     stretched = min((u * u + v * v + w * w) / (f.length[foot] * f.length[foot]), 1.0)
     keep[row, f.fit[0] + OF_GROUND + foot * OF_FIT + BENT] = math.sqrt(1.0 - stretched)
