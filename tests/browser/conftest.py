@@ -4,7 +4,6 @@ Playwright's synchronous interface keeps an event loop running; these tests come
 """
 
 import re
-import shutil
 import signal
 import socket
 import subprocess
@@ -15,24 +14,14 @@ from typing import Any, Self
 
 import httpx
 import pytest
+from browser.chromium import launched
 from paths import GLTF, ROOT
-from playwright.sync_api import Browser, ConsoleMessage, Locator, Page, sync_playwright
+from playwright.sync_api import Browser, ConsoleMessage, Locator, Page
 
-CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
 REPORT_VIOLATIONS = (
     "window.violations = []; addEventListener('securitypolicyviolation', e => "
     "violations.push(e.violatedDirective + ' ' + e.blockedURI))"
 )
-REBOUND = "rebound.example"
-"""a name that means this computer, for the browser alone"""
-UNWANTED = (
-    "WebUIOmniboxPopup,WebUIOmniboxAimPopup,HttpsUpgrades,HttpsFirstBalancedModeAutoEnable,PaintHolding,"
-    "OptimizationHints,NetworkTimeServiceQuerying,MediaRouter,DestroyProfileOnBrowserClose"
-)
-"""features of Chromium that are turned off. The first two load the pages of Chromium's own address line for
-each window, which takes half as long as a page of ours. The others are from Playwright's list of such
-features: Chromium takes the last list alone, which is this one
-"""
 SIZE = {"width": 960, "height": 640}
 WIDE = {"width": 1280, "height": 900}
 
@@ -184,17 +173,8 @@ def robot_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
-    """Chromium: the machine's own, else Playwright's."""
-    path = next((found for name in CHROMIUMS if (found := shutil.which(name))), None)
-    with sync_playwright() as playwright:
-        args = [
-            "--enable-unsafe-swiftshader",
-            f"--host-resolver-rules=MAP {REBOUND} 127.0.0.1",
-            f"--disable-features={UNWANTED}",
-        ]
-        chromium = playwright.chromium.launch(executable_path=path, args=args)
+    with launched() as chromium:
         yield chromium
-        chromium.close()
 
 
 @pytest.fixture
@@ -234,11 +214,19 @@ def page(browser: Browser, allowed: list[str], window: dict[str, Any]) -> Iterat
 
 
 @pytest.fixture
-def opened(page: Page) -> Callable[[str], Page]:
+def most_fps() -> int:
+    """How often an opened page draws in a second. Few tests look at drawings; without a graphics card each
+    takes the time of the processors for which server, page and tests wait.
+    """
+    return 12
+
+
+@pytest.fixture
+def opened(page: Page, most_fps: int) -> Callable[[str], Page]:
     """Opens an address and waits until the character was drawn."""
 
     def open_at(url: str) -> Page:
-        page.goto(url)
+        page.goto(f"{url}{'&' if '?' in url else '?'}fps={most_fps}")
         until(page, "window.__viewer?.ready")
         return page
 

@@ -10,7 +10,8 @@ from typing import Any
 
 import httpx
 import pytest
-from browser.conftest import REBOUND, Server, until
+from browser.chromium import REBOUND
+from browser.conftest import Server, until
 from live_routes import unguarded
 from playwright.sync_api import Page
 from serving import serving

@@ -39,6 +39,7 @@ def test_each_camera_looks_from_its_side(viewer: Page) -> None:
     assert camera.input_value() == "follow"
 
 
+@pytest.mark.parametrize("most_fps", [30])
 def test_a_wall_before_the_character_fades(server: Server, opened: Callable[[str], Page]) -> None:
     """The wall of the playground's door is beige; where it covers the walker, the shirt is seen."""
     made = httpx.post(f"{server.url}/api/stages", json={"scene": "playground"}, timeout=60).raise_for_status()

@@ -23,11 +23,13 @@ def fork(page: Page, act: Callable[[], None] | None = None) -> str:
     return str(page.evaluate("__viewer.stage()"))
 
 
-def test_back_leads_from_a_fork_to_its_origin_and_forward_to_the_fork(server: Server, viewer: Page) -> None:
+def test_back_leads_from_a_fork_to_its_origin_and_forward_to_the_fork(
+    server: Server, viewer: Page, most_fps: int
+) -> None:
     made = fork(viewer)
     viewer.go_back()
     until(viewer, AT_MAIN)
-    assert viewer.url == f"{server.url}/"
+    assert viewer.url == f"{server.url}/?fps={most_fps}"
     httpx.get(f"{server.url}/api/stages/{made}").raise_for_status()
     viewer.go_forward()
     until(viewer, "__viewer.stage() === arg && __viewer.ready && __viewer.link() === 'live'", made)

@@ -53,14 +53,13 @@ def test_normals_are_colours_and_lines(still: Page) -> None:
 
 
 def test_tetrahedra_are_shaded_wire_or_textured(still: Page) -> None:
-    still.get_by_role("button", name="tetra").click()
-    pictures = set()
+    before, pictures = still.evaluate("__viewer.stats().drawn"), set()
+    still.get_by_role("button", name="tetra").click()  # shaded
     for solid in ("shaded", "wireframe", "textured"):
-        before = still.evaluate("__viewer.stats().drawn")
         controls(still).get_by_label("tetrahedra", exact=True).select_option(solid)
-        if solid != "shaded":
-            until(still, "__viewer.stats().drawn > arg", before)
+        until(still, "__viewer.stats().drawn > arg", before)
         pictures.add(still.locator("#stage-view").screenshot())
+        before = still.evaluate("__viewer.stats().drawn")
     assert len(pictures) == 3
     still.get_by_role("button", name="tetra").click()
     controls(still).get_by_label("tetrahedra", exact=True).wait_for(state="hidden")

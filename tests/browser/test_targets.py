@@ -4,9 +4,16 @@ import json
 from collections.abc import Callable
 
 import httpx
+import pytest
 from browser.conftest import Server, until
 from playwright.sync_api import Page
 from serving import wait_for
+
+
+@pytest.fixture
+def most_fps() -> int:
+    """As often as without a limit: a handle is dragged from where it was drawn last."""
+    return 30
 
 
 def reached(server: Server, viewer: Page) -> dict[str, float]:
@@ -41,8 +48,8 @@ def test_he_looks_at_the_pointer_on_request(server: Server, opened: Callable[[st
     wait_for(lambda: reached(server, viewer)["weight"] == 0)
 
 
-def drag(page: Page, handle: str, right: float, down: float) -> tuple[float, float]:
-    """Drags a handle by pixels; returns where it was."""
+def drag(page: Page, handle: str, right: float, down: float) -> None:
+    """Drags a handle by pixels; returns when it was drawn there."""
     until(page, "arg in __viewer.handles()", handle)
     x, y = page.evaluate("arg => __viewer.handles()[arg]", handle)
     page.mouse.move(x, y)
@@ -50,16 +57,19 @@ def drag(page: Page, handle: str, right: float, down: float) -> tuple[float, flo
     for part in (0.2, 0.4, 0.6, 0.8, 1):
         page.mouse.move(x + right * part, y + down * part)
     page.mouse.up()
-    return x, y
+    until(
+        page,
+        "__viewer.handles()[arg.handle].every((at, i) => Math.abs(at - arg.place[i]) < 2)",
+        {"handle": handle, "place": [x + right, y + down]},
+    )
 
 
 def test_a_dragged_handle_moves_its_point(server: Server, viewer: Page) -> None:
     until(viewer, "__viewer.ready")
     viewer.get_by_role("button", name="drag gaze").click()
     before = len(gazes(server, viewer))
-    x, y = drag(viewer, "gaze", -40, 20)
+    drag(viewer, "gaze", -40, 20)
     wait_for(lambda: len(gazes(server, viewer)) > before)
-    until(viewer, "__viewer.handles().gaze.every((at, i) => Math.abs(at - arg[i]) < 2)", [x - 40, y + 20])
     viewer.get_by_role("button", name="drag gaze").click()
     until(viewer, "!('gaze' in __viewer.handles())")
 

@@ -53,6 +53,7 @@ DRAWN_IN_FRAMES = """async frames => {
 }"""
 
 
+@pytest.mark.parametrize("most_fps", [30])
 def test_a_software_renderer_lets_an_edit_go_first(table: Page) -> None:
     held: list[Route] = []
     table.route(f"**/api/machines/{NAME}?dry=true", lambda route: held.append(route))
