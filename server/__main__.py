@@ -20,8 +20,8 @@ VENV = ROOT / ".venv"
 LOCKS = ROOT / "server" / "locks"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
-ALONE = ("tests/reliability/alone", "tests/browser")
-"""tests beside which no other test runs: they count seconds, or a browser draws on all processors"""
+ALONE = "tests/reliability/alone"
+"""tests beside which no other test runs: they count seconds"""
 VIEWER_SOURCES = (
     "index.html",
     "package.json",
@@ -130,9 +130,7 @@ def find_assimp() -> None:
 
 
 def run_tests(arguments: list[str]) -> None:
-    """Runs the tests that are asked for; without arguments all tests, those last that count seconds or look
-    at the page.
-    """
+    """Runs the tests that are asked for; without arguments all tests, those last that count seconds."""
     pytest = PYTHON, "-m", "pytest"
     # the tests start Python hundreds of times: without bytecode each start compiles every module
     os.environ["PYTHONPYCACHEPREFIX"] = str(VENV / "bytecode")
@@ -141,8 +139,8 @@ def run_tests(arguments: list[str]) -> None:
         run(*pytest, *arguments)
         return
     workers = "--numprocesses=auto", "--maxprocesses=4", "--dist=loadfile", "--no-loadscope-reorder"
-    run(*pytest, *workers, *(f"--ignore={folder}" for folder in ALONE))
-    run(*pytest, *ALONE)
+    run(*pytest, *workers, f"--ignore={ALONE}")
+    run(*pytest, ALONE)
 
 
 def main(arguments: list[str]) -> None:

@@ -16,6 +16,7 @@ AT_MAIN = "__viewer.stage() === 'main' && __viewer.ready && __viewer.link() === 
 def fork(page: Page, act: Callable[[], None] | None = None) -> str:
     """Sends an event to the past, by default with a key; returns the stage that this makes."""
     until(page, "__viewer.tick() > 60 && __viewer.state() === 'STAT'")
+    until(page, "__viewer.tick() > arg + 10", page.evaluate("__viewer.tick()"))  # he stood in that past, too
     page.evaluate(SCRUB, page.evaluate("__viewer.tick()") - 10)
     until(page, "__viewer.looking() === __viewer.tick()")
     (act or (lambda: page.keyboard.press("c")))()
@@ -95,6 +96,7 @@ def test_a_press_that_began_live_ends_live_while_the_past_is_looked_at(
 
 def test_the_ghost_of_the_origin_stands_at_the_same_tick_and_is_compared_by_joint(viewer: Page) -> None:
     fork(viewer)
+    until(viewer, "__viewer.tick() > arg + 10", viewer.evaluate("__viewer.tick()"))  # he crouches visibly
     viewer.keyboard.press("x")
     viewer.keyboard.press("p")
     viewer.wait_for_selector("[data-link=paused]")
