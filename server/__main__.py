@@ -20,7 +20,7 @@ VENV = ROOT / ".venv"
 LOCKS = ROOT / "server" / "locks"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
-ALONE = "tests/reliability/alone"
+ALONE = "tests/reliability/alone", "tests/browser/alone"
 """tests beside which no other test runs: they count seconds"""
 VIEWER_SOURCES = (
     "index.html",
@@ -139,8 +139,8 @@ def run_tests(arguments: list[str]) -> None:
         run(*pytest, *arguments)
         return
     workers = "--numprocesses=auto", "--maxprocesses=4", "--dist=loadfile", "--no-loadscope-reorder"
-    run(*pytest, *workers, f"--ignore={ALONE}")
-    run(*pytest, ALONE)
+    run(*pytest, *workers, *(f"--ignore={folder}" for folder in ALONE))
+    run(*pytest, *ALONE)
 
 
 def main(arguments: list[str]) -> None:

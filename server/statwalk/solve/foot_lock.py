@@ -48,6 +48,10 @@ NOT_FAST, TOUCHING = 1.0, 0.005
 """a foot that touches the ground in a blend, or touches uneven ground, is planted when it is slower than
 NOT_FAST (m/s), and nearer to the ground than TOUCHING (metres): otherwise the foot would drag
 """
+OFF, MUCH = 0.007, 0.5
+"""metres by which a foot on its way stays above uneven ground that it would drag over: the more, the faster
+it is than NOT_FAST, and all of it once it is faster by MUCH (m/s)
+"""
 LANDING = 2.0
 """m/s: a foot that its motion plants, while the other is in the air, comes down unless it is faster"""
 LIFTED = 0.003
@@ -115,6 +119,7 @@ def step_foot(
     ahead = fall * LOOK_AHEAD if blends else 0.0
     lands = is_down and _must_land(keep, row, at, other, speed)
     floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, level + old[3], dt)
+    floor += _stays_off(f, keep, row, at, blends or lands, speed)
     rate = keep[row, at + Y_RATE]
     raise_foot(keep, row, at, floor, is_down or blends, speed, ahead, lands, dt)
     if f.fit[0] >= 0 and lands:
@@ -140,10 +145,12 @@ def _perhaps_go_along(
     f: Any, keep: Any, row: int, at: int, low: Any, root: Any, speed: float
 ) -> None:  # fmt: skip
     """Releases a planted foot that its motion has lifted, before it is held back: a foot that sets off late
-    would still be behind when it lands.
+    would still be behind when it lands. On uneven ground a foot comes down before its motion does, and then
+    stands for a moment at least.
     """
     x, z = low[1] + keep[row, at + X], low[3] + keep[row, at + Z]
-    if low[2] - ground_at(f.ground, x, z, root[1]) > LIFTED:
+    may_go = f.fit[0] < 0 or keep[row, at + SINCE] > SHORTEST_STAND
+    if may_go and low[2] - ground_at(f.ground, x, z, root[1]) > LIFTED:
         keep[row, at + PLANTED], keep[row, at + SINCE] = 0.0, 0.0
         keep[row, at + EAGER] = eagerness(keep, row, at, speed)
 
@@ -200,6 +207,14 @@ def _must_land(keep: Any, row: int, at: int, other: int, speed: float) -> Any:
     lands = other >= 0 and (comes_already or keep[row, other + PLANTED] != STANDING)
     on_its_way = keep[row, at + PLANTED] == 0.0 and keep[row, at + SINCE] >= SHORTEST_STEP
     return lands and on_its_way and speed <= LANDING and size_of(keep, row, at) < FAR
+
+
+@inlined
+def _stays_off(f: Any, keep: Any, row: int, at: int, comes_down: bool, speed: float) -> Any:
+    """Metres by which a foot stays above uneven ground that it would drag over; what comes down brakes."""
+    if f.fit[0] < 0 or keep[row, at + PLANTED] != 0.0 or comes_down:
+        return 0.0
+    return OFF * min(max((speed - NOT_FAST) / MUCH, 0.0), 1.0)
 
 
 @inlined
