@@ -1,7 +1,4 @@
-"""A real server in a process of its own, and a real browser that looks at its page.
-
-Playwright's synchronous interface keeps an event loop running; these tests come last (see tests/conftest.py).
-"""
+"""A real server in a process of its own, and a real browser that looks at its page."""
 
 import re
 import signal
@@ -171,8 +168,9 @@ def robot_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         yield running
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
+    """One for each file: Playwright's event loop runs as long as it does, and other files have their own."""
     with launched() as chromium:
         yield chromium
 
