@@ -1,6 +1,5 @@
-"""One order for all tests: the file that compiles everything for other processors comes first, so that no
-worker waits for it at the end. Files that open a browser are spread among the others: two browsers at once
-are no faster than one after the other, but one beside other tests is.
+"""One order for all tests: those of a real browser come last, since Playwright keeps an event loop running;
+the file that compiles everything for other processors comes first, so that no worker waits for it at the end.
 
 What did not run is said.
 """
@@ -11,18 +10,13 @@ from collections import Counter
 
 import pytest
 
-LONGEST = "maths/test_targets.py"
+LONGEST = "test_targets.py"
 os.environ["XDG_DATA_HOME"] = tempfile.mkdtemp(prefix="statwalk-tests-")
 """a data folder for this run: tests read and write nothing in the data folder of the person who runs them"""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    files = dict.fromkeys(item.path for item in items)
-    places = {}
-    for opens_a_browser in (False, True):
-        group = [file for file in files if ("browser" in file.parts) == opens_a_browser]
-        places |= {file: number / len(group) for number, file in enumerate(group)}
-    items.sort(key=lambda item: (not item.path.match(LONGEST), places[item.path]))
+    items.sort(key=lambda item: ("browser" in item.path.parts, item.path.name != LONGEST))
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

@@ -1,4 +1,7 @@
-"""A real server in a process of its own, and a real browser that looks at its page."""
+"""A real server in a process of its own, and a real browser that looks at its page.
+
+Playwright's synchronous interface keeps an event loop running; these tests come last (see tests/conftest.py).
+"""
 
 import re
 import signal
@@ -168,9 +171,8 @@ def robot_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         yield running
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
-    """One for each file: Playwright's event loop runs as long as it does, and other files have their own."""
     with launched() as chromium:
         yield chromium
 
