@@ -28,7 +28,7 @@ HELD |= {"WALK/LEFT": 0.015, "WALK/RIGHT": 0.015, "STWK/STOP": 0.01, "TLFT/STOP"
 ON_STAIRS = {
     "JUMP/END": {"slide": 0.003, "sink": 0.001, "jump": 1.0, "joint": 1.2},
     "FLY/END": {"slide": 0.001, "sink": 0.001, "jump": 0.8, "joint": 1.2},
-    "TRGT/FORWARD": {"slide": 0.008, "jump": 1.2, "joint": 1.9},
+    "TRGT/FORWARD": {"slide": 0.008, "sink": 0.075, "jump": 1.2, "joint": 1.9},
     "TRGT/LEFT": {"slide": 0.012, "sink": 0.008, "jump": 1.2, "joint": 1.7},
     "TLFT/STOP": {"slide": 0.006, "sink": 0.005, "jump": 1.2, "joint": 1.7},
     "TRGT/STOP": {"slide": 0.003, "sink": 0.005, "jump": 1.2, "joint": 1.4},
