@@ -48,9 +48,9 @@ NOT_FAST, TOUCHING = 1.0, 0.005
 """a foot that touches the ground in a blend, or touches uneven ground, is planted when it is slower than
 NOT_FAST (m/s), and nearer to the ground than TOUCHING (metres): otherwise the foot would drag
 """
-OFF, MUCH = 0.007, 0.5
-"""metres by which a foot on its way stays above uneven ground that it would drag over: the more, the faster
-it is than NOT_FAST, and all of it once it is faster by MUCH (m/s)
+KEPT_OFF, DRAGS = 0.007, 1.5
+"""metres by which a foot on its way is kept off uneven ground if it is as fast as DRAGS (m/s); at NOT_FAST it
+is not kept off, and between the two speeds the metres grow evenly
 """
 LANDING = 2.0
 """m/s: a foot that its motion plants, while the other is in the air, comes down unless it is faster"""
@@ -119,7 +119,7 @@ def step_foot(
     ahead = fall * LOOK_AHEAD if blends else 0.0
     lands = is_down and _must_land(keep, row, at, other, speed)
     floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, level + old[3], dt)
-    floor += _stays_off(f, keep, row, at, blends or lands, speed)
+    floor += _kept_off(f, keep, row, at, blends or lands, speed)
     rate = keep[row, at + Y_RATE]
     raise_foot(keep, row, at, floor, is_down or blends, speed, ahead, lands, dt)
     if f.fit[0] >= 0 and lands:
@@ -210,11 +210,11 @@ def _must_land(keep: Any, row: int, at: int, other: int, speed: float) -> Any:
 
 
 @inlined
-def _stays_off(f: Any, keep: Any, row: int, at: int, comes_down: bool, speed: float) -> Any:
-    """Metres by which a foot stays above uneven ground that it would drag over; what comes down brakes."""
-    if f.fit[0] < 0 or keep[row, at + PLANTED] != 0.0 or comes_down:
+def _kept_off(f: Any, keep: Any, row: int, at: int, brakes: bool, speed: float) -> Any:
+    """Metres by which a foot in the air is kept off uneven ground; 0 if it brakes before it touches."""
+    if f.fit[0] < 0 or keep[row, at + PLANTED] != 0.0 or brakes:
         return 0.0
-    return OFF * min(max((speed - NOT_FAST) / MUCH, 0.0), 1.0)
+    return KEPT_OFF * min(max((speed - NOT_FAST) / (DRAGS - NOT_FAST), 0.0), 1.0)
 
 
 @inlined
