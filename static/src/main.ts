@@ -47,7 +47,7 @@ import { byId, canvasById, el } from "./ui/dom";
 import { freeFocus } from "./ui/focus";
 import { tabs } from "./ui/tabs";
 import { type App, makeApp, type Panel } from "./view/app";
-import { rendererName } from "./view/quality";
+import { leastStep_s, rendererName } from "./view/quality";
 import "./style/panels.css";
 import "./style/kiosk.css";
 
@@ -96,16 +96,24 @@ const PANELS: readonly (readonly [string, Panel])[] = [
 const KIOSK: readonly string[] = ["loading"];
 
 const PING_MS = 2000;
+/** Keys, replays and cameras go on by no more after a time in which the page was hidden or held up. */
+const LONGEST_STEP_S = 0.5;
 
-/** Emits `frame` and draws, as often as the browser draws. */
+/**
+ * Emits `frame` and draws, as often as the quality allows: numbers and marks that change with each tick take a software
+ * renderer as long as the character.
+ */
 function drawForever({ frame, view }: App): void {
+  const least_s = leastStep_s(view.scene.quality, location.search);
   let last = performance.now();
   const draw = (now: number): void => {
-    const dt = Math.max(0, (now - last) / 1000);
+    requestAnimationFrame(draw);
+    const passed_s = Math.max(0, (now - last) / 1000);
+    if (passed_s < least_s) return;
     last = now;
+    const dt = Math.min(LONGEST_STEP_S, passed_s);
     frame.emit({ now, dt });
     view.draw(now, dt);
-    requestAnimationFrame(draw);
   };
   requestAnimationFrame(draw);
 }

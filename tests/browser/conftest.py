@@ -218,7 +218,7 @@ def most_fps() -> int:
     """How often an opened page draws in a second. Few tests look at drawings; without a graphics card each
     takes the time of the processors for which server, page and tests wait.
     """
-    return 12
+    return 6
 
 
 @pytest.fixture

@@ -53,6 +53,23 @@ def test_a_software_renderer_draws_at_most_thirty_times_a_second_and_no_more_tha
     assert page.evaluate(TIME_OF_DRAWINGS, count) > least_s
 
 
+CHANGES_OF_THE_TICK = """async count => {
+  const drawn = () => __viewer.stats().drawn;
+  const before = drawn();
+  let changes = 0;
+  const counter = document.querySelector('#transport .tick');
+  const observer = new MutationObserver(() => changes++);
+  observer.observe(counter, { childList: true, characterData: true, subtree: true });
+  while (drawn() < before + count) await new Promise(requestAnimationFrame);
+  return changes;
+}"""
+
+
+@pytest.mark.parametrize("most_fps", [8])
+def test_counters_change_no_more_often_than_the_picture(viewer: Page) -> None:
+    assert 0 < viewer.evaluate(CHANGES_OF_THE_TICK, 8) < 12
+
+
 def test_server_and_gpu_skin_alike(viewer: Page) -> None:
     """Both streams show the same paused tick: same silhouette, same colours."""
     viewer.keyboard.press("p")

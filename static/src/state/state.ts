@@ -27,14 +27,11 @@ import { Viewpoint } from "./viewpoint";
 import { WatchedMachine } from "./watchedMachine";
 import { WatchedStage } from "./watchedStage";
 
-/** A drawn frame: the browser's time, milliseconds, and the seconds since the frame before. */
+/** A drawn frame: the browser's time, milliseconds, and by how many seconds all that moves by itself goes on. */
 export interface DrawnFrame {
   now: number;
   dt: number;
 }
-
-/** Seconds: after a pause of the page, keys and replays move on by no more. */
-const [LONGEST_KEY_S, LONGEST_STEP_S] = [0.5, 0.1];
 
 export type State = ReturnType<typeof makeState>;
 
@@ -68,8 +65,8 @@ export function makeState() {
   const commands = new Commands();
   const timeline = new TimelineWindow(stage, playback);
   const scene = new SceneSettings();
-  frame.on(({ dt }) => keyChanges.advance(Math.min(LONGEST_KEY_S, dt)));
-  frame.on(({ dt }) => playback.advance(Math.min(LONGEST_STEP_S, dt)));
+  frame.on(({ dt }) => keyChanges.advance(dt));
+  frame.on(({ dt }) => playback.advance(dt));
   return {
     frame,
     notices,

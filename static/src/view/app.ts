@@ -3,7 +3,7 @@
 import { type State, makeState } from "../state/state";
 import { onTheme, reducedMotion } from "../ui/dom";
 import type { FollowCamera } from "./camera/followCamera";
-import { chooseQuality, leastStep_s } from "./quality";
+import { chooseQuality } from "./quality";
 import { Scene } from "./scene";
 import { shareCamera } from "./sharedCamera";
 import { teachCutaway } from "./cutaway";
@@ -26,8 +26,7 @@ export function makeApp(canvas: HTMLCanvasElement, renderer: string): App {
   teachCutaway();
   const state = makeState();
   const quality = chooseQuality(renderer, location.search);
-  const leastStep = leastStep_s(quality, location.search);
-  const view = new StageView(new Scene(canvas, quality, leastStep, reducedMotion), state);
+  const view = new StageView(new Scene(canvas, quality, reducedMotion), state);
   state.frame.on(() => view.update());
   const { view: camera } = view.scene;
   shareCamera(state, camera);

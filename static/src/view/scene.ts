@@ -40,14 +40,10 @@ export class Scene {
   /** A panel over the right side of the picture. */
   private panel: HTMLElement | null = null;
   private dirty = true;
-  /** Seconds since the last drawing. */
-  private undrawn = Infinity;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly quality: Quality,
-    /** Seconds between two drawings at least. */
-    private readonly leastStep_s: number,
     still: () => boolean,
   ) {
     const high = quality === "high";
@@ -142,17 +138,14 @@ export class Scene {
   /** Draws, whether something changed or not. */
   drawNow(): void {
     this.dirty = true;
-    this.undrawn = Infinity;
     this.draw(0);
   }
 
-  /** Draws if something changed, and the last drawing is long enough ago; returns whether it did. */
+  /** Goes on by `dt` seconds, and draws if something changed; returns whether it did. */
   draw(dt: number): boolean {
     if (this.view.update(dt)) this.dirty = true;
-    this.undrawn += dt;
-    if (!this.dirty || this.undrawn < this.leastStep_s) return false;
+    if (!this.dirty) return false;
     this.dirty = false;
-    this.undrawn = 0;
     this.view.camera.updateMatrixWorld();
     this.drawing.emit(this.view.camera);
     this.renderer.render(this.world, this.view.camera);

@@ -33,8 +33,6 @@ export interface Modes {
   limits: boolean;
 }
 
-/** Seconds: after a pause of the page the camera moves on by no more. */
-const LONGEST_STEP_S = 0.1;
 /** Milliseconds that drawing waits for the answer to an edit. */
 const LONGEST_WAIT_MS = 1000;
 
@@ -134,7 +132,7 @@ export class StageView {
 
   /** Draws if something changed; `now`: the browser's time, milliseconds. */
   draw(now: number, dt: number): void {
-    if (this.waits(now) || !this.scene.draw(Math.min(LONGEST_STEP_S, dt))) return;
+    if (this.waits(now) || !this.scene.draw(dt)) return;
     this.drawn.add(now);
     this.drawnAt = now;
   }

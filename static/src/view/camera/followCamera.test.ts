@@ -79,3 +79,14 @@ test("the user's hand stops a glide; who wants no motion sees a cut", () => {
   still.update(FRAME_S);
   near(still.camera.position.toArray(), filmed("face").camera.position.toArray());
 });
+
+test.each([12, 30, 144])("a drag swings as far at %d drawings a second as at 60", (fps) => {
+  const azimuth = (drawings: number): number => {
+    const view = filmed("whole");
+    // What a drag leaves to the next drawings, radians.
+    Object.assign(view.controls, { _sphericalDelta: new THREE.Spherical(1, 0, 0.5) });
+    for (let drawing = 0; drawing < drawings / 3; drawing++) view.update(1 / drawings);
+    return view.controls.getAzimuthalAngle();
+  };
+  expect(azimuth(fps)).toBeCloseTo(azimuth(60), 5);
+});

@@ -13,6 +13,8 @@ import { Lead } from "./lead";
 
 /** Time constant of the following, seconds. */
 const LAG_S = 0.18;
+/** Time constant of the swing after a drag, seconds. */
+const SWING_S = 0.13;
 /** A move of more than this many heights is a cut, as after a scrub. */
 const CUT_HEIGHTS = 0.8;
 /** Of the turntable. */
@@ -45,7 +47,6 @@ export class FollowCamera {
   ) {
     this.controls = new OrbitControls(this.camera, element);
     this.controls.enableDamping = true;
-    this.controls.dampingFactor = 0.12;
     this.controls.maxPolarAngle = Math.PI * 0.55;
     this.controls.autoRotateSpeed = 60 / SECONDS_PER_TURN;
     this.mode.subscribe((mode) => sideOf(mode) && this.centreBody());
@@ -195,6 +196,8 @@ export class FollowCamera {
     const followed = this.follow(dt);
     const turned = this.keepSide(dt);
     const went = this.goOn(dt);
+    // The controls take a share for each drawing: so that a drag swings as long however often the page draws.
+    this.controls.dampingFactor = 1 - Math.exp(-dt / SWING_S);
     return this.controls.update(dt) || followed || turned || went;
   }
 
