@@ -96,7 +96,7 @@ const PANELS: readonly (readonly [string, Panel])[] = [
 const KIOSK: readonly string[] = ["loading"];
 
 const PING_MS = 2000;
-/** Keys, replays and cameras go on by no more after a time in which the page was hidden or held up. */
+/** Limits the step of keys, replays and cameras after the page was hidden or held up. */
 const LONGEST_STEP_S = 0.5;
 
 /**

@@ -27,9 +27,10 @@ import { Viewpoint } from "./viewpoint";
 import { WatchedMachine } from "./watchedMachine";
 import { WatchedStage } from "./watchedStage";
 
-/** A drawn frame: the browser's time, milliseconds, and by how many seconds all that moves by itself goes on. */
 export interface DrawnFrame {
+  /** The browser's time, milliseconds. */
   now: number;
+  /** Seconds by which keys, replays and cameras go on. */
   dt: number;
 }
 

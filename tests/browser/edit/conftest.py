@@ -58,8 +58,8 @@ def own(playing: Server) -> Iterator[Server]:
 
 @pytest.fixture
 def table(own: Server, page: Page, opened: Callable[[str], Page]) -> Page:
-    """The page, with the version that it began with. It lets requests pass one by one from its first one:
-    Playwright never tells of a request that is sent just while it begins to do so.
+    """The page, with the version that it began with. Playwright intercepts requests from the first
+    one: it loses sight of a request that the page sends just while the interception begins.
     """
     page.route(f"**/api/machines/{NAME}", lambda route: route.continue_())
     opened(own.url)
