@@ -9,6 +9,7 @@ import socket
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Self
 
@@ -46,6 +47,17 @@ def until(page: Page, condition: str, arg: object = None) -> None:
     page.evaluate(UNTIL.replace("CONDITION", condition), arg)
 
 
+@contextmanager
+def passing(page: Page, state: str) -> Iterator[None]:
+    """Waits, after what a test does, until the watched actor has been in a state, however briefly: a busy
+    page skips frames, but knows all changes of state.
+    """
+    before = page.evaluate("__viewer.head()")
+    yield
+    has_been = "__viewer.lanes().some(([, last, state]) => state === arg.state && last > arg.before)"
+    until(page, has_been, {"state": state, "before": before})
+
+
 def controls(page: Page, name: str = "look") -> Locator:
     """The controls over the picture that the button of this name opens, open."""
     box = page.locator(f"#{name}-popover")
@@ -77,6 +89,12 @@ def mean_colour(page: Page, png: bytes) -> list[float]:
     """The mean red, green, blue and opacity of a picture, 0…255; the page reads it."""
     found: list[float] = page.evaluate(MEAN_COLOUR, list(png))
     return found
+
+
+def slowed(server: "Server", page: Page, speed: float) -> None:
+    """Returns when the page's stage has this speed."""
+    stage = page.evaluate("__viewer.stage()")
+    httpx.post(f"{server.url}/api/stages/{stage}/speed", json={"speed": speed}).raise_for_status()
 
 
 def leave(page: Page, *made: str) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import httpx
 import pytest
-from browser.conftest import Server, until
+from browser.conftest import Server, passing, until
 from md2_models import md2
 from paths import GLTF, MACHINES, needs_assets
 from playwright.sync_api import Page
@@ -145,10 +145,8 @@ def test_a_dropped_md2_plays_its_frames(own: Callable[[], set[str]], viewer: Pag
     until(viewer, "__viewer.stage() !== 'main' && __viewer.ready && __viewer.state() === 'STAT'")
     assert viewer.evaluate("__viewer.pixels().covered") > 0.005
     stage = f"{viewer.url.split('?')[0].rstrip('/')}/api/stages/{viewer.evaluate('__viewer.stage()')}"
-    httpx.post(f"{stage}/speed", json={"speed": 0.1}).raise_for_status()  # so that a busy page sees the jump
-    viewer.keyboard.press("Space")
-    until(viewer, "__viewer.state() === 'JUMP'")
-    httpx.post(f"{stage}/speed", json={"speed": 1}).raise_for_status()
+    with passing(viewer, "JUMP"):
+        viewer.keyboard.press("Space")
     until(viewer, "__viewer.state() === 'STAT'")
 
     def weights() -> list[float]:

@@ -5,7 +5,7 @@ from typing import Any
 
 import httpx
 import pytest
-from browser.conftest import Server, controls, until
+from browser.conftest import Server, controls, slowed, until
 from playwright.sync_api import Page
 from serving import wait_for
 
@@ -91,12 +91,6 @@ def test_a_handle_turns_its_joint_up_to_its_limit(server: Server, opened: Open) 
         return float(abs(pose["rotation"][pose["names"].index("B")][2]))
 
     wait_for(lambda: abs(turn() - 0.6428) < 2e-3)  # the sine of half of 80 degrees
-
-
-def slowed(server: Server, page: Page, speed: float) -> None:
-    """Returns when the page's stage has this speed."""
-    stage = page.evaluate("__viewer.stage()")
-    httpx.post(f"{server.url}/api/stages/{stage}/speed", json={"speed": speed}).raise_for_status()
 
 
 def dragged_far(page: Page) -> tuple[float, float]:

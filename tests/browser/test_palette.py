@@ -1,7 +1,7 @@
 """Ctrl-K finds what has a name, and does it: with the keyboard, with the mouse."""
 
 import pytest
-from browser.conftest import until
+from browser.conftest import passing, until
 from playwright.sync_api import Page
 
 
@@ -15,8 +15,8 @@ def standing(viewer: Page) -> Page:
 
 def test_some_letters_of_a_state_travel_there(standing: Page) -> None:
     standing.keyboard.type("crch travel")
-    standing.keyboard.press("Enter")
-    until(standing, "__viewer.state() === 'CRCH'")
+    with passing(standing, "CRCH"):
+        standing.keyboard.press("Enter")
 
 
 def test_a_joint_is_chosen_with_the_mouse(standing: Page) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import httpx
 import pytest
-from browser.conftest import Server, leave, until
+from browser.conftest import Server, leave, passing, slowed, until
 from playwright.sync_api import Page
 
 CLICK_AT = """async tick => {
@@ -80,21 +80,29 @@ def test_why_not_proposes_what_helps_and_the_cell_takes_it(still: Page) -> None:
     still.keyboard.press("Escape")
 
 
-def test_a_travel_shows_its_route(viewer: Page) -> None:
+@pytest.fixture
+def unhurried(server: Server, viewer: Page) -> Iterator[Page]:
+    """A walker who stands, and whose ways last eight times as long, so that a busy page shows them."""
     until(viewer, "__viewer.state() === 'STAT'")
-    viewer.locator("#table th[data-state=JUMP] .go").click()
-    until(viewer, "!document.querySelector('#route').hidden")
-    viewer.locator("#route").filter(has_text="JUMP").wait_for()
-    until(viewer, "__viewer.state() === 'JUMP'")
-    until(viewer, "document.querySelector('#route').hidden")
+    slowed(server, viewer, 1 / 8)
+    yield viewer
+    slowed(server, viewer, 1)
 
 
-def test_the_way_can_be_cancelled(viewer: Page) -> None:
-    until(viewer, "__viewer.state() === 'STAT'")
-    viewer.locator("#table th[data-state=LAND] .go").click()
-    until(viewer, "!document.querySelector('#route').hidden")
-    viewer.get_by_role("button", name="cancel", exact=True).click()
-    until(viewer, "document.querySelector('#route').hidden")
+def test_a_travel_shows_its_route(server: Server, unhurried: Page) -> None:
+    with passing(unhurried, "JUMP"):
+        unhurried.locator("#table th[data-state=JUMP] .go").click()
+        until(unhurried, "!document.querySelector('#route').hidden")
+        unhurried.locator("#route").filter(has_text="JUMP").wait_for()
+        slowed(server, unhurried, 1)
+    until(unhurried, "document.querySelector('#route').hidden")
+
+
+def test_the_way_can_be_cancelled(unhurried: Page) -> None:
+    unhurried.locator("#table th[data-state=LAND] .go").click()
+    until(unhurried, "!document.querySelector('#route').hidden")
+    unhurried.get_by_role("button", name="cancel", exact=True).click()
+    until(unhurried, "document.querySelector('#route').hidden")
 
 
 def test_lanes_tell_taken_from_waiting_and_dropped(still: Page) -> None:

@@ -1,6 +1,6 @@
 """The journeys of docs/journeys.md, for three users: with a mouse in as many steps as it says there."""
 
-from browser.conftest import until
+from browser.conftest import passing, until
 from browser.journeys.user import User
 from paths import GLTF, needs_assets
 from statwalk.services.library.load import shipped_machines_folder
@@ -23,8 +23,8 @@ def test_make_a_door_that_opens(user: User) -> None:
 @needs_assets
 def test_bring_your_own_model_and_make_it_jump(user: User) -> None:
     user.add_model(ROBOT, "STAT")
-    user.send("JUMP")
-    user.until("__viewer.state() === 'JUMP'")
+    with passing(user.page, "JUMP"):
+        user.send("JUMP")
     user.arrived("Bring your own model and make it jump")
 
 
@@ -60,8 +60,8 @@ def test_a_walk_and_a_run_blend_on_a_pad(user: User) -> None:
 
 
 def test_compare_two_ideas(user: User) -> None:
-    user.send("CROUCH")
-    user.until("__viewer.state() === 'CRCH'")
+    with passing(user.page, "CRCH"):
+        user.send("CROUCH")
     user.look_back("start")
     user.send("FORWARD")
     user.until("__viewer.stage() !== 'main' && __viewer.ready")
@@ -97,8 +97,8 @@ def test_find_out_why_it_did_not_jump(user: User) -> None:
     page.locator(".event-why[data-about=JUMP] .where", has_text="STAT/JUMP").wait_for()
     user.take(page.locator(".remedies [data-kind=state] button").first)
     user.until("__viewer.state() === 'WALK'")
-    user.send("JUMP")
-    user.until("__viewer.state() === 'JUMP'")
+    with passing(user.page, "JUMP"):
+        user.send("JUMP")
     user.arrived("Find out why it did not jump")
 
 
