@@ -25,6 +25,10 @@ export function refusal(words: string, findings: readonly Finding[], place: Cell
   const line = Number(/\bline (\d+)/.exec(words)?.[1] ?? 0);
   const message = words.replace(/^[^:]*\bline \d+: /, "");
   const { layer, state, event } = place ?? { layer: "", state: null, event: null };
-  const finding = { kind: "refused", severity: "error" as const, message, line, layer, state, event };
-  return { kind: "refused", words, findings: [{ ...finding, replay: [], ticks: 0 }] };
+  const finding = { kind: "refused", severity: "error" as const, message, subject: message };
+  return {
+    kind: "refused",
+    words,
+    findings: [{ ...finding, line, layer, state, event, replay: [], ticks: 0 }],
+  };
 }

@@ -2,6 +2,7 @@
 import { signal } from "@preact/signals-core";
 import { beforeEach, expect, test, vi } from "vitest";
 import type { MachineInfo } from "../net/protocol";
+import { finding } from "../net/types/examples";
 import { Editing } from "./editing";
 import { Event } from "./event";
 import type { WatchedMachine } from "./watchedMachine";
@@ -29,6 +30,18 @@ test("the check of a machine ends when another machine is shown", () => {
   const { info } = editing();
   info.value = machine("new");
   expect(checks.map((check) => check.aborted)).toEqual([true, false]);
+});
+
+test("the findings about a machine go when another machine is shown", async () => {
+  const answer = (): Response =>
+    Response.json({ findings: [finding({ message: "about old" })], versions: [] });
+  vi.stubGlobal("fetch", () => Promise.resolve(answer()));
+  const { editing: shown, info } = editing();
+  await vi.waitFor(() => expect(shown.isVerified.value).toBe(true));
+  expect(shown.findings.value.map(({ message }) => message)).toEqual(["about old"]);
+  vi.stubGlobal("fetch", () => new Promise(() => undefined));
+  info.value = machine("new");
+  expect([shown.findings.value, shown.isVerified.value]).toEqual([[], false]);
 });
 
 test("the check of a machine that is about to go is given up", () => {

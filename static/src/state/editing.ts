@@ -25,8 +25,10 @@ export class Editing {
   /** The versions of the machine that is shown, oldest first. */
   readonly versions = signal<readonly MachineVersion[]>([]);
   readonly newest = computed(() => this.versions.value.at(-1) ?? null);
-  /** The verifier's findings about the newest version. */
+  /** The verifier's findings about the newest version; about the version before until the verifier answers. */
   readonly findings = signal<readonly Finding[]>([]);
+  /** Whether the verifier has answered about this machine. */
+  readonly isVerified = signal(false);
   readonly queue: EditQueue<Edit, Answer>;
   /** Emitted with the operations of each edit of the shown machine that is kept. */
   readonly kept = new Event<readonly Operation[]>();
@@ -55,6 +57,7 @@ export class Editing {
     const wanted = `${name} ${version}`;
     if (wanted === this.checked) return;
     this.abandon();
+    if (!this.checked.startsWith(`${name} `)) this.show(null);
     this.checked = wanted;
     const [versions, verified] = await Promise.all([
       edits.versions(name).catch(() => []),
@@ -62,7 +65,15 @@ export class Editing {
     ]);
     if (wanted !== this.checked) return;
     this.versions.value = versions;
-    this.findings.value = verified?.findings ?? [];
+    this.show(verified?.findings ?? null);
+  }
+
+  /** Shows findings; null: there are none yet. */
+  private show(findings: readonly Finding[] | null): void {
+    batch(() => {
+      this.findings.value = findings ?? [];
+      this.isVerified.value = findings !== null;
+    });
   }
 
   /** Gives up the check that runs: its machine is no longer shown, or is about to go. */

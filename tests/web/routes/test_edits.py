@@ -94,11 +94,21 @@ async def test_a_property_that_no_longer_holds_refuses_it(client: httpx.AsyncCli
 
 
 async def test_one_of_several_errors_can_be_mended(client: httpx.AsyncClient) -> None:
+    """Both names are wrong in another cell, too, so what is wrong stays the same."""
     body = {"state": "STAT", "event": "LEFT", "text": "TLFT"}
+    before = (await client.get("/api/machines/faq-printed/verify")).json()
     mended = await client.patch("/api/machines/faq-printed/cells", json=body, headers={"If-Match": '"1"'})
-    assert [one["kind"] for one in mended.json()["findings"] if one["severity"] == "error"] == [
-        "undefined state"
-    ] * 2
+    assert (
+        _errors(mended.json())
+        == _errors(before)
+        == [("undefined state", "TLFG"), ("undefined state", "TRGY")]
+    )
+    assert mended.json()["findings"][0]["message"] != before["findings"][0]["message"]
+
+
+def _errors(answer: dict[str, Any]) -> list[tuple[str, str]]:
+    """Kind and subject of each error that an answer lists."""
+    return [(one["kind"], one["subject"]) for one in answer["findings"] if one["severity"] == "error"]
 
 
 async def test_a_dry_run_only_says(client: httpx.AsyncClient) -> None:

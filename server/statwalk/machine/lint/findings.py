@@ -31,12 +31,13 @@ class Finding:
     """after so many ticks of its replay a stage has shown it"""
 
     @property
-    def about(self) -> tuple[str, str, str]:
-        """Returns kind, layer and subject: they stay the same if lines are added above it, or if fewer cells
-        have a wrong name.
+    def subject(self) -> str:
+        """Returns the part of the message that stays if lines are added above it, or if fewer cells have a
+        wrong name.
         """
-        return (
-            self.kind,
-            self.layer,
-            LINE.sub("", self.message).partition(SUBJECT_ENDS.get(self.kind, "\n"))[0],
-        )
+        return LINE.sub("", self.message).partition(SUBJECT_ENDS.get(self.kind, "\n"))[0]
+
+    @property
+    def about(self) -> tuple[str, str, str]:
+        """Returns kind, layer and subject: equal if two versions of a machine have the same fault."""
+        return self.kind, self.layer, self.subject

@@ -14,6 +14,10 @@ class FindingView(ResponseModel):
     kind: str
     severity: Severity
     message: str
+    subject: str
+    """the part of the message that stays while other lines and cells change: two versions of a machine have
+    the same fault if kind, layer and subject are equal
+    """
     line: int
     state: str | None
     event: str | None

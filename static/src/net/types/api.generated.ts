@@ -2180,6 +2180,11 @@ export interface components {
             /** @enum {string} */
             severity: "error" | "warning" | "info";
             message: string;
+            /**
+             * @description the part of the message that stays while other lines and cells change: two versions of a machine have
+             *     the same fault if kind, layer and subject are equal
+             */
+            subject: string;
             line: number;
             state: string | null;
             event: string | null;

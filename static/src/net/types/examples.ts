@@ -72,6 +72,7 @@ export function finding(members: Partial<Finding>): Finding {
     kind: "k",
     severity: "info",
     message: "m",
+    subject: members.message ?? "m",
     line: 0,
     state: null,
     event: null,

@@ -17,6 +17,19 @@ describe("marked", () => {
     ]);
   });
 
+  it("knows a finding again whose message and place have changed", () => {
+    const earlier = { ...finding("error", "TLFG is no state: A, B"), subject: "TLFG", state: "A" };
+    const now = { ...earlier, message: "TLFG is no state: B", state: "B" };
+    expect(marked([earlier], [now])[0]!.isNew).toBe(false);
+    expect(fixed([earlier], [now])).toBe(0);
+  });
+
+  it("calls a property new that is no longer proved", () => {
+    const proved = { ...finding("info", "A leads to B: proved"), subject: "A leads to B" };
+    const refuted = { ...proved, severity: "error" as const };
+    expect(marked([proved], [refuted])[0]!.isNew).toBe(true);
+  });
+
   it("puts errors before warnings", () => {
     expect(marked([], [old, finding("error", "grave")]).map(({ message }) => message)).toEqual([
       "grave",

@@ -7,8 +7,9 @@ export interface MarkedFinding extends Finding {
   isNew: boolean;
 }
 
-const key = ({ kind, message, state, event, layer }: Finding): string =>
-  JSON.stringify([kind, message, state, event, layer]);
+/** Returns what two versions of a table have in common if they have the same finding; a refuted property was no error while it was proved. */
+const key = ({ severity, kind, layer, subject }: Finding): string =>
+  JSON.stringify([severity, kind, layer, subject]);
 const WEIGHT: Record<Finding["severity"], number> = { error: 0, warning: 1, info: 2 };
 
 /** Marks the findings that `before` does not have as new; sorts new before old, errors before warnings. */

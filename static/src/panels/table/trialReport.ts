@@ -15,6 +15,7 @@ import { countWords, findingItems, fixed, marked } from "./findings";
 
 const HOW = "STATE, STATE!, STATE at end, STATE at MARKER, - or nothing";
 const AWAY = "The server does not answer. Enter sends this text as soon as it does.";
+const UNKNOWN = "The verifier has not answered yet.";
 const REFUSED = "Refused: you cannot keep this text.";
 
 /** What is shown about the edited cell. */
@@ -27,8 +28,9 @@ interface Trial {
   findings: readonly Finding[] | null;
 }
 
-/** Says what a text that may be kept changes about the findings. */
-export function fineWords(before: readonly Finding[], now: readonly Finding[]): string {
+/** Says what a text that may be kept changes about the findings `before`; null: they are not known yet. */
+export function fineWords(before: readonly Finding[] | null, now: readonly Finding[]): string {
+  if (!before) return "Enter keeps it, Escape drops it.";
   const added = marked(before, now).filter(({ isNew, severity }) => isNew && severity !== "info").length;
   const gone = fixed(before, now);
   const news = [added ? `${added} new below` : "", gone ? `${gone} fixed` : ""].filter(Boolean).join(", ");
@@ -39,7 +41,7 @@ export function fineWords(before: readonly Finding[], now: readonly Finding[]): 
 function reasons({ kind, words, findings }: Answer): readonly Finding[] {
   if (findings.length) return findings;
   const nowhere = { line: 0, layer: "", state: null, event: null, replay: [], ticks: 0 };
-  return [{ kind, severity: "error", message: words, ...nowhere }];
+  return [{ kind, severity: "error", message: words, subject: words, ...nowhere }];
 }
 
 export class TrialReport {
@@ -111,7 +113,7 @@ export class TrialReport {
       this.change({ kind, words: this.stays });
     } else if (kind === "refused") this.change({ kind, words: REFUSED, findings: reasons(answer) });
     else {
-      const news = fineWords(this.editing.findings.value, findings);
+      const news = fineWords(this.known(), findings);
       this.change({ kind, words: [this.stays, news].filter(Boolean).join(" "), findings });
     }
   }
@@ -126,23 +128,33 @@ export class TrialReport {
     if (!this.trial.value) this.isOpen.value = !this.isOpen.value;
   }
 
+  /** The findings about the table; null: they are not known yet. */
+  private known(): readonly Finding[] | null {
+    return this.editing.isVerified.value ? this.editing.findings.value : null;
+  }
+
   private change(part: Partial<Trial>): void {
     if (this.trial.value) this.trial.value = { ...this.trial.value, ...part };
   }
 
   private template(): TemplateResult {
     const trial = this.trial.value;
-    const table = this.editing.findings.value;
+    const known = this.known();
+    const shown = trial?.findings ?? known ?? [];
     // Everything about a refused text is new.
-    const before = trial?.kind === "refused" ? [] : table;
+    const before = trial?.kind === "refused" ? [] : (known ?? shown);
     return html`${this.suggestions}
       <p class="cell-says" ?hidden=${!trial}>
         <span .textContent=${trial?.cell ?? ""}></span>
         <button type="button" title="the cell, field by field" @click=${this.inspect}>inspect</button>
       </p>
-      <p class="trial" role="status" .textContent=${trial?.words ?? countWords(table)}></p>
+      <p
+        class="trial"
+        role="status"
+        .textContent=${trial?.words ?? (known ? countWords(known) : UNKNOWN)}
+      ></p>
       <ul class="findings">
-        ${findingItems(marked(before, trial?.findings ?? table), this.go)}
+        ${findingItems(marked(before, shown), this.go)}
       </ul>`;
   }
 }

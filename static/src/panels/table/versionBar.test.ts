@@ -21,6 +21,8 @@ test("shows the version, and what can be undone and redone", () => {
 
 test("counts the findings", () => {
   const { app, button } = shown();
+  expect(button("count").textContent).toBe("…");
+  app.editing.isVerified.value = true;
   expect(button("count").textContent).toBe("✓");
   app.editing.findings.value = [finding({ severity: "error" })];
   expect([button("count").textContent, button("count").getAttribute("aria-label")]).toEqual([

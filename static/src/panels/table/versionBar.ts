@@ -9,6 +9,9 @@ import type { App } from "../../view/app";
 import { countWords } from "./findings";
 
 const KEPT = "edits are kept";
+const UNKNOWN = "not known yet";
+/** What the button shows in place of these words. */
+const SIGNS: Record<string, string> = { "nothing is wrong": "✓", [UNKNOWN]: "…" };
 
 /** Says how the newest version came about, or which edits the server has not answered. */
 function editWords({ machine, editing }: App): string {
@@ -38,7 +41,7 @@ export function versionBar(host: HTMLElement, app: App, showFindings: () => void
 
   draw(host, () => {
     const info = machine.info.value;
-    const findings = countWords(editing.findings.value);
+    const findings = editing.isVerified.value ? countWords(editing.findings.value) : UNKNOWN;
     const words = editWords(app);
     const isNews = words !== "" && !words.startsWith(KEPT);
     return html`<b class="version" .textContent=${info ? `v${info.version}` : ""}></b>
@@ -48,7 +51,7 @@ export function versionBar(host: HTMLElement, app: App, showFindings: () => void
         class="plain count"
         title="what the verifier says of the table"
         aria-label=${`findings: ${findings}`}
-        .textContent=${findings === "nothing is wrong" ? "✓" : findings}
+        .textContent=${SIGNS[findings] ?? findings}
         @click=${showFindings}
       ></button>
       <button
