@@ -70,8 +70,13 @@ class SurfaceDistance:
 
 
 def _way(rest: Floats, samples: Samples, target: Samples, faces: Ints) -> Way:
-    nearest = KDTree(target.at(rest)).query(samples.at(rest))[1]
+    nearest = _tree(target.at(rest)).query(samples.at(rest))[1]
     return Way(samples, target, faces, target.corners[nearest])
+
+
+def _tree(points: Floats) -> KDTree:
+    """Returns a tree that is asked once: one that is not balanced is made in a third of the time."""
+    return KDTree(points, compact_nodes=False, balanced_tree=False)
 
 
 def _largest(points: Floats, way: Way, least: float) -> float:
@@ -86,7 +91,7 @@ def _largest(points: Floats, way: Way, least: float) -> float:
         return least
     place, squared = place[further], squared[further]
     count = min(NEAREST, len(way.target.corners))
-    rows = KDTree(way.target.at(points)).query(place, count)[1].reshape(len(place), count)
+    rows = _tree(way.target.at(points)).query(place, count)[1].reshape(len(place), count)
     for row in rows.T:
         squared = np.minimum(squared, squared_distance(place, points[way.target.corners[row]]))
     return max(least, float(np.sqrt(_settled(place, squared, points[way.faces], least * least))))
@@ -96,13 +101,15 @@ def _settled(points: Floats, squared: Floats, corners: Floats, least: float) -> 
     """The largest squared distance of points (N,3) from triangles (T,3,3), at least `least`; `squared` (N,)
     are not smaller.
     """
-    middle = corners.mean(1)
-    radius = np.sqrt(((corners - middle[:, None]) ** 2).sum(2).max(1))
+    a, b, c = (corners[:, k] for k in range(3))
+    middle = (a + b + c) / 3
+    radius = np.sqrt(np.max([_dot(corner - middle, corner - middle) for corner in (a, b, c)], axis=0))
     largest, order = least, np.argsort(-squared)
     for row in order[:MOST_EXACT]:
         if squared[row] <= largest:
             return largest
-        away = np.sqrt(((middle - points[row]) ** 2).sum(1)) - radius
+        from_point = middle - points[row]
+        away = np.sqrt(_dot(from_point, from_point)) - radius
         near = corners[away <= np.sqrt(squared[row])]
         largest = max(largest, float(squared_distance(points[row : row + 1], near).min(initial=squared[row])))
     return max(largest, float(squared[order[MOST_EXACT:]].max(initial=0)))
