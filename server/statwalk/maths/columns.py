@@ -19,6 +19,7 @@ contiguous, aligned to a cache line.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
@@ -37,6 +38,7 @@ class Column(NamedTuple):
     axes: int
 
 
+@cache
 def _declared(kind: type[tuple[Any, ...]]) -> dict[str, Column | type[tuple[Any, ...]]]:
     """The fields of a NamedTuple class: an array, a number, or another NamedTuple class."""
     hints = get_type_hints(kind, include_extras=True)
@@ -94,7 +96,7 @@ def lock_fields(record: Any) -> None:
 def _fitted(values: Any, lock: bool) -> Any:
     if isinstance(values, np.ndarray):
         return _array(values, values.dtype, lock)
-    kind = type(values)
+    kind: Any = type(values)
     pairs = zip(_declared(kind).items(), values, strict=True)
     return kind._make(
         _field(f"{kind.__name__}.{name}", column, value, lock) for (name, column), value in pairs
