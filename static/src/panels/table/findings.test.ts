@@ -41,6 +41,9 @@ describe("marked", () => {
 describe("fixed", () => {
   it("counts what is gone", () =>
     expect(fixed([finding("error", "a"), finding("warning", "b")], [finding("error", "a")])).toBe(1));
+
+  it("does not count budgets, which an edit does not measure", () =>
+    expect(fixed([whole({ kind: "budget", severity: "warning" })], [])).toBe(0));
 });
 
 describe("countWords", () => {

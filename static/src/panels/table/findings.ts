@@ -7,7 +7,7 @@ export interface MarkedFinding extends Finding {
   isNew: boolean;
 }
 
-/** Returns what two versions of a table have in common if they have the same finding; a refuted property was no error while it was proved. */
+/** Returns what is equal if two versions have the same finding; a refuted property is another one than when it was proved. */
 const key = ({ severity, kind, layer, subject }: Finding): string =>
   JSON.stringify([severity, kind, layer, subject]);
 const WEIGHT: Record<Finding["severity"], number> = { error: 0, warning: 1, info: 2 };
@@ -19,10 +19,11 @@ export function marked(before: readonly Finding[], now: readonly Finding[]): Mar
   return all.sort((a, b) => Number(b.isNew) - Number(a.isNew) || WEIGHT[a.severity] - WEIGHT[b.severity]);
 }
 
-/** Counts the findings of `before` that are gone. */
+/** Counts the findings of `before` that are gone; not those about budgets, as `now` has not been measured. */
 export function fixed(before: readonly Finding[], now: readonly Finding[]): number {
   const left = new Set(now.map(key));
-  return before.filter((finding) => finding.severity !== "info" && !left.has(key(finding))).length;
+  const verified = before.filter(({ severity, kind }) => severity !== "info" && kind !== "budget");
+  return verified.filter((finding) => !left.has(key(finding))).length;
 }
 
 /** Counts in words: "2 errors, 1 warning", "nothing is wrong". */
