@@ -67,7 +67,7 @@ def test_only_a_name_in_the_path_is_not_found(path: dict[str, str], status: int)
 def test_a_refused_edit_brings_what_was_found() -> None:
     found = Finding("undefined state", "error", "MOON is no state", 3)
     body = from_error(errors.RefusedEditError("refused", field="line 3", findings=[found])).body()
-    assert body["findings"] == [asdict(found)]
+    assert body["findings"] == [asdict(found) | {"subject": "MOON"}]
     assert body["errors"] == [{"field": "line 3", "message": "refused"}]
 
 
