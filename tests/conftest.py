@@ -21,7 +21,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Looks for garbage no more among all modules and tests: each time it took 0.3 s."""
+    """Keeps the loaded modules and tests out of garbage collections: each took 0.3 s longer."""
     gc.freeze()
 
 

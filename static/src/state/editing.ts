@@ -25,10 +25,12 @@ export class Editing {
   /** The versions of the machine that is shown, oldest first. */
   readonly versions = signal<readonly MachineVersion[]>([]);
   readonly newest = computed(() => this.versions.value.at(-1) ?? null);
-  /** The verifier's findings about the newest version; about the version before until the verifier answers. */
-  readonly findings = signal<readonly Finding[]>([]);
-  /** Whether the verifier has answered about this machine. */
-  readonly isVerified = signal(false);
+  /**
+   * The verifier's findings about the newest version, until the verifier answers about the version before; null: the
+   * verifier has not answered about this machine.
+   */
+  readonly verified = signal<readonly Finding[] | null>(null);
+  readonly findings = computed(() => this.verified.value ?? []);
   readonly queue: EditQueue<Edit, Answer>;
   /** Emitted with the operations of each edit of the shown machine that is kept. */
   readonly kept = new Event<readonly Operation[]>();
@@ -57,7 +59,7 @@ export class Editing {
     const wanted = `${name} ${version}`;
     if (wanted === this.checked) return;
     this.abandon();
-    if (!this.checked.startsWith(`${name} `)) this.show(null);
+    if (!this.checked.startsWith(`${name} `)) this.verified.value = null;
     this.checked = wanted;
     const [versions, verified] = await Promise.all([
       edits.versions(name).catch(() => []),
@@ -65,15 +67,7 @@ export class Editing {
     ]);
     if (wanted !== this.checked) return;
     this.versions.value = versions;
-    this.show(verified?.findings ?? null);
-  }
-
-  /** Shows findings; null: there are none yet. */
-  private show(findings: readonly Finding[] | null): void {
-    batch(() => {
-      this.findings.value = findings ?? [];
-      this.isVerified.value = findings !== null;
-    });
+    this.verified.value = verified?.findings ?? null;
   }
 
   /** Gives up the check that runs: its machine is no longer shown, or is about to go. */
@@ -87,10 +81,9 @@ export class Editing {
     const machine = this.machine.info.value;
     if (!machine) return "the machine is not known yet";
     const { findings, measured, budgets } = await api.measure(machine.name);
-    if (this.machine.info.value?.version === machine.version) {
-      const others = this.findings.value.filter(({ kind }) => kind !== "budget");
-      this.findings.value = [...others, ...findings];
-    }
+    const { verified } = this;
+    if (verified.value && this.machine.info.value?.version === machine.version)
+      verified.value = [...verified.value.filter(({ kind }) => kind !== "budget"), ...findings];
     const limits = Object.keys(budgets).length ? `${findings.length} over budget` : "the file has no budgets";
     return `${measured.length} transitions and motions measured, ${limits}`;
   }

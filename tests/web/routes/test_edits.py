@@ -94,7 +94,7 @@ async def test_a_property_that_no_longer_holds_refuses_it(client: httpx.AsyncCli
 
 
 async def test_one_of_several_errors_can_be_mended(client: httpx.AsyncClient) -> None:
-    """Both names are wrong in another cell, too, so what is wrong stays the same."""
+    """TLFG stands in another cell, too, so the same errors are left."""
     body = {"state": "STAT", "event": "LEFT", "text": "TLFT"}
     before = (await client.get("/api/machines/faq-printed/verify")).json()
     mended = await client.patch("/api/machines/faq-printed/cells", json=body, headers={"If-Match": '"1"'})

@@ -75,7 +75,7 @@ def _way(rest: Floats, samples: Samples, target: Samples, faces: Ints) -> Way:
 
 
 def _tree(points: Floats) -> KDTree:
-    """Returns a tree that is asked once: one that is not balanced is made in a third of the time."""
+    """Returns a tree that is asked once: an unbalanced one is made in less than half of the time."""
     return KDTree(points, compact_nodes=False, balanced_tree=False)
 
 

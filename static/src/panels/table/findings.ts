@@ -7,7 +7,7 @@ export interface MarkedFinding extends Finding {
   isNew: boolean;
 }
 
-/** Returns what is equal if two versions have the same finding; a refuted property is another one than when it was proved. */
+/** Returns what is equal if two versions have the same finding. A property that was proved is new when it is refuted. */
 const key = ({ severity, kind, layer, subject }: Finding): string =>
   JSON.stringify([severity, kind, layer, subject]);
 const WEIGHT: Record<Finding["severity"], number> = { error: 0, warning: 1, info: 2 };
@@ -26,8 +26,9 @@ export function fixed(before: readonly Finding[], now: readonly Finding[]): numb
   return verified.filter((finding) => !left.has(key(finding))).length;
 }
 
-/** Counts in words: "2 errors, 1 warning", "nothing is wrong". */
-export function countWords(findings: readonly Finding[]): string {
+/** Counts in words: "2 errors, 1 warning", "nothing is wrong"; null: the verifier has not answered. */
+export function countWords(findings: readonly Finding[] | null): string {
+  if (!findings) return "not known yet";
   const words = (["error", "warning"] as const).map((severity) => {
     const count = findings.filter((finding) => finding.severity === severity).length;
     return count ? `${count} ${severity}${count > 1 ? "s" : ""}` : "";

@@ -13,8 +13,7 @@ function shown() {
   const host = document.createElement("div");
   const gone: Finding[] = [];
   const inspector = new TrialReport(host, app.editing, (one) => gone.push(one), vi.fn());
-  app.editing.findings.value = [old];
-  app.editing.isVerified.value = true;
+  app.editing.verified.value = [old];
   const items = (): string[] =>
     [...host.querySelectorAll(".findings li")].map((item) => item.textContent.replace(/\s+/g, " ").trim());
   const words = (): string => host.querySelector(".trial")!.textContent;
@@ -31,15 +30,15 @@ test("shows the findings about the table on demand, and follows them", () => {
   expect(host.hidden).toBe(true);
   inspector.toggle();
   expect([host.hidden, words(), items()]).toEqual([false, "1 warning", ["warning: old"]]);
-  app.editing.findings.value = [];
+  app.editing.verified.value = [];
   expect([words(), items()]).toEqual(["nothing is wrong", []]);
 });
 
 test("calls nothing new, and nothing right, before the verifier has answered", () => {
   const { app, inspector, items, words } = shown();
-  app.editing.isVerified.value = false;
+  app.editing.verified.value = null;
   inspector.toggle();
-  expect(words()).toBe("The verifier has not answered yet.");
+  expect(words()).toBe("not known yet");
   inspector.begin("A", "GO", cell({ to: "B" }));
   inspector.show({ kind: "fine", words: "", findings: [news] });
   expect([words(), items()]).toEqual(["Enter keeps it, Escape drops it.", ["error: news A/GO"]]);

@@ -15,7 +15,6 @@ import { countWords, findingItems, fixed, marked } from "./findings";
 
 const HOW = "STATE, STATE!, STATE at end, STATE at MARKER, - or nothing";
 const AWAY = "The server does not answer. Enter sends this text as soon as it does.";
-const UNKNOWN = "The verifier has not answered yet.";
 const REFUSED = "Refused: you cannot keep this text.";
 
 /** What is shown about the edited cell. */
@@ -113,7 +112,7 @@ export class TrialReport {
       this.change({ kind, words: this.stays });
     } else if (kind === "refused") this.change({ kind, words: REFUSED, findings: reasons(answer) });
     else {
-      const news = fineWords(this.known(), findings);
+      const news = fineWords(this.editing.verified.value, findings);
       this.change({ kind, words: [this.stays, news].filter(Boolean).join(" "), findings });
     }
   }
@@ -128,31 +127,22 @@ export class TrialReport {
     if (!this.trial.value) this.isOpen.value = !this.isOpen.value;
   }
 
-  /** The findings about the table; null: they are not known yet. */
-  private known(): readonly Finding[] | null {
-    return this.editing.isVerified.value ? this.editing.findings.value : null;
-  }
-
   private change(part: Partial<Trial>): void {
     if (this.trial.value) this.trial.value = { ...this.trial.value, ...part };
   }
 
   private template(): TemplateResult {
     const trial = this.trial.value;
-    const known = this.known();
-    const shown = trial?.findings ?? known ?? [];
+    const table = this.editing.verified.value;
+    const shown = trial?.findings ?? table ?? [];
     // Everything about a refused text is new.
-    const before = trial?.kind === "refused" ? [] : (known ?? shown);
+    const before = trial?.kind === "refused" ? [] : (table ?? shown);
     return html`${this.suggestions}
       <p class="cell-says" ?hidden=${!trial}>
         <span .textContent=${trial?.cell ?? ""}></span>
         <button type="button" title="the cell, field by field" @click=${this.inspect}>inspect</button>
       </p>
-      <p
-        class="trial"
-        role="status"
-        .textContent=${trial?.words ?? (known ? countWords(known) : UNKNOWN)}
-      ></p>
+      <p class="trial" role="status" .textContent=${trial?.words ?? countWords(table)}></p>
       <ul class="findings">
         ${findingItems(marked(before, shown), this.go)}
       </ul>`;

@@ -22,9 +22,9 @@ test("shows the version, and what can be undone and redone", () => {
 test("counts the findings", () => {
   const { app, button } = shown();
   expect(button("count").textContent).toBe("…");
-  app.editing.isVerified.value = true;
+  app.editing.verified.value = [];
   expect(button("count").textContent).toBe("✓");
-  app.editing.findings.value = [finding({ severity: "error" })];
+  app.editing.verified.value = [finding({ severity: "error" })];
   expect([button("count").textContent, button("count").getAttribute("aria-label")]).toEqual([
     "1 error",
     "findings: 1 error",

@@ -9,9 +9,8 @@ import type { App } from "../../view/app";
 import { countWords } from "./findings";
 
 const KEPT = "edits are kept";
-const UNKNOWN = "not known yet";
 /** What the button shows in place of these words. */
-const SIGNS: Record<string, string> = { "nothing is wrong": "✓", [UNKNOWN]: "…" };
+const SIGNS: Record<string, string> = { "nothing is wrong": "✓", "not known yet": "…" };
 
 /** Says how the newest version came about, or which edits the server has not answered. */
 function editWords({ machine, editing }: App): string {
@@ -41,7 +40,7 @@ export function versionBar(host: HTMLElement, app: App, showFindings: () => void
 
   draw(host, () => {
     const info = machine.info.value;
-    const findings = editing.isVerified.value ? countWords(editing.findings.value) : UNKNOWN;
+    const findings = countWords(editing.verified.value);
     const words = editWords(app);
     const isNews = words !== "" && !words.startsWith(KEPT);
     return html`<b class="version" .textContent=${info ? `v${info.version}` : ""}></b>
