@@ -2,6 +2,9 @@
 
 import * as api from "../net/api";
 import { fork } from "../net/stages";
+import { reasonOf } from "../net/reason";
+import type { Event } from "./event";
+import type { Notice } from "./notice";
 import type { Session } from "./session";
 import type { WatchedStage } from "./watchedStage";
 
@@ -20,6 +23,7 @@ export class OwnStages {
   constructor(
     private readonly session: Session,
     private readonly stage: WatchedStage,
+    private readonly notices: Event<Notice>,
   ) {
     session.forked.on(() => this.keep());
     session.leaving.on(() => this.leave());
@@ -43,10 +47,21 @@ export class OwnStages {
     const choice = ++this.choices;
     const stages = await api.stages().catch(() => []);
     if (choice !== this.choices) return;
-    if (stage === null || !stages.some(({ id }) => id === stage))
-      return this.choose(opening, Promise.resolve(false));
+    if (stage === null || !stages.some(({ id }) => id === stage)) return this.open(opening);
     if (own) this.made.set(stage, own);
     this.session.watch(stage);
+  }
+
+  /** Watches a new stage that the address names; if the server refuses it, says why, and watches main. */
+  private async open(opening: Opening): Promise<void> {
+    const choice = this.choices + 1;
+    try {
+      await this.choose(opening, Promise.resolve(false));
+    } catch (error) {
+      if (choice !== this.choices) return;
+      this.notices.emit({ text: reasonOf(error), words: "try again", act: () => void this.open(opening) });
+      this.session.watch("main");
+    }
   }
 
   /** Watches main if it shows `opening` already, else a new stage; the last choice counts. */

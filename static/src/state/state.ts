@@ -51,7 +51,7 @@ export function makeState() {
   const playback = new Playback(stage, line.send);
   const frames = new Frames(line, stage, selection, past, playback);
   const session = new Session({ line, stage, selection, machine, past, playback, frames, notices });
-  const stages = new OwnStages(session, stage);
+  const stages = new OwnStages(session, stage, notices);
   const stageList = new StageList(stage);
   const ghost = new Ghost(stage, notices);
   const viewpoint = new Viewpoint();

@@ -110,6 +110,20 @@ def test_what_is_made_to_keep_running_does_so_after_a_start(tmp_path: Path, cata
         assert [held.find(name).identity.may_sleep for name in (kept, other)] == [False, True]
 
 
+def test_a_stage_sleeps_after_a_start_until_somebody_asks(tmp_path: Path, catalogue: Catalogue) -> None:
+    """A hundred stages that nobody watches do not step at once."""
+    with keeping(tmp_path, catalogue) as held:
+        main, kept = held.open_main().id, held.open(SETUP).id
+    with keeping(tmp_path, catalogue) as held:
+        hosts = [held.stages[name] for name in (main, kept)]
+        for host in hosts:
+            host.advance_to(held.now())
+        assert [is_asleep(host) for host in hosts] == [False, True]
+        hosts[1].handle(ask.Status())
+        hosts[1].advance_to(held.now())
+        assert not is_asleep(hosts[1])
+
+
 def test_a_kept_stage_is_never_deleted_because_nobody_uses_it(tmp_path: Path, catalogue: Catalogue) -> None:
     with keeping(tmp_path, catalogue) as held:
         host = held.open(StageSetup(clock="manual"))

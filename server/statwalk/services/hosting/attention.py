@@ -17,6 +17,13 @@ class Attention:
         """Returns the seconds without a request or a viewer until `now`, in seconds of `services.now`."""
         return 0.0 if self._live.fanout.outboxes else now - self._touched
 
+    def come_back(self) -> None:
+        """Lets a stage that the server was started with sleep until somebody looks or asks: a hundred of them
+        must not step at once.
+        """
+        if self._may_sleep:
+            self._touched = float("-inf")
+
     def touch(self) -> None:
         """Counts a request, and wakes the stage."""
         self._touched = self._live.services.now()

@@ -15,6 +15,7 @@ from statwalk.services.hosting.apply_commands import check_room
 from statwalk.services.hosting.commands import StageSetup
 from statwalk.services.hosting.machine_versions import MachineVersions
 from statwalk.services.hosting.pacing import Pacing
+from statwalk.services.hosting.patience import patience, unmissed
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_services import EncodeFact, MeasureTicks
 from statwalk.services.hosting.store.committer import Statement
@@ -26,10 +27,6 @@ from statwalk.services.threads import Now
 from statwalk.services.work.job import DoJob, do_here
 from statwalk.stage.stage import Stage
 
-MANUAL_PATIENCE = 6
-"""how many times longer an idle stage is kept if its clock is manual"""
-UNCLAIMED_PATIENCE = 0.1
-"""the part of `idle_seconds` for which an unclaimed fork is kept"""
 UNCLAIMED_SHARE = 0.5
 """the part of all stages that may be unclaimed forks"""
 
@@ -90,11 +87,13 @@ class Registry:
         return host
 
     def hold(self, host: StageHost, also: Sequence[Statement] = ()) -> StageHost:
-        """Adds a stage, keeps it and `also` in one commit, and returns its host.
+        """Adds a stage, keeps it and `also` in one commit, and returns its host; closes a stage that nobody
+        misses if the server is full.
 
         :raises LimitError: when the server holds the most stages that it may.
         :raises StorageError: when the disk refuses to keep the stage.
         """
+        self._make_room()
         self._check_room_for(host)
         try:
             self._keep(host, also)
@@ -103,6 +102,12 @@ class Registry:
             raise
         self.wake()
         return host
+
+    def _make_room(self) -> None:
+        if len(self.stages) >= self.limits.stages:
+            unused = unmissed(self.all(), self.limits, self.now())
+            if unused is not None:
+                self._remove(unused.id)
 
     def _check_room_for(self, host: StageHost) -> None:
         with self.lock:
@@ -194,24 +199,13 @@ class Registry:
         self.flush()
 
     def drop_idle(self, now: float) -> None:
-        """Closes the stages without viewers that had no request for `idle_seconds` and are not kept; `main`
-        stays, and so does what was made to keep running.
+        """Closes the stages without viewers that had no request for longer than their `patience`.
 
         `now`: seconds of `self.now`.
-
-        A stage with a manual clock is kept `MANUAL_PATIENCE` times longer, an unclaimed fork only for
-        `UNCLAIMED_PATIENCE` of the time.
         """
         for host in self.all():
-            if host.idle_for(now) > self._patience(host):
+            if host.idle_for(now) > patience(host, self.limits, is_stored=self.store is not None):
                 self._remove(host.id)
-
-    def _patience(self, host: StageHost) -> float:
-        if host.is_unclaimed:
-            return self.limits.idle_seconds * UNCLAIMED_PATIENCE
-        if self.store or host.identity.stays_awake:
-            return float("inf")
-        return self.limits.idle_seconds * (MANUAL_PATIENCE if host.clock_kind == "manual" else 1)
 
     def _remove(self, stage_id: str) -> None:
         with self.lock:

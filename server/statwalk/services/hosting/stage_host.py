@@ -112,6 +112,7 @@ class StageHost:
         """Goes on with a stage that was kept."""
         with self._locked() as live:
             live.resume(kept, paused=paused, speed=speed)
+        self._attention.come_back()
 
     def save(self) -> None:
         """Keeps the playhead, the clock and new snapshots, if they changed."""

@@ -3,8 +3,8 @@
 import type { Edge, LayerInfo } from "../../net/protocol";
 import { filtered } from "../../state/nameFilter";
 import { MOST_STATES, statesToDraw } from "./neighbours";
-import type { Places } from "./layout";
-import type { Point } from "./shapes";
+
+import type { Places, Point } from "./shapes";
 
 /** A state, or a folded sub-machine. */
 export interface GraphNode {

@@ -5,8 +5,8 @@ import type { Selected } from "../../state/inspection";
 import { choose } from "../../ui/chooser";
 import type { App } from "../../view/app";
 import { filed } from "./layerPlaces";
-import type { Places } from "./layout";
-import type { Point } from "./shapes";
+
+import type { Places, Point } from "./shapes";
 
 /** Keeps the place of a state; the first time of all states of the layer, so that the picture stays what it is. */
 export async function keepPlace({ editing, machine }: App, state: string, places: Places): Promise<boolean> {

@@ -7,10 +7,10 @@ import { Camera } from "./camera";
 import { type Content, folded, partOf, withFolded } from "./content";
 import { keepPlace } from "./graphEdits";
 import { LayerPlaces } from "./layerPlaces";
-import type { Places } from "./layout";
+
 import { Picture } from "./picture";
 import { placeStates } from "./places";
-import { type Point, rectOf } from "./shapes";
+import { type Places, type Point, type Size, rectOf } from "./shapes";
 
 /** Milliseconds without a zoom after which labels look for new places. */
 const SETTLED_MS = 120;
@@ -113,9 +113,10 @@ export class GraphView {
     element.setAttribute("tabindex", "0");
   }
 
-  private get aspect(): number {
+  /** The size of the panel; null while it is hidden. */
+  private get room(): Size | null {
     const { width, height } = this.host.getBoundingClientRect();
-    return width && height ? width / height : 0;
+    return width && height ? { width, height } : null;
   }
 
   /**
@@ -141,7 +142,8 @@ export class GraphView {
     const part = content.nodes.length < all.nodes.length ? words || live : "";
     const { drawn } = this;
     const isSame = drawn?.machine === machine && drawn.layer === layer && drawn.shown === shown;
-    if ((isSame && drawn.part === part) || !this.aspect) return;
+    const { room } = this;
+    if ((isSame && drawn.part === part) || !room) return;
     this.drawn = { machine, layer, shown, part };
     this.note(part ? `${content.nodes.length} of ${all.nodes.length} states` : "");
     const isHere = drawn?.layer.name === layer.name && drawn.machine.name === machine.name;
@@ -152,9 +154,9 @@ export class GraphView {
           content.nodes.map(({ name }) => name),
           content.edges,
           kept,
-          this.aspect,
+          room,
         )
-      : withFolded(this.layerPlaces.of(machine, layer, this.aspect), content.nodes);
+      : withFolded(this.layerPlaces.of(machine, layer, room), content.nodes);
     this.show(content);
     if (!isHere || part || this.camera.fitted) this.fit();
     this.mark();

@@ -1,9 +1,9 @@
 /** Remembers where the states of each layer stand; places that the machine's file keeps come first. */
 
 import type { LayerInfo, MachineInfo } from "../../net/protocol";
-import type { Places } from "./layout";
+
 import { placeStates, renamed } from "./places";
-import type { Point } from "./shapes";
+import type { Places, Point, Size } from "./shapes";
 
 interface Remembered {
   names: readonly string[];
@@ -13,13 +13,13 @@ interface Remembered {
 export class LayerPlaces {
   private readonly remembered = new Map<string, Remembered>();
 
-  /** Returns the places of a layer's states; `aspect`: of the panel, width over height, for a first layout. */
-  of(machine: MachineInfo, layer: LayerInfo, aspect: number): Places {
+  /** Returns the places of a layer's states; `room`: of the panel, for a first layout. */
+  of(machine: MachineInfo, layer: LayerInfo, room: Size): Places {
     const names = layer.states.map(({ name }) => name);
     const key = JSON.stringify([machine.name, layer.name]);
     const before = this.remembered.get(key);
     const kept = before ? renamed(before.places, before.names, names) : new Map<string, Point>();
-    const places = placeStates(names, layer.edges, new Map([...kept, ...filed(machine, layer)]), aspect);
+    const places = placeStates(names, layer.edges, new Map([...kept, ...filed(machine, layer)]), room);
     // A place that only the file has is not remembered as ours: an undo takes it away again.
     this.remembered.set(key, { names, places: new Map([...places, ...kept]) });
     return places;

@@ -1,18 +1,9 @@
-/** Places the states of a graph: dagre's layout in the direction that fits the panel best, or a ring for dense graphs. */
+/** Places the states of a graph: dagre's layers in the direction that fits the panel best, or a ring. */
 
 import * as dagre from "@dagrejs/dagre";
 import type { Edge } from "../../net/protocol";
-import { isDense, ringPlaces } from "./ringLayout";
-import { type Point, STATE_HEIGHT, stateWidth } from "./shapes";
-
-/** Where each state stands. */
-export type Places = Map<string, Point>;
-
-interface Plan {
-  width: number;
-  height: number;
-  places: Places;
-}
+import { isDense, ringPlan } from "./ringLayout";
+import { type Places, type Plan, type Point, type Size, STATE_HEIGHT, stateWidth } from "./shapes";
 
 interface Way {
   rankdir: "TB" | "LR";
@@ -24,9 +15,13 @@ const WAYS: readonly Way[] = (["TB", "LR"] as const).flatMap((rankdir) =>
 );
 /** Above it only one way is tried: each takes its time. */
 const MANY_EDGES = 300;
-const MOST_STRETCH = 2;
+const MOST_STRETCH = 2.2;
+/** Layers that would be drawn smaller than that give way to a ring that would be so much larger. */
+const [LEAST_SCALE, RING_GAIN] = [0.7, 1.3];
+/** Of a panel, how much the states fill: arrows bend outwards. */
+const FILLED = 0.92;
 
-function plan(states: readonly string[], edges: readonly Edge[], { rankdir, ranker }: Way): Plan {
+function layered(states: readonly string[], edges: readonly Edge[], { rankdir, ranker }: Way): Plan {
   const graph = new dagre.graphlib.Graph();
   const [nodesep, ranksep] = rankdir === "TB" ? [22, 34] : [18, 44];
   graph.setGraph({ rankdir, ranker, nodesep, ranksep, edgesep: 8, marginx: 14, marginy: 18 });
@@ -42,30 +37,31 @@ function plan(states: readonly string[], edges: readonly Edge[], { rankdir, rank
   return { width, height, places: new Map(places) };
 }
 
-/** Moves the states apart to fill `aspect`; places are whole, as the file keeps them. */
-function stretched({ width, height, places }: Plan, aspect: number): Places {
-  const wide = Math.min(MOST_STRETCH, Math.max(1, (height * aspect) / Math.max(width, 1)));
-  const high = Math.min(MOST_STRETCH, Math.max(1, width / aspect / Math.max(height, 1)));
+/** Returns how large a plan appears in a panel, if all of it is seen. */
+const scale = ({ width, height }: Size, room: Size): number =>
+  Math.min(room.width / Math.max(width, 1), room.height / Math.max(height, 1));
+
+/** Moves the states apart to fill a panel, which gives labels room; places are whole, as the file keeps them. */
+function stretched(found: Plan, room: Size): Places {
+  const zoom = Math.min(1, scale(found, room));
+  const apart = (free: number, taken: number): number =>
+    Math.min(MOST_STRETCH, Math.max(1, (free * FILLED) / zoom / Math.max(taken, 1)));
+  const [wide, high] = [apart(room.width, found.width), apart(room.height, found.height)];
   return new Map(
-    [...places].map(([name, { x, y }]) => [name, { x: Math.round(x * wide), y: Math.round(y * high) }]),
+    [...found.places].map(([name, { x, y }]) => [name, { x: Math.round(x * wide), y: Math.round(y * high) }]),
   );
 }
 
-/**
- * Returns the places that appear largest in a panel of `aspect` (width over height). Edges to unknown states are
- * left out.
- */
-export function layOut(states: readonly string[], edges: readonly Edge[], aspect: number): Places {
+/** Returns the places that appear largest in a panel of this size. Edges to unknown states are left out. */
+export function layOut(states: readonly string[], edges: readonly Edge[], room: Size): Places {
   const known = new Set(states);
   const drawable = edges.filter(({ from, to }) => known.has(from) && known.has(to));
-  if (isDense(states.length, drawable.length)) return ringPlaces(states, aspect);
+  const ring = ringPlan(states, room);
+  if (isDense(states.length, drawable.length)) return stretched(ring, room);
   const plans = WAYS.slice(0, drawable.length > MANY_EDGES ? 1 : undefined).map((way) =>
-    plan(states, drawable, way),
+    layered(states, drawable, way),
   );
-  const scale = ({ width, height }: Plan): number =>
-    Math.min(aspect / Math.max(width, 1), 1 / Math.max(height, 1));
-  return stretched(
-    plans.reduce((best, next) => (scale(next) > scale(best) * 1.02 ? next : best)),
-    aspect,
-  );
+  const best = plans.reduce((one, next) => (scale(next, room) > scale(one, room) * 1.02 ? next : one));
+  const isSmall = scale(best, room) < LEAST_SCALE && scale(ring, room) > scale(best, room) * RING_GAIN;
+  return stretched(isSmall ? ring : best, room);
 }

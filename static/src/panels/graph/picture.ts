@@ -5,9 +5,21 @@ import { leadArrows } from "./arrows";
 import type { Content } from "./content";
 import { arrowHead, bendArrow, drawArrow, drawState, placeState, writeLabel } from "./drawing";
 import { placeLabels } from "./labels";
-import type { Places } from "./layout";
+import { letterWidths } from "./letterWidths";
+
 import { isDense } from "./ringLayout";
-import { type Arrow, type Box, type Point, type Rect, around, pointAt, rectOf, stateWidth } from "./shapes";
+import {
+  type Arrow,
+  type Box,
+  type Places,
+  type Point,
+  type Rect,
+  around,
+  pointAt,
+  rectAt,
+  rectOf,
+  stateWidth,
+} from "./shapes";
 
 /** The height of a label's letters, pixels, at every zoom. */
 const LETTERS = 11;
@@ -37,6 +49,8 @@ export class Picture {
   private readonly edges = new Map<string, SVGGElement>();
   private marks: Marks = { live: "", lit: "", selected: null };
   private zoom = 1;
+  /** Measured when the first labels are placed: then the page has its font. */
+  private widthOf: ((text: string) => number) | null = null;
 
   constructor() {
     this.world.append(this.arrowGroup, this.stateGroup, this.ghost);
@@ -108,7 +122,9 @@ export class Picture {
       lit ? from === lit || to === lit : !this.canvas.classList.contains("dense") || from === live,
     );
     const written = shown.map((arrow) => ({ ...arrow, events: this.inOrder(arrow) }));
-    const labels = placeLabels(written, this.boxes.values(), LETTERS / this.zoom);
+    this.widthOf ??= letterWidths();
+    const letters = { size: LETTERS / this.zoom, widthOf: this.widthOf };
+    const labels = placeLabels(written, this.boxes.values(), letters, this.field);
     written.forEach((arrow, i) => writeLabel(this.element(arrow), arrow, labels[i] ?? null));
   }
 
@@ -174,6 +190,18 @@ export class Picture {
       ...points.map(({ x, y }) => ({ left: x, top: y, right: x, bottom: y })),
     ];
     return rects.length ? around(rects) : null;
+  }
+
+  /** All that is seen when the camera fits the drawing: no label leaves it. */
+  private get field(): Rect {
+    const { left, top, right, bottom } = this.bounds ?? { left: 0, top: 0, right: 0, bottom: 0 };
+    const { width, height } = this.canvas.getBoundingClientRect();
+    const middle = { x: (left + right) / 2, y: (top + bottom) / 2 };
+    const half = {
+      x: Math.max(right - left, width / this.zoom) / 2,
+      y: Math.max(bottom - top, height / this.zoom) / 2,
+    };
+    return rectAt(middle, half);
   }
 
   private get isLarge(): boolean {

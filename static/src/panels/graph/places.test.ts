@@ -6,10 +6,11 @@ const KEPT = new Map([
   ["A", { x: 0, y: 0 }],
   ["B", { x: 300, y: 0 }],
 ]);
+const ROOM = { width: 400, height: 200 };
 const EDGES = [{ from: "B", to: "NEW", events: ["E"] }];
 
 describe("placeStates", () => {
-  const places = placeStates(["A", "NEW", "B"], EDGES, KEPT, 2);
+  const places = placeStates(["A", "NEW", "B"], EDGES, KEPT, ROOM);
 
   it("moves no state that stays", () =>
     expect([places.get("A"), places.get("B")]).toEqual([KEPT.get("A"), KEPT.get("B")]));
@@ -24,7 +25,7 @@ describe("placeStates", () => {
   });
 
   it("lays out a machine without kept places", () =>
-    expect(placeStates(["A", "B"], [], new Map(), 2).size).toBe(2));
+    expect(placeStates(["A", "B"], [], new Map(), ROOM).size).toBe(2));
 });
 
 describe("renamed", () => {

@@ -1,8 +1,8 @@
 /** Keeps states where they stand: an edit moves no other state, and a new state comes beside its neighbours. */
 
 import type { Edge } from "../../net/protocol";
-import { type Places, layOut } from "./layout";
-import { type Point, STATE_HEIGHT, overlap, rectOf, stateWidth } from "./shapes";
+import { layOut } from "./layout";
+import { type Places, type Point, type Size, STATE_HEIGHT, overlap, rectOf, stateWidth } from "./shapes";
 
 const GAP = 22;
 const RINGS = 40;
@@ -12,9 +12,9 @@ export function placeStates(
   states: readonly string[],
   edges: readonly Edge[],
   kept: ReadonlyMap<string, Point>,
-  aspect: number,
+  room: Size,
 ): Places {
-  if (!states.some((name) => kept.has(name))) return layOut(states, edges, aspect);
+  if (!states.some((name) => kept.has(name))) return layOut(states, edges, room);
   const places: Places = new Map();
   for (const name of states) if (kept.has(name)) places.set(name, kept.get(name)!);
   for (const name of states) if (!places.has(name)) places.set(name, freePlace(name, edges, places));

@@ -4,6 +4,19 @@ import type { Edge } from "../../net/protocol";
 
 export type Point = { x: number; y: number };
 
+export interface Size {
+  width: number;
+  height: number;
+}
+
+/** Where each state stands. */
+export type Places = Map<string, Point>;
+
+/** Places, and how much room states need that stand there. */
+export interface Plan extends Size {
+  places: Places;
+}
+
 /** A state's box; x and y are its middle. */
 export interface Box extends Point {
   name: string;
@@ -35,9 +48,16 @@ export function stateWidth(name: string): number {
   return Math.max(44, shortName(name).length * CHARACTER_WIDTH + 18);
 }
 
-export function rectOf({ x, y, width }: Box, margin = 0): Rect {
-  const [w, h] = [width / 2 + margin, STATE_HEIGHT / 2 + margin];
-  return { left: x - w, top: y - h, right: x + w, bottom: y + h };
+/** Returns the rectangle around a middle; `half`: half its width and half its height. */
+export const rectAt = ({ x, y }: Point, half: Point): Rect => ({
+  left: x - half.x,
+  top: y - half.y,
+  right: x + half.x,
+  bottom: y + half.y,
+});
+
+export function rectOf(box: Box, margin = 0): Rect {
+  return rectAt(box, { x: box.width / 2 + margin, y: STATE_HEIGHT / 2 + margin });
 }
 
 export function overlap(a: Rect, b: Rect): boolean {

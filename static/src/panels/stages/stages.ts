@@ -11,6 +11,7 @@ import { nameOfStage } from "../../state/stageList";
 import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
 import { ghostDifference } from "./ghostDifference";
+import { leftBehindPart } from "./leftBehind";
 import { nowWords, originWords, type Row, spanOf, treeOf } from "./stageTree";
 
 const READ_MS = 2000;
@@ -25,6 +26,7 @@ type Asked = { stage: string; about: "name" | "deletion" } | null;
 export function stagesPanel(host: HTMLElement, app: App): void {
   const { commands, ghost, inspection, notices, playback, session, stage, stageList, stages } = app;
   const difference = ghostDifference(app);
+  const sleepers = leftBehindPart(app, act);
   const asked = signal<Asked>(null);
   const isOpen = (): boolean => inspection.drawer.value === "stages";
 
@@ -170,6 +172,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
           .textContent=${tick === null ? "fork now" : `fork at ${tick}`}
         ></button>
       </form>
+      ${sleepers()}
       <ul aria-label="stages">
         ${treeOf(stageList.all.value).map(row)}
       </ul>

@@ -1,0 +1,39 @@
+"""A server that holds as many stages as it may: the page says so, works on, and clears away unused ones."""
+
+from collections.abc import Callable, Iterator
+
+import httpx
+import pytest
+from browser.conftest import Server, until
+from playwright.sync_api import Page
+
+
+@pytest.fixture
+def full(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """Has `main`, and two stages in which somebody has walked."""
+    limits = ["--limit", "stages=3", "--limit", "rest_seconds=0.2"]
+    with Server(tmp_path_factory.mktemp("full"), *limits) as running:
+        for _ in range(2):
+            made = httpx.post(f"{running.url}/api/stages", json={"actors": [{"machine": "faq-walker"}]})
+            event = httpx.post(
+                f"{running.url}/api/stages/{made.json()['id']}/events", json={"event": "FORWARD"}
+            )
+            event.raise_for_status()
+        yield running
+
+
+def test_a_link_shows_main_and_what_nobody_uses_can_be_cleared_away(
+    full: Server, opened: Callable[[str], Page], allowed: list[str]
+) -> None:
+    allowed.append("409")
+    link = f"{full.url}/?machine=tentacle"
+    page = opened(link)
+    page.locator("#notices p", has_text="the server holds 3 stages, and no more").wait_for()
+    assert page.evaluate("__viewer.stage()") == "main"
+    page.keyboard.press("o")
+    page.get_by_role("button", name="delete them …").click()
+    page.get_by_text("Delete faq-walker, faq-walker for good, with 4 inputs?").wait_for()
+    page.get_by_role("button", name="delete them", exact=True).click()
+    page.get_by_text("asleep, as nobody uses").wait_for(state="detached")
+    opened(link)
+    until(page, "__viewer.stage() !== 'main' && __viewer.ready")
