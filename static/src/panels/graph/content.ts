@@ -3,7 +3,6 @@
 import type { Edge, LayerInfo } from "../../net/protocol";
 import { filtered } from "../../state/nameFilter";
 import { MOST_STATES, statesToDraw } from "./neighbours";
-
 import type { Places, Point } from "./shapes";
 
 /** A state, or a folded sub-machine. */

@@ -5,7 +5,6 @@ import type { Selected } from "../../state/inspection";
 import { choose } from "../../ui/chooser";
 import type { App } from "../../view/app";
 import { filed } from "./layerPlaces";
-
 import type { Places, Point } from "./shapes";
 
 /** Keeps the place of a state; the first time of all states of the layer, so that the picture stays what it is. */

@@ -7,7 +7,6 @@ import { Camera } from "./camera";
 import { type Content, folded, partOf, withFolded } from "./content";
 import { keepPlace } from "./graphEdits";
 import { LayerPlaces } from "./layerPlaces";
-
 import { Picture } from "./picture";
 import { placeStates } from "./places";
 import { type Places, type Point, type Size, rectOf } from "./shapes";

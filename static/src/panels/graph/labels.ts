@@ -26,6 +26,9 @@ export interface Letters {
   widthOf: (text: string) => number;
 }
 
+/** A point of an arrow. */
+type Sample = Point & { arrow: Arrow };
+
 /** Places along an arrow, the best first. */
 const ALONG = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82];
 const SAMPLES = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
@@ -64,14 +67,11 @@ export function placeLabels(
   field: Rect,
 ): (Label | null)[] {
   const taken = [...boxes].map((box) => rectOf(box, 1));
-  const lines = arrows.flatMap((arrow, index) =>
-    SAMPLES.map((t) => ({ index, point: pointAt(arrow.curve, t) })),
-  );
+  const lines = arrows.flatMap((arrow) => SAMPLES.map((t) => ({ arrow, ...pointAt(arrow.curve, t) })));
   const labels: (Label | null)[] = arrows.map(() => null);
   const order = arrows.map((_, index) => index).sort((a, b) => length(arrows[a]!) - length(arrows[b]!));
   for (const index of order) {
-    const strangers = lines.filter((line) => line.index !== index).map(({ point }) => point);
-    const found = freePlace(arrows[index]!, taken, strangers, letters, field);
+    const found = freePlace(arrows[index]!, taken, lines, letters, field);
     if (!found) continue;
     labels[index] = found;
     taken.push(rectAt(found, halfOf(found, letters)));
@@ -83,23 +83,23 @@ const length = ({ events }: Arrow): number => events.join().length;
 
 /** Returns the best place: on the arrow, else beside it; one that another arrow crosses only if all are crossed. */
 function freePlace(
-  { curve, events }: Arrow,
+  arrow: Arrow,
   taken: readonly Rect[],
-  lines: readonly Point[],
+  lines: readonly Sample[],
   letters: Letters,
   field: Rect,
 ): Label | null {
-  for (const spelling of spellings(events)) {
+  for (const spelling of spellings(arrow.events)) {
     const half = halfOf(spelling, letters);
-    const all = placesAt(curve, half);
+    const all = placesAt(arrow.curve, half);
     const reach = around(all.map((place) => rectAt(place, half)));
     const near = taken.filter((rect) => overlap(rect, reach));
-    const crossing = lines.filter((point) => contains(reach, point));
+    const strangers = lines.filter((point) => contains(reach, point) && point.arrow !== arrow);
     const places = all.filter((place) => {
       const rect = rectAt(place, half);
       return within(rect, field) && !meets(rect, near);
     });
-    const clear = places.find((place) => !crossing.some((point) => contains(rectAt(place, half), point)));
+    const clear = places.find((place) => !strangers.some((point) => contains(rectAt(place, half), point)));
     const place = clear ?? places[0];
     if (place) return { ...place, ...spelling };
   }

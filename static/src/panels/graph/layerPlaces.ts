@@ -1,7 +1,6 @@
 /** Remembers where the states of each layer stand; places that the machine's file keeps come first. */
 
 import type { LayerInfo, MachineInfo } from "../../net/protocol";
-
 import { placeStates, renamed } from "./places";
 import type { Places, Point, Size } from "./shapes";
 

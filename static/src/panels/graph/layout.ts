@@ -18,6 +18,8 @@ const MANY_EDGES = 300;
 const MOST_STRETCH = 2.2;
 /** Layers that would be drawn smaller than that give way to a ring that would be so much larger. */
 const [LEAST_SCALE, RING_GAIN] = [0.7, 1.3];
+/** The most states on such a ring, and the height of a panel in whose corner the graph's buttons cover none of them. */
+const [MOST_ON_RING, RING_HEIGHT] = [16, 160];
 /** Of a panel, how much the states fill: arrows bend outwards. */
 const FILLED = 0.92;
 
@@ -62,6 +64,7 @@ export function layOut(states: readonly string[], edges: readonly Edge[], room: 
     layered(states, drawable, way),
   );
   const best = plans.reduce((one, next) => (scale(next, room) > scale(one, room) * 1.02 ? next : one));
-  const isSmall = scale(best, room) < LEAST_SCALE && scale(ring, room) > scale(best, room) * RING_GAIN;
-  return stretched(isSmall ? ring : best, room);
+  const mayRing =
+    states.length <= MOST_ON_RING && room.height >= RING_HEIGHT && scale(best, room) < LEAST_SCALE;
+  return stretched(mayRing && scale(ring, room) > scale(best, room) * RING_GAIN ? ring : best, room);
 }

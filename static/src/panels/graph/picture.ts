@@ -6,7 +6,6 @@ import type { Content } from "./content";
 import { arrowHead, bendArrow, drawArrow, drawState, placeState, writeLabel } from "./drawing";
 import { placeLabels } from "./labels";
 import { letterWidths } from "./letterWidths";
-
 import { isDense } from "./ringLayout";
 import {
   type Arrow,
