@@ -34,6 +34,6 @@ def test_a_link_shows_main_and_what_nobody_uses_can_be_cleared_away(
     page.get_by_role("button", name="delete them …").click()
     page.get_by_text("Delete faq-walker, faq-walker for good, with 4 inputs?").wait_for()
     page.get_by_role("button", name="delete them", exact=True).click()
-    page.get_by_text("asleep, as nobody uses").wait_for(state="detached")
+    page.get_by_text("Asleep and without a name").wait_for(state="detached")
     opened(link)
     until(page, "__viewer.stage() !== 'main' && __viewer.ready")

@@ -29,8 +29,8 @@ def patience(host: StageHost, limits: Limits, *, is_stored: bool) -> float:
 
 def unmissed(hosts: Sequence[StageHost], limits: Limits, now: float) -> StageHost | None:
     """Returns the stage that nobody misses, so that another one may take its place; None if there is none.
-    Nobody uses it, nobody has changed or named it since it was opened, and no fork began in it: to open it
-    again brings it back.
+    Nobody uses it, nobody has changed or named it since it was opened, and no fork began in it: who opens
+    the same again has it back.
 
     A real-time stage must sleep; one with a manual clock must be idle for so long that it would be closed
     without a data folder. Of several it is the one that has been idle for longest.

@@ -57,7 +57,7 @@ export function leftBehindPart(
   return (): TemplateResult | typeof nothing => {
     const doomed = leftBehind(stageList.all.value, stage.hello.value?.stage ?? "main");
     if (!doomed.length) return nothing;
-    const words = `${plural(doomed.length, "stage")} without a name: asleep, as nobody uses ${doomed.length > 1 ? "them" : "it"}.`;
+    const words = `Asleep and without a name: ${plural(doomed.length, "stage")}.`;
     return html`<section id="left-behind">
       <p .textContent=${words}></p>
       ${isAsked.value ? asking(doomed) : html`<button type="button" @click=${() => ask(true)}>delete them …</button>`}
