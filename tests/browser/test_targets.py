@@ -74,6 +74,19 @@ def test_a_dragged_handle_moves_its_point(server: Server, viewer: Page) -> None:
     until(viewer, "!('gaze' in __viewer.handles())")
 
 
+def test_a_moved_point_is_put_back(server: Server, opened: Callable[[str], Page]) -> None:
+    page = opened(f"{server.url}?machine=reach")
+    page.keyboard.press("r")
+    until(page, "__viewer.state() === 'REACH' && 'right' in __viewer.handles()")
+    back = page.get_by_role("button", name="put right back to where it was first")
+    assert not back.is_visible()
+    place = page.evaluate("__viewer.handles().right")
+    drag(page, "right", -60, -40)
+    back.click()
+    until(page, "__viewer.handles().right.every((at, i) => Math.abs(at - arg[i]) < 2)", place)
+    back.wait_for(state="hidden")
+
+
 def test_a_hand_follows_its_ball_as_far_as_the_arm_may(server: Server, opened: Callable[[str], Page]) -> None:
     page = opened(f"{server.url}?machine=reach")
     page.keyboard.press("r")

@@ -16,10 +16,14 @@ import { onFacingPlane, PointHandles } from "../../view/pointHandles";
 const IN_FRONT = 1.2;
 /** Metres: the size of a handle, as a part of the character's height. */
 const SIZE = 0.035;
+/** Metres between a point and its first place that count as none. */
+const MOVED = 1e-5;
 
 class TargetsPanel {
   private readonly handles: PointHandles;
   private readonly buttons = new Map<string, HTMLButtonElement>();
+  /** Where each point was first, and the button that puts it back there. */
+  private readonly backs = new Map<string, { start: Point; button: HTMLButtonElement }>();
   private shown = new Set<string>();
   private reached = new Set<string>();
   private grips = new Map<string, Grip>();
@@ -83,19 +87,31 @@ class TargetsPanel {
 
   private draw(machine: MachineInfo | null): void {
     this.buttons.clear();
-    for (const name of pointsOf(machine).keys()) {
+    this.backs.clear();
+    const buttons: HTMLElement[] = [];
+    for (const [name, start] of pointsOf(machine)) {
       const title = `shows a handle that moves the point ${name}`;
-      this.buttons.set(
-        name,
-        this.button(`drag ${name}`, title, () => this.show(name, !this.shown.has(name))),
-      );
-      this.buttons.get(name)!.setAttribute("aria-pressed", String(this.shown.has(name)));
+      const drag = this.button(`drag ${name}`, title, () => this.show(name, !this.shown.has(name)));
+      drag.setAttribute("aria-pressed", String(this.shown.has(name)));
+      this.buttons.set(name, drag);
+      buttons.push(drag);
+      if (!this.grips.has(name)) buttons.push(this.backButton(name, start));
     }
-    const buttons = [...this.buttons.values()];
     if (canLook(machine))
       buttons.push(this.button("look at the pointer", "he looks where you point", () => this.stare()));
     this.host.hidden = !buttons.length;
     this.host.replaceChildren(...buttons);
+  }
+
+  private backButton(name: string, start: Point): HTMLButtonElement {
+    const words = `put ${name} back to where it was first`;
+    const made = el("button", { type: "button", "aria-label": words, title: words, hidden: true }, "↺");
+    made.addEventListener("click", () => {
+      this.app.parameters.setPoint(name, start);
+      this.buttons.get(name)?.focus();
+    });
+    this.backs.set(name, { start, button: made });
+    return made;
   }
 
   private button(words: string, title: string, act: () => boolean): HTMLButtonElement {
@@ -127,11 +143,15 @@ class TargetsPanel {
     return isShown;
   }
 
-  /** Puts the handles where their points are; those of chains that nobody holds are where the chains end. */
+  /** Puts the handles where their points are, those of chains that nobody holds excepted; offers the way back. */
   private place(): void {
     for (const name of this.shown)
       if (!this.grips.has(name) || this.handles.dragging === name)
         this.handles.show(name, this.app.parameters.point(name), this.size());
+    for (const [name, { start, button }] of this.backs) {
+      const point = this.app.parameters.point(name);
+      button.hidden = point.every((value, k) => Math.abs(value - start[k]!) < MOVED);
+    }
   }
 
   private size(): number {
