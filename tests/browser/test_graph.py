@@ -141,3 +141,17 @@ def test_a_dragged_state_stays_where_it_is_and_moves_no_other(graph: Page, walke
     assert after["JUMP"] != before["JUMP"]
     assert {name for name in after if after[name] != before[name]} == {"JUMP"}
     assert httpx.get(f"{walker.url}/api/machines/faq-walker").json()["view"]["base"].keys() == after.keys()
+
+
+OVERLAPPING = """[...document.querySelectorAll('#graph .edge:not(.squeezed) text')]
+  .map(text => text.getBoundingClientRect())
+  .some((a, i, all) => all.slice(i + 1).some(
+    b => a.left < b.right && b.left < a.right && a.top + 1 < b.bottom && b.top + 1 < a.bottom))"""
+
+
+def test_the_labels_of_two_opposite_arrows_do_not_overlap(
+    server: Server, opened: Callable[[str], Page]
+) -> None:
+    page = opened(f"{server.url}?machine=anchor-chain")
+    until(page, "document.querySelectorAll('#graph .edge:not(.squeezed) text').length === 2")
+    until(page, f"!({OVERLAPPING})")

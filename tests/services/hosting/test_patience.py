@@ -1,4 +1,4 @@
-"""Which stage makes room for another one when the server is full."""
+"""Which stage a new one replaces when the server is full."""
 
 import pickle
 from collections.abc import Callable
@@ -19,7 +19,7 @@ LIMITS = Limits(stages=4)
 
 
 class Server:
-    """A registry whose time passes on request; `main` and two stages that nobody misses, then one more."""
+    """A registry whose time passes on request, with `main` and two replaceable stages."""
 
     def __init__(self, catalogue: Catalogue) -> None:
         self.time = 0.0

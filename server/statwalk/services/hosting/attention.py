@@ -18,8 +18,8 @@ class Attention:
         return 0.0 if self._live.fanout.outboxes else now - self._touched
 
     def come_back(self) -> None:
-        """Lets a stage that the server was started with sleep until somebody looks or asks: a hundred of them
-        must not step at once.
+        """Lets a stage sleep that comes back when the server starts, until somebody looks or asks: otherwise
+        all kept stages would step at once.
         """
         if self._may_sleep:
             self._touched = float("-inf")

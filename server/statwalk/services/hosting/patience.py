@@ -1,4 +1,4 @@
-"""How long stages are kept that nobody uses, and which one makes room when the server is full."""
+"""Says how long an unused stage is kept, and which one a new stage replaces when the server is full."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ UNCLAIMED_PATIENCE = 0.1
 
 
 def patience(host: StageHost, limits: Limits, *, is_stored: bool) -> float:
-    """Returns the seconds without viewers and requests after which a stage is closed; infinite for one that
-    stays awake, and in a data folder (`is_stored`) for all but unclaimed forks.
+    """Returns the seconds without viewers and requests after which a stage is closed. They are infinite for a
+    stage that stays awake, and in a data folder (`is_stored`) for every stage but unclaimed forks.
     """
     if host.is_unclaimed:
         return limits.idle_seconds * UNCLAIMED_PATIENCE
@@ -27,13 +27,13 @@ def patience(host: StageHost, limits: Limits, *, is_stored: bool) -> float:
     return limits.idle_seconds * (MANUAL_PATIENCE if host.clock_kind == "manual" else 1)
 
 
-def unmissed(hosts: Sequence[StageHost], limits: Limits, now: float) -> StageHost | None:
-    """Returns the stage that nobody misses, so that another one may take its place; None if there is none.
-    Nobody uses it, nobody has changed or named it since it was opened, and no fork began in it: who opens
-    the same again has it back.
+def replaceable(hosts: Sequence[StageHost], limits: Limits, now: float) -> StageHost | None:
+    """Returns the stage that a new stage may replace; None if no stage is replaceable.
 
-    A real-time stage must sleep; one with a manual clock must be idle for so long that it would be closed
-    without a data folder. Of several it is the one that has been idle for longest.
+    A replaceable stage is unused, and is as it was opened: it has no input but its first actors, no name and
+    no fork, and is no fork itself. So opening the same again makes the same stage. Unused means: a real-time
+    stage sleeps, and a stage with a manual clock has been idle for as long as it is kept without a data
+    folder. Of several stages the one that has been idle for longest is returned.
 
     `now`: seconds of the server's clock.
     """
@@ -46,7 +46,7 @@ def unmissed(hosts: Sequence[StageHost], limits: Limits, now: float) -> StageHos
 
 
 def _is_as_opened(host: StageHost) -> bool:
-    """Whether nothing came to the stage but the actors that it was opened with."""
+    """Whether the stage has no name, is no fork, and has no input but its first actors."""
     with suppress(BusyError):
         facts = host.look(ask.Describe())
         place, newest = facts.place, facts.place.newest_input

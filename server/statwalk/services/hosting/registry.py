@@ -15,7 +15,7 @@ from statwalk.services.hosting.apply_commands import check_room
 from statwalk.services.hosting.commands import StageSetup
 from statwalk.services.hosting.machine_versions import MachineVersions
 from statwalk.services.hosting.pacing import Pacing
-from statwalk.services.hosting.patience import patience, unmissed
+from statwalk.services.hosting.patience import patience, replaceable
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_services import EncodeFact, MeasureTicks
 from statwalk.services.hosting.store.committer import Statement
@@ -87,8 +87,8 @@ class Registry:
         return host
 
     def hold(self, host: StageHost, also: Sequence[Statement] = ()) -> StageHost:
-        """Adds a stage, keeps it and `also` in one commit, and returns its host; closes a stage that nobody
-        misses if the server is full.
+        """Adds a stage, keeps it and `also` in one commit, and returns its host. If the server is full, the
+        stage takes the place of a replaceable one.
 
         :raises LimitError: when the server holds the most stages that it may.
         :raises StorageError: when the disk refuses to keep the stage.
@@ -105,9 +105,9 @@ class Registry:
 
     def _make_room(self) -> None:
         if len(self.stages) >= self.limits.stages:
-            unused = unmissed(self.all(), self.limits, self.now())
-            if unused is not None:
-                self._remove(unused.id)
+            replaced = replaceable(self.all(), self.limits, self.now())
+            if replaced is not None:
+                self._remove(replaced.id)
 
     def _check_room_for(self, host: StageHost) -> None:
         with self.lock:

@@ -144,6 +144,7 @@ export class GraphView {
     const { room } = this;
     if ((isSame && drawn.part === part) || !room) return;
     this.drawn = { machine, layer, shown, part };
+    this.picture.room = room;
     this.note(part ? `${content.nodes.length} of ${all.nodes.length} states` : "");
     const isHere = drawn?.layer.name === layer.name && drawn.machine.name === machine.name;
     // An edit moves nothing, and a whole layout takes long.
@@ -202,6 +203,7 @@ export class GraphView {
   }
 
   private resized(): void {
+    this.picture.room = this.room ?? this.picture.room;
     if (!this.drawn) this.draw();
     else if (this.camera.fitted) this.fit();
   }

@@ -20,7 +20,7 @@ export interface Label extends Point {
 
 type Spelling = Pick<Label, "events" | "more">;
 
-/** The letters of labels: their height, and the width of a text over it. */
+/** The letters of labels: their height, and a function that gives the width of a text as a multiple of the height. */
 export interface Letters {
   size: number;
   widthOf: (text: string) => number;
@@ -57,8 +57,8 @@ function halfOf(spelling: Spelling, { size, widthOf }: Letters): Point {
 const meets = (rect: Rect, others: readonly Rect[]): boolean => others.some((other) => overlap(rect, other));
 
 /**
- * Returns a label for each arrow, or null if there is no free place within `field`. Short labels come first: they find
- * a place most easily.
+ * Returns a label for each arrow, or null if the label finds no free place within `field`. Short labels are placed first:
+ * they find a place most easily.
  */
 export function placeLabels(
   arrows: readonly Arrow[],
@@ -81,7 +81,10 @@ export function placeLabels(
 
 const length = ({ events }: Arrow): number => events.join().length;
 
-/** Returns the best place: on the arrow, else beside it; one that another arrow crosses only if all are crossed. */
+/**
+ * Returns the first free place that no other arrow crosses, else the first free place; places on the arrow come before
+ * places beside it.
+ */
 function freePlace(
   arrow: Arrow,
   taken: readonly Rect[],

@@ -3,7 +3,7 @@
 /** Of the letters whose widths are measured, pixels. */
 const SIZE = 100;
 
-/** Returns a function that gives the width of a text over the height of its letters, in the font of the page. */
+/** Returns a function that gives the width of a text as a multiple of its letters' height, in the font of the page. */
 export function letterWidths(): (text: string) => number {
   const pen = document.createElement("canvas").getContext("2d")!;
   pen.font = `500 ${SIZE}px ${getComputedStyle(document.body).fontFamily}`;

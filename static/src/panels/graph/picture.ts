@@ -13,6 +13,7 @@ import {
   type Places,
   type Point,
   type Rect,
+  type Size,
   around,
   pointAt,
   rectAt,
@@ -48,6 +49,8 @@ export class Picture {
   private readonly edges = new Map<string, SVGGElement>();
   private marks: Marks = { live: "", lit: "", selected: null };
   private zoom = 1;
+  /** The size of the panel, pixels. */
+  room: Size = { width: 0, height: 0 };
   /** Measured when the first labels are placed: then the page has its font. */
   private widthOf: ((text: string) => number) | null = null;
 
@@ -191,10 +194,10 @@ export class Picture {
     return rects.length ? around(rects) : null;
   }
 
-  /** All that is seen when the camera fits the drawing: no label leaves it. */
+  /** The part of the graph that is seen when the camera fits the drawing: no label leaves it. */
   private get field(): Rect {
     const { left, top, right, bottom } = this.bounds ?? { left: 0, top: 0, right: 0, bottom: 0 };
-    const { width, height } = this.canvas.getBoundingClientRect();
+    const { width, height } = this.room;
     const middle = { x: (left + right) / 2, y: (top + bottom) / 2 };
     const half = {
       x: Math.max(right - left, width / this.zoom) / 2,

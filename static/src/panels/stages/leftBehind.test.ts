@@ -33,7 +33,7 @@ function shown() {
   draw(host, () => html`${part()}`);
   const press = (words: string): void =>
     [...host.querySelectorAll("button")].find((button) => button.textContent.trim() === words)!.click();
-  return { host, discard, press };
+  return { app, host, discard, press };
 }
 
 it("deletes them after a yes, and says before what goes", () => {
@@ -53,4 +53,12 @@ it("keeps them after a no", () => {
   press("keep them");
   expect(host.textContent).not.toContain("for good");
   expect(discard).not.toHaveBeenCalled();
+});
+
+it("deletes no stage that fell asleep after the question", () => {
+  const { app, discard, press } = shown();
+  press("delete them …");
+  app.stageList.all.value = [...app.stageList.all.value, asleep("later")];
+  press("delete them");
+  expect(discard.mock.calls.map(([id]) => id)).toEqual(["a", "b"]);
 });

@@ -1,4 +1,4 @@
-/** The part of the list that deletes at once all stages that somebody has left behind. */
+/** The part of the list that deletes all sleeping stages without a name at once. */
 
 import { signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit-html";
@@ -10,13 +10,13 @@ import type { App } from "../../view/app";
 /** The most stages that the question names. */
 const MOST_NAMES = 8;
 
-/** Returns the stages that sleep, without a name; not `watched`, and none in which a fork began. */
+/** Returns the sleeping stages without a name; not the `watched` stage, and no stage in which a fork began. */
 export function leftBehind(stages: readonly StageInfo[], watched: string): StageInfo[] {
   const origins = new Set(stages.map(({ origin }) => origin?.stage));
   return stages.filter(({ id, name, asleep }) => asleep && !name && id !== watched && !origins.has(id));
 }
 
-/** Says which stages would go, and what with them. */
+/** Names the stages that would be deleted, and counts their inputs. */
 function question(doomed: readonly StageInfo[]): string {
   const more = doomed.length - MOST_NAMES;
   const names =
@@ -29,16 +29,17 @@ export function leftBehindPart(
   { stage, stageList, stages }: App,
   act: (request: Promise<unknown>) => Promise<void>,
 ) {
-  const isAsked = signal(false);
+  /** The stages that the question names: no other stage is deleted, though more may fall asleep meanwhile. */
+  const asked = signal<ReadonlySet<string>>(new Set());
 
-  /** Asks, or takes the question back; the focus goes along. */
-  function ask(asked: boolean): void {
-    isAsked.value = asked;
+  /** Asks about stages, or takes the question back (none); the focus goes along. */
+  function ask(about: readonly StageInfo[]): void {
+    asked.value = new Set(about.map(({ id }) => id));
     queueMicrotask(() => document.querySelector<HTMLElement>("#left-behind button")?.focus());
   }
 
   async function remove(doomed: readonly StageInfo[]): Promise<void> {
-    isAsked.value = false;
+    asked.value = new Set();
     await act(Promise.all(doomed.map(({ id }) => stages.discard(id, "main"))));
   }
 
@@ -50,17 +51,17 @@ export function leftBehindPart(
       }}
     >
       <p .textContent=${question(doomed)}></p>
-      <button type="button" @click=${() => ask(false)}>keep them</button>
+      <button type="button" @click=${() => ask([])}>keep them</button>
       <button type="submit">delete them</button>
     </form>`;
 
   return (): TemplateResult | typeof nothing => {
-    const doomed = leftBehind(stageList.all.value, stage.hello.value?.stage ?? "main");
-    if (!doomed.length) return nothing;
-    const words = `Asleep and without a name: ${plural(doomed.length, "stage")}.`;
+    const asleep = leftBehind(stageList.all.value, stage.hello.value?.stage ?? "main");
+    if (!asleep.length) return nothing;
+    const named = asleep.filter(({ id }) => asked.value.has(id));
     return html`<section id="left-behind">
-      <p .textContent=${words}></p>
-      ${isAsked.value ? asking(doomed) : html`<button type="button" @click=${() => ask(true)}>delete them …</button>`}
+      <p .textContent=${`Asleep and without a name: ${plural(asleep.length, "stage")}.`}></p>
+      ${named.length ? asking(named) : html`<button type="button" @click=${() => ask(asleep)}>delete them …</button>`}
     </section>`;
   };
 }

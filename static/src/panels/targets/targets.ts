@@ -16,7 +16,7 @@ import { onFacingPlane, PointHandles } from "../../view/pointHandles";
 const IN_FRONT = 1.2;
 /** Metres: the size of a handle, as a part of the character's height. */
 const SIZE = 0.035;
-/** Metres between a point and its first place that count as none. */
+/** Metres: a point that is nearer to its first place counts as being there. */
 const MOVED = 1e-5;
 
 class TargetsPanel {
@@ -143,7 +143,7 @@ class TargetsPanel {
     return isShown;
   }
 
-  /** Puts the handles where their points are, those of chains that nobody holds excepted; offers the way back. */
+  /** Puts each handle where its point is, but for chains that nobody holds; shows the buttons that put points back. */
   private place(): void {
     for (const name of this.shown)
       if (!this.grips.has(name) || this.handles.dragging === name)
