@@ -1,6 +1,7 @@
-"""A server that holds as many stages as it may: the page says so, works on, and clears away unused ones."""
+"""A server that holds as many stages as it may, and a stage with as many viewers: the page says so."""
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import httpx
 import pytest
@@ -37,3 +38,17 @@ def test_a_link_shows_main_and_what_nobody_uses_can_be_cleared_away(
     page.get_by_text("Asleep and without a name").wait_for(state="detached")
     opened(link)
     until(page, "__viewer.stage() !== 'main' && __viewer.ready")
+
+
+def test_a_stage_with_as_many_viewers_as_it_may_have_says_so_and_shows_itself_when_one_leaves(
+    tmp_path: Path, opened: Callable[[str], Page], allowed: list[str]
+) -> None:
+    allowed.append("WebSocket connection to")
+    with Server(tmp_path, "--limit", "viewers=1") as small:
+        first = opened(small.url)
+        second = first.context.new_page()
+        second.goto(f"{small.url}?fps=6")
+        second.get_by_text("full, trying again").wait_for()
+        second.locator("#notices p", has_text="as many viewers as it may have").wait_for()
+        first.goto("about:blank")
+        until(second, "window.__viewer?.ready && __viewer.link() === 'live'")

@@ -19,7 +19,7 @@ from statwalk.services.access.roles import EVERYTHING
 from statwalk.services.hosting import actor_tracks, machine_versions, stage_lock
 from statwalk.services.hosting.audience import Audience
 from statwalk.services.hosting.stage_lock import StageLock
-from statwalk.services.publish import fanout
+from statwalk.services.limits import Limits
 from statwalk.services.publish.fanout import Fanout
 from statwalk.services.publish.outbox import Outbox
 from statwalk.web import client_protocol, server, upload_limiter
@@ -46,7 +46,7 @@ REACHED_BY = {
     "::test_a_costly_stage_slows_down_and_its_neighbour_does_not",
     "rest_seconds": "services/hosting/test_attention.py::test_a_stage_that_nobody_uses_takes_no_ticks",
     "idle_seconds": "services/hosting/test_registry.py::test_idle_stages_are_let_go_and_no_others",
-    "MOST_VIEWERS": f"{HERE}::test_one_viewer_more_is_refused",
+    "viewers": f"{HERE}::test_one_viewer_more_is_refused",
     "CAMERAS_PER_SECOND": f"{HERE}::test_one_camera_more_is_refused",
     "LIST_SECONDS": f"{HERE}::test_the_list_of_viewers_is_not_sent_more_often",
     "LONGEST_STAGE_NAME": f"{HERE}::test_a_longer_name_of_a_stage_is_refused",
@@ -138,10 +138,9 @@ async def opened(client: httpx.AsyncClient) -> str:
     return (await client.post("/api/stages", json=WALKER)).headers["location"]
 
 
-def test_one_viewer_more_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(fanout, "MOST_VIEWERS", 1)
+def test_one_viewer_more_is_refused() -> None:
     with (
-        serving(create_app()) as address,
+        serving(create_app(Settings(limits=Limits(viewers=1)))) as address,
         Watcher(address, "/api/stages/main"),
         pytest.raises(InvalidStatus) as refused,
     ):
@@ -194,7 +193,7 @@ async def test_one_operation_more_is_refused(client: httpx.AsyncClient) -> None:
 @pytest.mark.anyio
 async def test_the_list_of_viewers_is_not_sent_more_often() -> None:
     now, outbox = 0.0, Outbox("pose")
-    audience = Audience(Fanout(), pickle.dumps, lambda: now)
+    audience = Audience(Fanout(), pickle.dumps, lambda: now, most=2)
     audience.join(outbox, EVERYTHING)
     outbox.take_texts()
     audience.change(outbox, name="ada")

@@ -11,8 +11,6 @@ MOST_ACTORS = 2_000
 """the most actors on one stage, unless you choose fewer"""
 MOST_TICKS = 36_000
 """the most ticks in one `step`"""
-MOST_VIEWERS = 256
-"""the most viewers of one stage"""
 MOST_UPLOADS = 200
 BURST_SECONDS = 2.0
 """a rate may be exceeded until what came is as much as in this time"""
@@ -25,6 +23,8 @@ class Limits:
     stages: int = 64
     actors: int = MOST_ACTORS
     """on one stage"""
+    viewers: int = 256
+    """of one stage"""
     entries: int = 100_000
     """in the log of one stage; the oldest are forgotten"""
     tick_entries: int = 20_000

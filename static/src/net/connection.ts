@@ -11,7 +11,7 @@ import {
 import type { Delivery } from "./relay";
 import { type FrameSocket, WorkerSocket } from "./workerSocket";
 
-export type Link = "connecting" | "live" | "lost" | "refused";
+export type Link = "connecting" | "live" | "lost" | "full" | "refused";
 
 export interface Handlers {
   /** The link changed its state; `detail` is for the user. */
@@ -75,6 +75,11 @@ export class Connection {
     this.close();
     this.turnedAway = true;
     this.handlers.link("refused", detail);
+  }
+
+  /** Goes on trying: the stage has no room for one more viewer yet; `detail` is for the user. */
+  awaitRoom(detail: string): void {
+    if (!this.heard) this.handlers.link("full", detail);
   }
 
   /** Retries at once. */

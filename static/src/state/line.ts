@@ -34,6 +34,11 @@ export class Line {
     this.connection.retryNow();
   }
 
+  /** Goes on trying until the stage has room; `detail` is for the user. */
+  awaitRoom(detail: string): void {
+    this.connection.awaitRoom(detail);
+  }
+
   /** Gives up until `retry`; `detail` is for the user. */
   refuse(detail: string): void {
     this.connection.refuse(detail);

@@ -25,6 +25,9 @@ import type { Selection } from "./selection";
 import type { WatchedMachine } from "./watchedMachine";
 import type { WatchedStage } from "./watchedStage";
 
+const FULL =
+  "This stage has as many viewers as it may have. The page tries again; choose a machine for a stage of your own.";
+
 /** The parts of the state that a session keeps up to date. */
 export interface SessionParts {
   line: Line;
@@ -54,6 +57,8 @@ export class Session {
   heardAt = 0;
   /** The stage, and the tick at which it came back, of the newest notice about it. */
   private toldRestored = "";
+  /** Whether the user knows, since the line was last live, that the stage is full. */
+  private toldFull = false;
   readonly inputs: Inputs;
   /** The fork that the page goes to. */
   private forking = "";
@@ -65,7 +70,9 @@ export class Session {
     line.failed.on(() => void this.findStage());
     line.link.subscribe(({ state }) => {
       if (state === "lost") past.runs.markGap();
-      if (state === "live") void this.readAccess();
+      if (state !== "live") return;
+      this.toldFull = false;
+      void this.readAccess();
     });
   }
 
@@ -176,7 +183,10 @@ export class Session {
   private async findStage(): Promise<void> {
     const { id } = this.parts.stage;
     const refusal = await api.stage(id).then(
-      () => null,
+      ({ full }) => {
+        if (full) this.awaitRoom();
+        return null;
+      },
       (error: unknown) => (error instanceof api.ApiError ? error : null),
     );
     if (refusal?.status === 401) this.parts.line.refuse(refusal.message);
@@ -185,6 +195,12 @@ export class Session {
     this.parts.notices.emit(`Stage ${id} is gone: you now watch main.`);
     this.gone.emit(null);
     this.watch("main");
+  }
+
+  private awaitRoom(): void {
+    this.parts.line.awaitRoom(FULL);
+    if (!this.toldFull) this.parts.notices.emit(FULL);
+    this.toldFull = true;
   }
 
   /** Watches the one stage that this browser may watch; `detail` says why not the present one. */

@@ -3,7 +3,7 @@
 import asyncio
 
 import pytest
-from statwalk.errors import UnknownNameError
+from statwalk.errors import BusyError, UnknownNameError
 from statwalk.services.access.authenticator import START_NAME
 from statwalk.services.access.roles import EVERYTHING, Grant
 from statwalk.services.hosting.audience import LIST_SECONDS, Audience
@@ -14,6 +14,7 @@ from statwalk.services.publish.outbox import Outbox
 pytestmark = pytest.mark.anyio
 ADA, BOB = Grant("ada", "admin", digest="1"), Grant("bob", "view", digest="2")
 GUEST, START = Grant("link 1a", "view", stage="main", digest="3"), Grant(START_NAME, "admin", digest="4")
+MOST = 4
 
 
 class Stage:
@@ -21,7 +22,7 @@ class Stage:
 
     def __init__(self) -> None:
         self.now = 0.0
-        self.audience = Audience(Fanout(), lambda told: told, lambda: self.now)
+        self.audience = Audience(Fanout(), lambda told: told, lambda: self.now, MOST)
 
     def viewer(self, grant: Grant = EVERYTHING) -> Outbox:
         outbox = Outbox("pose")
@@ -144,3 +145,12 @@ async def test_who_acts_on_the_clock(stage: Stage) -> None:
 async def test_nobody_acts_in_the_name_of_a_viewer_with_another_token(stage: Stage) -> None:
     stage.viewer(ADA)
     assert stage.audience.doer(1, BOB) == Doer("bob")
+
+
+async def test_a_full_audience_has_room_again_when_a_viewer_leaves(stage: Stage) -> None:
+    viewers = [stage.viewer() for _ in range(MOST)]
+    assert stage.audience.is_full
+    with pytest.raises(BusyError, match=f"has {MOST} viewers"):
+        stage.viewer()
+    stage.audience.leave(viewers[0])
+    assert not stage.audience.is_full

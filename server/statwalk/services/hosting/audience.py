@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from statwalk.errors import UnknownNameError
+from statwalk.errors import BusyError, UnknownNameError
 from statwalk.services.access.authenticator import START_NAME
 from statwalk.services.access.roles import Grant
 from statwalk.services.hosting.commands import Doer
@@ -30,8 +30,8 @@ class Audience:
     Call it in the event loop; `present` and `doer` may be asked in any thread.
     """
 
-    def __init__(self, fanout: Fanout, encode: Any, now: Now) -> None:
-        self._fanout, self._encode, self._now = fanout, encode, now
+    def __init__(self, fanout: Fanout, encode: Any, now: Now, most: int) -> None:
+        self._fanout, self._encode, self._now, self._most = fanout, encode, now, most
         self._present: dict[Outbox, Presence] = {}
         self._grants: dict[int, Grant] = {}
         self._cameras: dict[int, Camera] = {}
@@ -41,6 +41,11 @@ class Audience:
     def present(self) -> Present:
         """The viewers."""
         return Present(tuple(self._present.copy().values()))
+
+    @property
+    def is_full(self) -> bool:
+        """Whether the stage has as many viewers as it may have."""
+        return len(self._present) >= self._most
 
     def doer(self, viewer: int, grant: Grant) -> Doer:
         """Returns who sends a request: the `viewer` that it names, if that has the same grant, else the
@@ -55,8 +60,10 @@ class Audience:
     def join(self, outbox: Outbox, grant: Grant, loop: Loop | None = None) -> None:
         """Adds a viewer that `loop` serves, by default the loop that runs.
 
-        :raises BusyError: when the stage has the most viewers that it may have.
+        :raises BusyError: when the stage has as many viewers as it may have.
         """
+        if self.is_full:
+            raise BusyError(f"this stage has {self._most} viewers, and no room for more; try again later")
         self._fanout.join(outbox, loop)
         self._newest += 1
         self._grants = self._grants | {self._newest: grant}

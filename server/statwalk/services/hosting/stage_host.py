@@ -55,7 +55,7 @@ class StageHost:
         self.id, self.clock_kind, self.rate = identity.id, identity.clock, stage.rate
         self._live = LiveStage(identity, stage, home, name)
         self._lock, self._attention = StageLock(home.now), Attention(identity, self._live)
-        self.audience = Audience(self._live.fanout, home.encode_fact, home.now)
+        self.audience = Audience(self._live.fanout, home.encode_fact, home.now, home.limits.viewers)
         self.idle_for = self._attention.idle_for
         self._closed = threading.Event()
         self._past = PastStages(self._copy)

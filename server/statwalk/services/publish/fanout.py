@@ -11,8 +11,6 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Protocol
 
-from statwalk.errors import BusyError
-from statwalk.services.limits import MOST_VIEWERS
 from statwalk.services.publish.outbox import EncodedFrame, Ending, FrameForm, Outbox
 
 
@@ -38,12 +36,7 @@ class Fanout:
         self.scheduled = False
 
     def join(self, outbox: Outbox, loop: Loop | None = None) -> None:
-        """Adds a viewer that `loop` serves, by default the loop that runs.
-
-        :raises BusyError: when the stage has the most viewers that it may have.
-        """
-        if len(self.outboxes) >= MOST_VIEWERS:
-            raise BusyError(f"this stage has {MOST_VIEWERS} viewers, and no room for more; try again later")
+        """Adds a viewer that `loop` serves, by default the loop that runs."""
         self.loop = loop or asyncio.get_running_loop()
         self.outboxes = (*self.outboxes, outbox)
 

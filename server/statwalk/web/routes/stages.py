@@ -93,6 +93,7 @@ def view_stage(host: StageHost, facts: StageFacts) -> StageView:
         seconds=facts.seconds,
         hash=facts.hash,
         asleep=facts.asleep,
+        full=host.audience.is_full,
         actors=[view_actor(actor) for actor in facts.actors],
         **place,
         **asdict(facts.status),

@@ -145,4 +145,6 @@ class StageView(ResponseModel):
     """why nothing can be kept now, such as a full disk; empty while everything is kept"""
     asleep: bool
     """nobody looks and nobody asks: its time stands until somebody does"""
+    full: bool
+    """it has as many viewers as it may have: one more is refused"""
     actors: list[ActorView]

@@ -3645,6 +3645,8 @@ export interface components {
             trouble: string;
             /** @description nobody looks and nobody asks: its time stands until somebody does */
             asleep: boolean;
+            /** @description it has as many viewers as it may have: one more is refused */
+            full: boolean;
             actors: components["schemas"]["ActorView"][];
         };
         /** @description A layer of an actor enters `state` at `tick`. */

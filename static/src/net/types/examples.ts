@@ -160,6 +160,7 @@ export function stageInfo(members: Partial<StageInfo>): StageInfo {
     speed: 1,
     pace: 1,
     asleep: false,
+    full: false,
     changed: null,
   };
   return {

@@ -29,6 +29,7 @@ export interface Connected {
 /** Returns what matters most, in a word or two. */
 export function linkWord({ link, isSilent, status, isLive }: Connected): string {
   if (link === "lost") return "lost, trying again";
+  if (link === "full") return "full, trying again";
   if (link !== "live") return link;
   if (isSilent) return "no answer";
   if (status.trouble) return "not kept";
