@@ -99,6 +99,18 @@ def test_a_fork_stays_though_nothing_happened_in_it(server: Server) -> None:
     assert server.opens_another() == [server.newer]
 
 
+def test_a_fork_that_is_refused_replaces_no_stage(server: Server) -> None:
+    server.registry.limits = Limits(stages=6)
+    forward_at_0 = ask.Post((SendEvent("FORWARD"),), 0)
+    server.older.handle(ask.Step(3))
+    for _ in range(3):
+        server.older.handle(forward_at_0)
+    server.time += LIMITS.rest_seconds + 1
+    with pytest.raises(LimitError, match="forks that nobody uses"):
+        server.older.handle(forward_at_0)
+    assert server.newer in server.registry.all()
+
+
 def test_a_stage_that_is_awake_stays(server: Server) -> None:
     server.registry.open(WALKER)
     with pytest.raises(LimitError):

@@ -93,8 +93,10 @@ class Registry:
         :raises LimitError: when the server holds the most stages that it may.
         :raises StorageError: when the disk refuses to keep the stage.
         """
+        if host.is_unclaimed:
+            self._check_unclaimed()
         self._make_room()
-        self._check_room_for(host)
+        self._add(host)
         try:
             self._keep(host, also)
         except StorageError:
@@ -109,14 +111,16 @@ class Registry:
             if replaced is not None:
                 self._remove(replaced.id)
 
-    def _check_room_for(self, host: StageHost) -> None:
+    def _check_unclaimed(self) -> None:
+        unclaimed = sum(stage.is_unclaimed for stage in self.all())
+        if unclaimed >= self.limits.stages * UNCLAIMED_SHARE:
+            raise LimitError(
+                f"the server holds {unclaimed} forks that nobody uses, and no more; use one of them",
+                limit="stages",
+            )
+
+    def _add(self, host: StageHost) -> None:
         with self.lock:
-            unclaimed = sum(stage.is_unclaimed for stage in self.stages.values())
-            if host.is_unclaimed and unclaimed >= self.limits.stages * UNCLAIMED_SHARE:
-                raise LimitError(
-                    f"the server holds {unclaimed} forks that nobody uses, and no more; use one of them",
-                    limit="stages",
-                )
             if len(self.stages) >= self.limits.stages:
                 raise LimitError(
                     f"the server holds {self.limits.stages} stages, and no more; delete one first",
