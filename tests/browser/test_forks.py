@@ -119,7 +119,6 @@ def test_the_list_of_stages_says_which_one_sleeps_and_renames_it(
         rows = page.locator("#stages li")
         rows.filter(has_text="Rehearsal").filter(has_text="asleep · no viewer").wait_for()
         page.get_by_role("button", name="rename Rehearsal").click()
-        page.keyboard.press("Control+a")
         page.keyboard.type("Premiere")
         page.keyboard.press("Enter")
         rows.filter(has_text="Premiere").get_by_title("watch it").click()

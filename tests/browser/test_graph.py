@@ -143,6 +143,25 @@ def test_a_dragged_state_stays_where_it_is_and_moves_no_other(graph: Page, walke
     assert httpx.get(f"{walker.url}/api/machines/faq-walker").json()["view"]["base"].keys() == after.keys()
 
 
+def test_arranging_forgets_the_places_that_the_file_keeps(graph: Page, walker: Server) -> None:
+    """The graph is then as a new page lays it out; an undo gives the places back."""
+    version = newest(walker)
+    x, y = middle(graph, "FLY")
+    drag(graph, (x, y), (x + 30, y + 20))
+    until(graph, "window.__viewer.version() === arg", version + 1)
+    kept = graph.evaluate(PLACES)
+    graph.get_by_role("button", name="lay the graph out anew").click()
+    until(graph, "window.__viewer.version() === arg", version + 2)
+    until(graph, f"JSON.stringify({PLACES}) !== JSON.stringify(arg)", kept)
+    arranged = graph.evaluate(PLACES)
+    assert httpx.get(f"{walker.url}/api/machines/faq-walker").json()["view"] == {}
+    graph.reload()
+    graph.wait_for_selector("#graph .state[data-state=WALK]")
+    assert graph.evaluate(PLACES) == arranged
+    graph.get_by_role("button", name="undo").click()
+    until(graph, f"JSON.stringify({PLACES}) === JSON.stringify(arg)", kept)
+
+
 OVERLAPPING = """[...document.querySelectorAll('#graph .edge:not(.squeezed) text')]
   .map(text => text.getBoundingClientRect())
   .some((a, i, all) => all.slice(i + 1).some(

@@ -31,10 +31,11 @@ def test_a_copy_is_made_watched_and_deleted(own: Server, table: Page) -> None:
 def test_a_machine_is_made_from_nothing_renamed_and_exported(
     own: Server, table: Page, allowed: list[str]
 ) -> None:
-    """A name that is taken is refused in the menu."""
+    """Typing replaces the proposed name; a name that is taken is refused in the menu."""
     allowed.append("status of 409")
     choose(table, "new, from nothing")
-    table.get_by_role("textbox", name="name").fill("fresh")
+    table.get_by_role("textbox", name="name").wait_for()
+    table.keyboard.type("fresh")
     table.keyboard.press("Enter")
     until(table, "document.querySelector('#picker select').value === 'fresh' && __viewer.ready")
     choose(table, "rename")

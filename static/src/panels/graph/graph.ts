@@ -26,12 +26,14 @@ export function graphPanel(host: HTMLElement, app: App): void {
     button("−", "zoom out", () => graph.camera.zoomBy(1 / ZOOM)),
     button("+", "zoom in", () => graph.camera.zoomBy(ZOOM)),
     button("fit", "fit the graph", () => graph.fit()),
+    button("arrange", "lay the graph out anew", () => void graph.arrange()),
     button("delete", "delete the selected arrow", () => void deleteSelected(app)),
     button("fold", "fold all sub-machines", () => app.folds.toggleAll()),
   ];
   host.append(el("div", { class: "graph-buttons group" }, ...buttons), note);
-  app.inspection.selected.subscribe((selected) => (buttons[3]!.hidden = selected?.event == null));
-  effect(() => showFolding(buttons[4]!, app.folds));
+  app.inspection.selected.subscribe((selected) => (buttons[4]!.hidden = selected?.event == null));
+  effect(() => showFolding(buttons[5]!, app.folds));
+  app.commands.add({ keys: [], words: "lay the graph out anew", act: () => void graph.arrange() });
   app.commands.add({ keys: [], words: "fold or unfold all sub-machines", act: () => app.folds.toggleAll() });
 }
 

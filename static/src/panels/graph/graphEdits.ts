@@ -20,6 +20,15 @@ export async function keepPlace({ editing, machine }: App, state: string, places
   return editing.operate([{ kind: "set_view", layer: layer.name, positions }]);
 }
 
+/** Deletes the places that the file keeps of the layer's states; returns whether it keeps none now. */
+export async function deletePlaces({ editing, machine }: App): Promise<boolean> {
+  const [info, layer] = [machine.info.value, machine.layerInfo];
+  if (!info || !layer) return false;
+  const positions = Object.fromEntries([...filed(info, layer).keys()].map((name) => [name, null]));
+  if (Object.keys(positions).length === 0) return true;
+  return editing.operate([{ kind: "set_view", layer: layer.name, positions }]);
+}
+
 /** Asks for the event of an arrow and makes its cell; returns the event, or null if nothing was made. */
 export async function makeArrow(app: App, from: string, to: string, at: Point): Promise<string | null> {
   const [info, layer] = [app.machine.info.value, app.machine.layerInfo];

@@ -5,7 +5,7 @@ import type { LayerInfo, MachineInfo, Verdict } from "../../net/protocol";
 import type { App } from "../../view/app";
 import { Camera } from "./camera";
 import { type Content, folded, partOf, withFolded } from "./content";
-import { keepPlace } from "./graphEdits";
+import { deletePlaces, keepPlace } from "./graphEdits";
 import { LayerPlaces } from "./layerPlaces";
 import { Picture } from "./picture";
 import { placeStates } from "./places";
@@ -100,6 +100,15 @@ export class GraphView {
   /** Keeps the place of a moved state; if it is refused, the state goes back. */
   async keep(state: string): Promise<void> {
     if (await keepPlace(this.app, state, this.places)) return;
+    this.drawn = null;
+    this.draw();
+  }
+
+  /** Lays the states out anew; it deletes the places that the file keeps, unless only a part is drawn. */
+  async arrange(): Promise<void> {
+    if (!this.isPart && !(await deletePlaces(this.app))) return;
+    const [machine, layer] = [this.app.machine.info.value, this.app.machine.layerInfo];
+    if (machine && layer) this.layerPlaces.forget(machine, layer);
     this.drawn = null;
     this.draw();
   }

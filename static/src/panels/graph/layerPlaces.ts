@@ -15,7 +15,7 @@ export class LayerPlaces {
   /** Returns the places of a layer's states; `room`: of the panel, for a first layout. */
   of(machine: MachineInfo, layer: LayerInfo, room: Size): Places {
     const names = layer.states.map(({ name }) => name);
-    const key = JSON.stringify([machine.name, layer.name]);
+    const key = keyOf(machine, layer);
     const before = this.remembered.get(key);
     const kept = before ? renamed(before.places, before.names, names) : new Map<string, Point>();
     const places = placeStates(names, layer.edges, new Map([...kept, ...filed(machine, layer)]), room);
@@ -23,7 +23,14 @@ export class LayerPlaces {
     this.remembered.set(key, { names, places: new Map([...places, ...kept]) });
     return places;
   }
+
+  /** Forgets the places of a layer's states: the next layout begins anew. */
+  forget(machine: MachineInfo, layer: LayerInfo): void {
+    this.remembered.delete(keyOf(machine, layer));
+  }
 }
+
+const keyOf = (machine: MachineInfo, layer: LayerInfo): string => JSON.stringify([machine.name, layer.name]);
 
 /** Returns the places that the machine's file keeps. */
 export function filed({ view }: MachineInfo, { name }: LayerInfo): Map<string, Point> {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { placeStates, renamed } from "./places";
-import { overlap, rectOf, stateWidth } from "./shapes";
+import { STATE_HEIGHT, overlap, rectOf, stateWidth } from "./shapes";
 
 const KEPT = new Map([
   ["A", { x: 0, y: 0 }],
@@ -22,6 +22,12 @@ describe("placeStates", () => {
     );
     expect(Math.hypot(x - 300, y)).toBeLessThan(90);
     expect(overlap(boxes[0]!, boxes[1]!)).toBe(false);
+  });
+
+  it("leaves room for the label between a new state and its neighbour", () => {
+    const { x, y } = places.get("NEW")!;
+    const gaps = [Math.abs(x - 300) - (stateWidth("NEW") + stateWidth("B")) / 2, Math.abs(y) - STATE_HEIGHT];
+    expect(Math.max(...gaps)).toBeGreaterThanOrEqual(24);
   });
 
   it("lays out a machine without kept places", () =>

@@ -4,8 +4,10 @@ import type { Edge } from "../../net/protocol";
 import { layOut } from "./layout";
 import { type Places, type Point, type Size, STATE_HEIGHT, overlap, rectOf, stateWidth } from "./shapes";
 
-const GAP = 22;
-const RINGS = 40;
+/** Between states, with and without room for the label of an arrow. */
+const [LABEL_GAP, GAP] = [48, 22];
+/** How many rings around its neighbours a new state tries, with each of these gaps. */
+const [LABEL_RINGS, RINGS] = [3, 40];
 
 /** Returns the place of each state: its kept one, one beside its neighbours, or of a new layout if none is kept. */
 export function placeStates(
@@ -34,24 +36,33 @@ export function renamed(
   return place ? new Map([...kept, [after[index]!, place]]) : kept;
 }
 
-/** Returns the free place nearest to a state's neighbours. */
+/** Returns the free place nearest to a state's neighbours, with room for labels if that is near. */
 function freePlace(name: string, edges: readonly Edge[], places: Places): Point {
   const beside = edges
     .filter(({ from, to }) => from === name || to === name)
     .flatMap(({ from, to }) => places.get(from === name ? to : from) ?? []);
   const start = middle(beside.length ? beside : [...places.values()]);
-  const [width, height] = [stateWidth(name) + GAP, STATE_HEIGHT + GAP];
+  return (
+    spotNear(start, name, places, LABEL_GAP, LABEL_RINGS) ??
+    spotNear(start, name, places, GAP, RINGS) ??
+    start
+  );
+}
+
+/** Returns the place nearest to `start` with a gap to all states. */
+function spotNear(start: Point, name: string, places: Places, gap: number, rings: number): Point | null {
+  const [width, height] = [stateWidth(name) + gap, STATE_HEIGHT + gap];
   const taken = [...places].map(([other, place]) =>
-    rectOf({ name: other, ...place, width: stateWidth(other) }, GAP / 2),
+    rectOf({ name: other, ...place, width: stateWidth(other) }, gap / 2),
   );
   const free = (place: Point): boolean =>
     !taken.some((rect) => overlap(rect, rectOf({ name, ...place, width: stateWidth(name) })));
-  for (let ring = 0; ring < RINGS; ring++)
+  for (let ring = 0; ring < rings; ring++)
     for (const [across, down] of spots(ring)) {
       const place = { x: start.x + (across * width) / 2, y: start.y + down * height };
       if (free(place)) return place;
     }
-  return start;
+  return null;
 }
 
 function middle(points: readonly Point[]): Point {

@@ -8,6 +8,7 @@ import * as machines from "../../net/machines";
 import { reasonOf } from "../../net/reason";
 import { el } from "../../ui/dom";
 import { draw } from "../../ui/draw";
+import { focusFirst } from "../../ui/focusFirst";
 import { stepThrough } from "../../ui/menuKeys";
 import type { App } from "../../view/app";
 
@@ -165,7 +166,7 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
   });
   effect(() => {
     const first = ask.value ? "form input, form button" : "[role=menuitem]";
-    if (isOpen.value) queueMicrotask(() => host.querySelector<HTMLElement>(first)?.focus());
+    if (isOpen.value) queueMicrotask(() => focusFirst(host, first));
   });
   host.addEventListener("keydown", (press) => {
     if (!isOpen.value) return;

@@ -9,6 +9,7 @@ import * as api from "../../net/stages";
 import { reasonOf } from "../../net/reason";
 import { nameOfStage } from "../../state/stageList";
 import { draw } from "../../ui/draw";
+import { focusFirst } from "../../ui/focusFirst";
 import type { App } from "../../view/app";
 import { ghostDifference } from "./ghostDifference";
 import { leftBehindPart } from "./leftBehind";
@@ -46,7 +47,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
 
   function ask(next: NonNullable<Asked>): void {
     asked.value = next;
-    queueMicrotask(() => host.querySelector<HTMLElement>("li form :is(input, .keep)")?.focus());
+    queueMicrotask(() => focusFirst(host, "li form :is(input, .keep)"));
   }
 
   function named(submit: Event): string {

@@ -8,6 +8,7 @@ import type { Operation } from "../../net/protocol";
 import { EditingFields } from "../../state/editingFields";
 import { el } from "../../ui/dom";
 import { draw } from "../../ui/draw";
+import { focusFirst } from "../../ui/focusFirst";
 import { formField } from "../../ui/formField";
 import { stepThrough } from "../../ui/menuKeys";
 import type { App } from "../../view/app";
@@ -91,7 +92,7 @@ export function headMenu(host: HTMLElement, app: App): (head: Head, anchor: HTML
     box.hidden = menu === null;
     if (!menu) return;
     place(box, menu.anchor);
-    box.querySelector<HTMLElement>("input, [role=menuitem]:not([disabled])")?.focus();
+    focusFirst(box, "input, [role=menuitem]:not([disabled])");
   });
   app.machine.info.subscribe(() => opened.peek()?.ask && close(true));
   box.addEventListener("keydown", (press) => {
