@@ -6,6 +6,7 @@ import { html } from "lit-html";
 import type { Drawer } from "../../state/inspection";
 import { byId } from "../../ui/dom";
 import { draw } from "../../ui/draw";
+import { keepInSight } from "../../ui/keepInSight";
 import type { App } from "../../view/app";
 
 /** The stages and the people have commands of their own. */
@@ -28,6 +29,7 @@ const TABS: readonly (readonly [NonNullable<Drawer>, string])[] = [
 export function drawerPanel(host: HTMLElement, app: App): void {
   const { drawer } = app.inspection;
   app.view.scene.leaveRoomBeside(host);
+  keepInSight(host);
   const parts = [...host.querySelectorAll<HTMLElement>("[data-drawer]")];
   let opener: Element | null = null;
   const close = (): void => {

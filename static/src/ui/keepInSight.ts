@@ -1,0 +1,22 @@
+/** Keeps a field in sight while it is used. */
+
+const isNews = ({ target, addedNodes }: MutationRecord): boolean =>
+  (target as Element).matches(".field-error") ||
+  [...addedNodes].some((node) => node instanceof HTMLFieldSetElement);
+
+/**
+ * Scrolls `host` to the focused field, with what is said of it, when something is said of it, and when a new entry of
+ * the form moves it.
+ */
+export function keepInSight(host: HTMLElement): void {
+  const follow = (changes: readonly MutationRecord[]): void => {
+    const field = changes.some(isNews) && host.querySelector(".field:focus-within");
+    if (field) field.scrollIntoView({ block: "nearest" });
+  };
+  new MutationObserver(follow).observe(host, {
+    subtree: true,
+    childList: true,
+    attributes: true,
+    attributeFilter: ["hidden"],
+  });
+}
