@@ -134,6 +134,14 @@ def test_escape_cancels_an_import_and_is_no_stop_for_the_character(
     until(page, "__viewer.state() === 'STAT'")
 
 
+def test_enter_cancels_nothing_while_the_server_reads(viewer: Page) -> None:
+    drop(viewer, "hasty.glb", DOOR.read_bytes())
+    viewer.locator("dialog.import[open]").wait_for()
+    viewer.keyboard.press("Enter")
+    viewer.get_by_role("button", name="Make a machine").wait_for()
+    viewer.keyboard.press("Escape")
+
+
 @pytest.mark.parametrize("inbetween", ["blended", "switched"])
 def test_a_dropped_md2_plays_its_frames(own: Callable[[], set[str]], viewer: Page, inbetween: str) -> None:
     """A cycle of three frames: between two of them the picture is neither's, unless they are switched."""

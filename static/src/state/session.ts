@@ -134,7 +134,7 @@ export class Session {
     if (restored === null || key === this.toldRestored || head - restored > 60 * rate) return;
     this.toldRestored = key;
     this.parts.notices.emit(
-      `Restored: the server was started again, and this stage goes on at tick ${restored}.`,
+      `Restored: the server was started again, and stage ${stage} goes on at tick ${restored}.`,
     );
   }
 

@@ -10,8 +10,8 @@ const isNews = ({ target, addedNodes }: MutationRecord): boolean =>
  */
 export function keepInSight(host: HTMLElement): void {
   const follow = (changes: readonly MutationRecord[]): void => {
-    const field = changes.some(isNews) && host.querySelector(".field:focus-within");
-    if (field) field.scrollIntoView({ block: "nearest" });
+    const field = document.activeElement?.closest(".field");
+    if (field && host.contains(field) && changes.some(isNews)) field.scrollIntoView({ block: "nearest" });
   };
   new MutationObserver(follow).observe(host, {
     subtree: true,

@@ -28,11 +28,24 @@ def test_a_copy_is_made_watched_and_deleted(own: Server, table: Page) -> None:
     assert f"{NAME}-copy" not in names(own)
 
 
-def test_a_machine_is_made_from_nothing_renamed_and_exported(
+def test_who_may_not_rename_a_machine_stays_on_its_stage(
     own: Server, table: Page, allowed: list[str]
 ) -> None:
-    """Typing replaces the proposed name; a name that is taken is refused in the menu."""
+    """The stage is of a link: the page that made it may still want it."""
     allowed.append("status of 409")
+    httpx.post(f"{own.url}/api/machines", json={"name": "linked"}).raise_for_status()
+    made = httpx.post(f"{own.url}/api/stages", json={"actors": [{"machine": "linked"}]}).json()["id"]
+    table.goto(f"{own.url}/?machine=linked&stage={made}&fps=6")
+    until(table, "window.__viewer?.ready && __viewer.stage() === arg", made)
+    choose(table, "rename")
+    table.get_by_role("textbox", name="new name").fill("free")
+    table.keyboard.press("Enter")
+    table.locator("#machine-menu [role=alert]").filter(has_text=made).wait_for()
+    until(table, "__viewer.link() === 'live' && __viewer.stage() === arg", made)
+
+
+def test_a_machine_is_made_from_nothing_renamed_and_exported(own: Server, table: Page) -> None:
+    """Typing replaces the proposed name; a name that is taken is refused in the menu."""
     choose(table, "new, from nothing")
     table.get_by_role("textbox", name="name").wait_for()
     table.keyboard.type("fresh")

@@ -1,4 +1,4 @@
-"""Sentences about a table: proved, refuted with a way that can be tried, or undecided."""
+"""Sentences about a table: proved, refuted with a way that can be tried, undecided, or not understood."""
 
 import pytest
 from statwalk.files.machine_yaml.machine_file import read_machine
@@ -54,14 +54,14 @@ def test_the_counterexample_can_be_replayed():
             "warning",
             "undecided: how long the motions last is not known here",
         ),
-        ("WALL only after STAT", "error", "undecided: no state is called 'WALL'; did you mean WALK?"),
+        ("WALL only after STAT", "error", "not understood: no state is called 'WALL'; did you mean WALK?"),
         (
             "from STAT, GOO reaches FLY within 2 s",
             "error",
-            "undecided: no event is called 'GOO'; did you mean GO?",
+            "not understood: no event is called 'GOO'; did you mean GO?",
         ),
-        ("it looks good", "error", f"undecided: a property reads {FORMS}"),
+        ("it looks good", "error", f"not understood: a property reads {FORMS}"),
     ],
 )
-def test_undecided_with_the_reason(sentence, severity, message):
+def test_without_an_answer_the_reason(sentence, severity, message):
     assert answer(sentence) == (severity, message)

@@ -49,7 +49,8 @@ def write_machine(character: Character, source: Path, folder: Path, copy: bool =
 
 def write_folder(title: str, motions: list[Motion], model: Path, folder: Path, root: str = "") -> None:
     """Writes the machine file, and a large table beside it; nothing is written before the text is
-    complete. `root`: the joint that moves the character through the world; "": none.
+    complete. `title`; "": the machine is called by its name. `root`: the joint that moves the character
+    through the world; "": none.
     """
     inline = len(motions) <= LARGEST_INLINE
     text = machine_text(title, motions, model, inline, root)
@@ -164,10 +165,9 @@ def quoted(text: str) -> str:
 def machine_text(title: str, motions: list[Motion], model: Path, inline: bool, root: str = "") -> str:
     """Returns the text of the machine file."""
     lines = [
-        f"# Made by `statwalk new` from {quoted(model.name)}: a state for each clip. Edit it, then `statwalk "
-        "verify`.",
+        "# Made by statwalk. Edit it, then `statwalk verify`.",
         "semantics: 1",
-        f"title: {quoted(title)}",
+        *([f"title: {quoted(title)}"] if title else []),
         f"character: {quoted(str(model))}",
         *([f"root: {quoted(root)}"] if root else []),
         f"initial: {motions[0].state}",

@@ -87,17 +87,17 @@ class PropertyChecker:
         return timed(self.compiled, self.motions, self.work, self.play)
 
     def answer(self, question: PropertyDefinition) -> Finding:
-        """proved, refuted (with a shortest counterexample) or undecided (with the reason)."""
+        """proved, refuted (with a shortest counterexample), undecided or not understood (with the reason)."""
         self.work.checkpoint()
         text = question.text.strip()
         match = next(
             (match for form in (ONLY_AFTER, NEVER, LEADS, REACHES) if (match := form.fullmatch(text))), None
         )
         if match is None:
-            return _finding(question, "error", f"undecided: a property reads {FORMS}")
+            return _finding(question, "error", f"not understood: a property reads {FORMS}")
         unknown = self.unknown(match)
         if unknown:
-            return _finding(question, "error", f"undecided: {unknown}")
+            return _finding(question, "error", f"not understood: {unknown}")
         if match.re in (LEADS, REACHES):
             return self.within(question, match)
         first, second = self.states_of(match["first"]), self.states_of(match["second"])

@@ -18,7 +18,7 @@ from statwalk.files.machine_yaml.machine_file import FILE_NAME, MachineFile, loa
 from statwalk.files.machine_yaml.machine_text import MachineText
 from statwalk.files.machine_yaml.new_machine import named_motions, write_folder
 from statwalk.files.machine_zip import machine_zip, read_machine_zip
-from statwalk.files.yaml.yaml_edit import with_value
+from statwalk.files.yaml.yaml_edit import with_value, without
 from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.library.catalogue import Catalogue
 from statwalk.services.library.entry import Entry
@@ -43,12 +43,12 @@ def write(
     store = place.store
     with store.working() as folder, store.working() as written:
         sha256 = _keep_character(character, folder, store)
-        write_folder(place.name, named_motions(character, states), _model(store, sha256), written, root)
+        write_folder("", named_motions(character, states), _model(store, sha256), written, root)
         return _kept(place, written, lambda *_: character)
 
 
 def copy(place: NewPlace, entry: Entry, catalogue: Catalogue) -> tuple[Path, Role]:
-    """Writes a copy of a machine, as it is now, and moves it to its place in the store.
+    """Writes a copy of a machine, as it is now but without its title, and moves it to its place in the store.
 
     :raises ContentError: when the machine's character is refused.
     """
@@ -58,7 +58,8 @@ def copy(place: NewPlace, entry: Entry, catalogue: Catalogue) -> tuple[Path, Rol
     else:
         with place.store.working() as folder:
             sha256 = _keep_character(load_character_file(character_path(entry.file)), folder, place.store)
-    return _put(place, text, sha256, files, catalogue)
+    untitled = text._replace(yaml=without(text.yaml, ("title",)))
+    return _put(place, untitled, sha256, files, catalogue)
 
 
 def unpack(

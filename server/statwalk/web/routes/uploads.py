@@ -64,7 +64,8 @@ def check_name(name: str) -> str:
     if not NAME.fullmatch(name):
         raise Problem(
             422,
-            "a name has 1 to 64 letters a-z, digits, - and _, and begins with a letter or digit",
+            f"{name[:80]!r} is no name: use 1 to 64 letters (A-Z, a-z), digits, - and _; "
+            "begin with a letter or digit",
             field="name",
         )
     return name

@@ -27,7 +27,11 @@ const MOST_BYTES = 64 * 2 ** 20;
 const NAMES = 4;
 
 export class ImportDialog {
-  private readonly dialog = el("dialog", { class: "import", "aria-labelledby": "import-title" });
+  private readonly dialog = el("dialog", {
+    class: "import",
+    "aria-labelledby": "import-title",
+    tabindex: "-1",
+  });
   private readonly fileInput = el("input", {
     type: "file",
     accept: ACCEPT,
@@ -173,6 +177,7 @@ export class ImportDialog {
     const words = el("span", { class: "import-share", role: "status" }, "0 %");
     const facts = el("p", { class: "import-file" }, el("b", {}, file.name), ` ${size(file.size)}`);
     this.show("Importing your character", facts, bar, words);
+    this.dialog.focus(); // the only button cancels: an Enter that comes too early must not press it
     return (share) => {
       if (share < 1) bar.value = share;
       else bar.removeAttribute("value");

@@ -13,7 +13,7 @@ const HINTS =
 
 /** What the verifier says of a property. */
 export interface Verdict {
-  kind: "proved" | "refuted" | "undecided";
+  kind: "proved" | "refuted" | "not understood" | "undecided";
   words: string;
   finding: Finding;
 }
@@ -25,7 +25,8 @@ export function verdictOf(text: string, findings: readonly Finding[]): Verdict |
   );
   if (!finding) return null;
   const words = finding.message.slice(text.trim().length + 2);
-  const kind = (["proved", "refuted"] as const).find((name) => words.startsWith(name)) ?? "undecided";
+  const kind =
+    (["proved", "refuted", "not understood"] as const).find((name) => words.startsWith(name)) ?? "undecided";
   return { kind, words, finding };
 }
 

@@ -12,6 +12,9 @@ import { focusFirst } from "../../ui/focusFirst";
 import { stepThrough } from "../../ui/menuKeys";
 import type { App } from "../../view/app";
 
+/** Names that the server takes, for the browser, which refuses others before a stage is left for nothing. */
+const NAMES = { pattern: "[A-Za-z0-9][A-Za-z0-9_\\-]{0,63}", title: "letters, digits, - and _; no space" };
+
 /** A question: its words, the name that is proposed, if it asks for one, and what a yes does. */
 interface Ask {
   words: string;
@@ -58,6 +61,8 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
   /** Makes a machine under the name that was typed, and watches it. */
   function making(words: string, proposal: string, make: (name: string) => Promise<unknown>): Ask {
     const act = async (name: string): Promise<void> => {
+      if (taken().includes(name))
+        throw new Error(`A machine is called ${name} already: choose another name.`);
       await make(name);
       await library.openMachine(name);
     };
@@ -65,17 +70,13 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
   }
 
   function renaming(name: string): Ask {
-    const rename = async (to: string): Promise<void> => {
-      await leave(app);
-      await machines.rename(name, to);
-    };
+    const rename = (to: string): Promise<unknown> => unplayed(app, () => machines.rename(name, to));
     return { ...making("new name", name, rename), yes: "rename it" };
   }
 
   function deletion(name: string): Ask {
     const act = async (): Promise<void> => {
-      await leave(app);
-      await machines.remove(name);
+      await unplayed(app, () => machines.remove(name));
       notices.emit(`${name} is deleted.`);
     };
     return { words: `Delete ${name} and its versions?`, yes: "delete it", proposal: null, act };
@@ -138,7 +139,15 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
           ? html`<p>${words}</p>`
           : html`<label>
               <span>${words}</span>
-              <input required maxlength="64" autocomplete="off" .value=${typed.value} @input=${input} />
+              <input
+                required
+                maxlength="64"
+                pattern=${NAMES.pattern}
+                title=${NAMES.title}
+                autocomplete="off"
+                .value=${typed.value}
+                @input=${input}
+              />
             </label>`
       }
       <p role="alert" ?hidden=${!error.value}>${error.value}</p>
@@ -178,6 +187,18 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
     if (target instanceof Node && !host.contains(target)) isOpen.value = false;
     if (!isOpen.value) ask.value = null;
   });
+}
+
+/** Does what needs a machine that no stage plays; if that is refused, the page goes back to its stage. */
+async function unplayed(app: App, act: () => Promise<unknown>): Promise<void> {
+  const { id } = app.stage;
+  await leave(app);
+  try {
+    await act();
+  } catch (refused) {
+    app.session.watch(id);
+    throw refused;
+  }
 }
 
 /** Watches the main stage, and waits until it is there: a machine on a stage can't be renamed or deleted. */
