@@ -26,7 +26,7 @@ export function graphPanel(host: HTMLElement, app: App): void {
     button("−", "zoom out", () => graph.camera.zoomBy(1 / ZOOM)),
     button("+", "zoom in", () => graph.camera.zoomBy(ZOOM)),
     button("fit", "fit the graph", () => graph.fit()),
-    button("arrange", "lay the graph out anew", () => void graph.arrange()),
+    button("arrange", "arrange: lay the graph out anew", () => void graph.arrange()),
     button("delete", "delete the selected arrow", () => void deleteSelected(app)),
     button("fold", "fold all sub-machines", () => app.folds.toggleAll()),
   ];
