@@ -77,7 +77,7 @@ export class Connection {
     this.handlers.link("refused", detail);
   }
 
-  /** Goes on trying: the stage has no room for one more viewer yet; `detail` is for the user. */
+  /** Says that the stage is full, while the connection tries again; `detail` is for the user. */
   awaitRoom(detail: string): void {
     if (!this.heard) this.handlers.link("full", detail);
   }

@@ -34,7 +34,7 @@ export class Line {
     this.connection.retryNow();
   }
 
-  /** Goes on trying until the stage has room; `detail` is for the user. */
+  /** Says that the stage is full, while the line tries again; `detail` is for the user. */
   awaitRoom(detail: string): void {
     this.connection.awaitRoom(detail);
   }

@@ -5,8 +5,8 @@ const isNews = ({ target, addedNodes }: MutationRecord): boolean =>
   [...addedNodes].some((node) => node instanceof HTMLFieldSetElement);
 
 /**
- * Scrolls `host` to the focused field, with what is said of it, when something is said of it, and when a new entry of
- * the form moves it.
+ * Scrolls `host` to the focused field and the error below the field: when the error changes, and when a new entry of the
+ * form moves the field.
  */
 export function keepInSight(host: HTMLElement): void {
   const follow = (changes: readonly MutationRecord[]): void => {

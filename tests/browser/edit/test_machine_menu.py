@@ -31,7 +31,7 @@ def test_a_copy_is_made_watched_and_deleted(own: Server, table: Page) -> None:
 def test_who_may_not_rename_a_machine_stays_on_its_stage(
     own: Server, table: Page, allowed: list[str]
 ) -> None:
-    """The stage is of a link: the page that made it may still want it."""
+    """A link led to the stage: the page did not make the stage, so it does not delete the stage."""
     allowed.append("status of 409")
     httpx.post(f"{own.url}/api/machines", json={"name": "linked"}).raise_for_status()
     made = httpx.post(f"{own.url}/api/stages", json={"actors": [{"machine": "linked"}]}).json()["id"]

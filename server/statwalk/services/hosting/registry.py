@@ -93,8 +93,7 @@ class Registry:
         :raises LimitError: when the server holds the most stages that it may.
         :raises StorageError: when the disk refuses to keep the stage.
         """
-        if host.is_unclaimed:
-            self._check_unclaimed()
+        self._check_unclaimed(host)  # before another stage goes for it
         self._make_room()
         self._add(host)
         try:
@@ -111,9 +110,9 @@ class Registry:
             if replaced is not None:
                 self._remove(replaced.id)
 
-    def _check_unclaimed(self) -> None:
+    def _check_unclaimed(self, host: StageHost) -> None:
         unclaimed = sum(stage.is_unclaimed for stage in self.all())
-        if unclaimed >= self.limits.stages * UNCLAIMED_SHARE:
+        if host.is_unclaimed and unclaimed >= self.limits.stages * UNCLAIMED_SHARE:
             raise LimitError(
                 f"the server holds {unclaimed} forks that nobody uses, and no more; use one of them",
                 limit="stages",
@@ -121,6 +120,7 @@ class Registry:
 
     def _add(self, host: StageHost) -> None:
         with self.lock:
+            self._check_unclaimed(host)
             if len(self.stages) >= self.limits.stages:
                 raise LimitError(
                     f"the server holds {self.limits.stages} stages, and no more; delete one first",

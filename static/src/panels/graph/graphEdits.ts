@@ -20,7 +20,7 @@ export async function keepPlace({ editing, machine }: App, state: string, places
   return editing.operate([{ kind: "set_view", layer: layer.name, positions }]);
 }
 
-/** Deletes the places that the file keeps of the layer's states; returns whether it keeps none now. */
+/** Deletes the places of the layer's states from the file; returns whether the file has no such place now. */
 export async function deletePlaces({ editing, machine }: App): Promise<boolean> {
   const [info, layer] = [machine.info.value, machine.layerInfo];
   if (!info || !layer) return false;

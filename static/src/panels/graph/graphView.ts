@@ -104,7 +104,7 @@ export class GraphView {
     this.draw();
   }
 
-  /** Lays the states out anew; it deletes the places that the file keeps, unless only a part is drawn. */
+  /** Lays the graph out anew. Deletes the places of states from the file, unless only a part of the graph is drawn. */
   async arrange(): Promise<void> {
     if (!this.isPart && !(await deletePlaces(this.app))) return;
     const [machine, layer] = [this.app.machine.info.value, this.app.machine.layerInfo];

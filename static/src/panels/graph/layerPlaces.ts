@@ -24,7 +24,7 @@ export class LayerPlaces {
     return places;
   }
 
-  /** Forgets the places of a layer's states: the next layout begins anew. */
+  /** Forgets the places of a layer's states, so that `of` lays the states out anew. */
   forget(machine: MachineInfo, layer: LayerInfo): void {
     this.remembered.delete(keyOf(machine, layer));
   }

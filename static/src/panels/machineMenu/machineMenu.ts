@@ -12,7 +12,7 @@ import { focusFirst } from "../../ui/focusFirst";
 import { stepThrough } from "../../ui/menuKeys";
 import type { App } from "../../view/app";
 
-/** Names that the server takes, for the browser, which refuses others before a stage is left for nothing. */
+/** The server's rule for names. The browser checks a name before the page leaves its stage for a new name. */
 const NAMES = { pattern: "[A-Za-z0-9][A-Za-z0-9_\\-]{0,63}", title: "letters, digits, - and _; no space" };
 
 /** A question: its words, the name that is proposed, if it asks for one, and what a yes does. */
@@ -189,7 +189,7 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
   });
 }
 
-/** Does what needs a machine that no stage plays; if that is refused, the page goes back to its stage. */
+/** Leaves the stage, then renames or deletes its machine (`act`); goes back to the stage if the server refuses. */
 async function unplayed(app: App, act: () => Promise<unknown>): Promise<void> {
   const { id } = app.stage;
   await leave(app);
