@@ -51,6 +51,14 @@ def test_the_lowest_come_first() -> None:
     assert 20 < sole.lowest < len(points)
 
 
+def test_the_foremost_skin_of_a_steep_foot_has_its_own_point() -> None:
+    points, low = chosen(1.0), SKIN[SKIN[:, 1] < SKIN[:, 1].min() + HIGHEST]
+    steep = np.array([0.0, 1.0, 1.2])  # what is foremost in a foot whose toes point down by 40 degrees
+    spread = points[: sole_points(CHARACTER, FOOT, REST, 1.0).spread]
+    assert (points @ steep).max() == pytest.approx((low @ steep).max(), abs=1e-6)
+    assert (spread @ steep).max() < (low @ steep).max() - 1e-3
+
+
 def test_a_foot_never_has_more_points_than_the_most(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "MOST", 40)
     assert len(chosen(1.0)) == 40

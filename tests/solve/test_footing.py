@@ -10,6 +10,7 @@ from foot_kernels import land, lie
 from paths import MACHINES
 from statwalk.services.library.load import load_role
 from statwalk.solve.foot_tables import FROM_X, FROM_Z, HALF_LENGTH, HEIGHT, OF_FIT, FootTables
+from statwalk.solve.footing import CALF_ROOM
 
 LEGS = load_role(MACHINES / "terrain").solvers.legs
 HALF = float(LEGS.print[0, HALF_LENGTH])
@@ -76,6 +77,13 @@ def test_a_foot_lands_wholly_on_a_step_or_wholly_before_it() -> None:
     assert place - HALF > 1.0
     place, _, _ = landed(on(STEP), 1.0 - 0.9 * HALF)
     assert place + HALF < 1.0
+
+
+@pytest.mark.parametrize(("height", "room"), [(0.4, CALF_ROOM), (0.1, 0.0)])
+def test_a_foot_lands_so_far_from_a_wall_behind_it_that_its_calf_has_room(height: float, room: float) -> None:
+    wall = (-1.0, -1.0, 1.0, 0.5, height, 0.0, 0.0)
+    place, _, _ = landed(on(wall), 0.5 + HALF + 0.015)
+    assert room <= place - HALF - 0.5 < room + 0.03
 
 
 def test_a_path_begins_and_ends_on_the_ground_and_is_above_all_between() -> None:

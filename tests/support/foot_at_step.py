@@ -30,5 +30,13 @@ def legs_at(y: float, z: float) -> np.ndarray:
     return _locked(legs)
 
 
+def toes_up(legs: np.ndarray, angle: float) -> np.ndarray:
+    """The same legs, their feet turned by an angle (radians) about the joint that carries them."""
+    turned = legs.copy()
+    turned[:, :, [5, 10]] = np.cos(angle)
+    turned[:, :, 6], turned[:, :, 9] = np.sin(angle), -np.sin(angle)
+    return _locked(turned)
+
+
 LOWEST = SOLE[:, 1].min()
 ON_THE_FLOOR = -LOWEST

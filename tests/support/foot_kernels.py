@@ -49,10 +49,12 @@ def aside(feet: Any, legs: Any, out: Any) -> None:
 @late_kernel(
     FEET, types.Array(types.float32, 4, "C", readonly=True), write(DOUBLE, 2), DOUBLE, returns=DOUBLE
 )
-def raised(feet: Any, legs: Any, keep: Any, level: float) -> Any:
-    """Returns by how much foot 0 of an actor at the origin is at least above its animated one."""
+def raised(feet: Any, legs: Any, keep: Any, shown: float) -> Any:
+    """Returns by how much foot 0 of an actor at the origin is at least above its animated one; `shown`: by
+    how much it would be if it had not come down.
+    """
     f, root = by_reference(feet), (0.0, 0.0, 0.0, 0.0, 1.0)
-    return floor_of(f, legs, keep, 0, 0, 0, (0.0, 0.0, 0.0, 0.0), (0, 0.0, 0.0, 0.0), root, level, 1 / 60)
+    return floor_of(f, legs, keep, 0, 0, 0, (0.0, 0.0, 0.0, 0.0), (0, 0.0, 0.0, 0.0), root, shown, 1 / 60)
 
 
 @late_kernel(FEET, types.Array(types.float32, 4, "C", readonly=True), returns=DOUBLE)

@@ -111,6 +111,7 @@ def leg_tables(
             other=beside(rest, feet),
             first_point=_firsts([len(sole.places) for sole in soles]),
             lowest=np.array([sole.lowest for sole in soles], np.int32),
+            spread=np.array([sole.spread for sole in soles], np.int32),
             carrier=joints.places(carriers).astype(np.int32),
             point=_rows([place for sole in soles for place in sole.places]),
             first_span=_firsts([len(row) for row in spans]),

@@ -37,6 +37,10 @@ class SolePoints(NamedTuple):
     """(K, 3) in the frames of these joints"""
     lowest: int
     """how many of them lie lowest, in the pose of rest or in a foot that leans to some side"""
+    spread: int
+    """how many of them are all over the sole: the last ones lie foremost, or outermost to another side, in a
+    foot that is steep
+    """
 
 
 def sole_points(character: Character, foot: Foot, rest: Floats, unit: float | None) -> SolePoints:
@@ -49,24 +53,42 @@ def sole_points(character: Character, foot: Foot, rest: Floats, unit: float | No
     skin = skin if skin.count else SkinPoints.of_joints_themselves(foot.joints, len(character.skeleton))
     points = skin.at(rest)
     lowest = _lowest(points, is_uneven=unit is not None)
-    chosen = lowest if unit is None else _spread(points.round(DECIMALS), lowest, unit)
+    spread = lowest if unit is None else _spread(points.round(DECIMALS), lowest, unit)
+    chosen = spread if unit is None else np.append(spread, _outermost(points, spread, unit))
     carriers = skin.carriers[chosen]
     places = transform.apply(transform.invert(rest[carriers]), points[chosen])
-    return SolePoints(carriers, places, len(lowest))
+    return SolePoints(carriers, places, len(lowest), len(spread))
 
 
 def _lowest(points: Floats, *, is_uneven: bool) -> Ints:
     """The rows of the points (V, 3) that lie lowest in the pose of rest and in feet that lean to any side."""
     slopes, count = (SLOPES_ON_GROUND, ROUND_ON_GROUND) if is_uneven else (SLOPES, ROUND)
+    straight = [[0.0], [-1.0], [0.0]]
+    return outermost(points, np.hstack([straight, _directions(slopes, count, -1.0)]))
+
+
+def _outermost(points: Floats, chosen: Ints, unit: float) -> Ints:
+    """The rows of the low points that lie farthest out in directions that lean upwards, but for `chosen`."""
+    low = _low(points, unit)
+    directions = _directions(SLOPES_ON_GROUND, ROUND_ON_GROUND, 1.0)
+    return np.setdiff1d(low[outermost(points[low], directions)], chosen)[: MOST - len(chosen)]
+
+
+def _directions(slopes: tuple[float, ...], count: int, up: float) -> Floats:
+    """(3, S) directions all round that lean by each of the slopes from the vertical; `up`: 1, for down -1."""
     sine, cosine = sincos(np.arange(count) * (2 * np.pi / count))
-    directions = [(0.0, -1.0, 0.0)]
-    directions += [(c * lean, -1.0, s * lean) for lean in slopes for s, c in zip(sine, cosine, strict=True)]
-    return outermost(points, np.array(directions).T)
+    directions = [(c * lean, up, s * lean) for lean in slopes for s, c in zip(sine, cosine, strict=True)]
+    return np.array(directions).T
+
+
+def _low(points: Floats, unit: float) -> Ints:
+    """The rows of the points that are no farther above the lowest one than HIGHEST."""
+    return np.flatnonzero(points[:, 1] < points[:, 1].min() + HIGHEST * unit)
 
 
 def _spread(points: Floats, chosen: Ints, unit: float) -> Ints:
     """The rows `chosen` and more: always the point that is farthest from all of them, until all are near."""
-    low = np.flatnonzero(points[:, 1] < points[:, 1].min() + HIGHEST * unit)
+    low = _low(points, unit)
     rows = chosen.tolist()
     away = np.min([_distances(points[low], points[row]) for row in rows], 0)
     while away.max() > SPACING * unit and len(rows) < MOST:

@@ -46,7 +46,8 @@ def way_out(f: Any, legs: Any, row: int, foot: int, root: Any, x: float, y: floa
     in `legs`, out of all level pieces of the ground that it is in.
     """
     left, right, back, front = 0.0, 0.0, 0.0, 0.0
-    for point in range(f.first_point[foot], f.first_point[foot + 1]):
+    first = f.first_point[foot]
+    for point in range(first, first + f.spread[foot]):
         px, py, pz = stage_point(f, legs, row, point, root)
         px, py, pz = px + x, py + y, pz + z
         for piece in range(f.ground.shape[0]):

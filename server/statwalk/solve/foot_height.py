@@ -36,15 +36,15 @@ MANY, WAY_OUT = 3, 0.6
 @inlined
 def floor_of(
     f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, ankle: Any, low: Any, root: Any,
-    level: float, dt: float,
+    shown: float, dt: float,
 ) -> Any:  # fmt: skip
-    """Returns by how much (metres) a shown foot is at least above its animated one; `level`: how high it was
-    a tick before.
+    """Returns by how much (metres) a shown foot is at least above its animated one; `shown`: by how much it
+    would be if it had not come down since the tick before.
     """
     floor = root[1] - low[2]
     if f.ground.shape[0] > 0:
         away = keep[row, at + X], keep[row, at + Z]
-        floor, inside = _over_ground(f, legs, row, foot, root, ankle, keep[row, at + TURN], away, level)
+        floor, inside = _over_ground(f, legs, row, foot, root, ankle, keep[row, at + TURN], away, shown)
         if inside * MANY > f.first_point[foot + 1] - f.first_point[foot]:
             floor = max(floor, keep[row, at + Y] + WAY_OUT * dt)
     return floor
@@ -52,7 +52,7 @@ def floor_of(
 
 @called
 def _over_ground(
-    f: Any, legs: Any, row: int, foot: int, root: Any, ankle: Any, turn: float, away: Any, level: float
+    f: Any, legs: Any, row: int, foot: int, root: Any, ankle: Any, turn: float, away: Any, shown: float
 ) -> Any:  # fmt: skip
     """By how much a foot that is turned about its ankle and moved `away`, x and z, must be higher for its
     sole to be on uneven ground or above it, and how many of its points are in a step.
@@ -63,11 +63,11 @@ def _over_ground(
         x, y, z = stage_point(f, legs, row, point, root)
         a, c = x - ankle[0], z - ankle[2]
         x, z = a * cosine + c * sine + ankle[0] + away[0], c * cosine - a * sine + ankle[2] + away[1]
-        over = ground_at(f.ground, x, z, 0.0) - level
+        over = ground_at(f.ground, x, z, 0.0) - y - shown
         if over > KERB:  # the higher it is, the less it counts
             over = max(2.0 * KERB - over, 0.0)
             inside += 1 if over == 0.0 else 0
-        floor = max(floor, level + over - y)
+        floor = max(floor, shown + over)
     return floor, inside
 
 

@@ -48,9 +48,9 @@ NOT_FAST, TOUCHING = 1.0, 0.005
 """a foot that touches the ground in a blend, or touches uneven ground, is planted when it is slower than
 NOT_FAST (m/s), and nearer to the ground than TOUCHING (metres): otherwise the foot would drag
 """
-KEPT_OFF, DRAGS = 0.007, 1.5
+KEPT_OFF, DRAGS, IN_BLEND = 0.007, 1.5, 0.3
 """metres by which a foot on its way is kept off uneven ground if it is as fast as DRAGS (m/s); at NOT_FAST it
-is not kept off, and between the two speeds the metres grow evenly
+is not kept off, and between the two speeds the metres grow evenly; in a blend, this part of them
 """
 LANDING = 2.0
 """m/s: a foot that its motion plants, while the other is in the air, comes down unless it is faster"""
@@ -99,7 +99,6 @@ def step_foot(
     """
     ankle = ankle_of(f, legs, row, foot, root)
     low = lowest_point(f, legs, row, foot, root, keep[row, at + X], keep[row, at + Z])
-    level = keep[row, at + LOWEST_Y] if keep[row, at + SINCE] >= 0.0 else low[2]
     speed, fall, sank = speeds_of(f, legs, keep, row, at, low, root, dt)
     if keep[row, at + SINCE] < 0.0:
         _begin(f, keep, row, at, low, ankle, root, is_down)
@@ -118,8 +117,8 @@ def step_foot(
         approach(keep, row, at, old, speed, dt)
     ahead = fall * LOOK_AHEAD if blends else 0.0
     lands = is_down and _must_land(keep, row, at, other, speed)
-    floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, level + old[3], dt)
-    floor += _kept_off(f, keep, row, at, blends or lands, speed)
+    floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, old[3] + max(sank, 0.0), dt)
+    floor += _kept_off(f, keep, row, at, blends, lands, speed)
     rate = keep[row, at + Y_RATE]
     raise_foot(keep, row, at, floor, is_down or blends, speed, ahead, lands, dt)
     if f.fit[0] >= 0 and lands:
@@ -210,11 +209,12 @@ def _must_land(keep: Any, row: int, at: int, other: int, speed: float) -> Any:
 
 
 @inlined
-def _kept_off(f: Any, keep: Any, row: int, at: int, brakes: bool, speed: float) -> Any:
-    """Metres by which a foot in the air is kept off uneven ground; 0 if it brakes before it touches."""
-    if f.fit[0] < 0 or keep[row, at + PLANTED] != 0.0 or brakes:
+def _kept_off(f: Any, keep: Any, row: int, at: int, blends: bool, lands: bool, speed: float) -> Any:
+    """Metres by which a foot in the air is kept off uneven ground; 0 if it comes down."""
+    if f.fit[0] < 0 or keep[row, at + PLANTED] != 0.0 or lands:
         return 0.0
-    return KEPT_OFF * min(max((speed - NOT_FAST) / (DRAGS - NOT_FAST), 0.0), 1.0)
+    most = KEPT_OFF * IN_BLEND if blends else KEPT_OFF
+    return most * min(max((speed - NOT_FAST) / (DRAGS - NOT_FAST), 0.0), 1.0)
 
 
 @inlined

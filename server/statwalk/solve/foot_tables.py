@@ -40,6 +40,8 @@ class FootTables(NamedTuple):
     first_point: Annotated[NDArray[np.int32], "foot + 1"]
     lowest: Annotated[NDArray[np.int32], "foot"]
     """how many of a foot's points lie lowest: the first; on uneven ground more follow, all over the sole"""
+    spread: Annotated[NDArray[np.int32], "foot"]
+    """how many of a foot's points are all over the sole; the last ones are outermost in a steep foot"""
     carrier: Annotated[NDArray[np.int32], "point"]
     """the index in `joints` of the joint that carries a point"""
     point: Annotated[NDArray[np.float64], "point, xyz"]

@@ -20,6 +20,7 @@ from statwalk.solve.foot_tables import (
     DROP,
     DROP_RATE,
     FLIES,
+    HEIGHT,
     LEAVING,
     LIFT_RATE,
     OF_ACTOR,
@@ -57,6 +58,10 @@ MOST_OVER = 0.15
 """metres above its place at most that a foot is shown, if its leg is too short"""
 SAG_SHARE, MOST_SAG = 0.25, 0.15
 """metres by which the pelvis is lower for each metre that the ground rises or falls in a metre; at most"""
+UPRIGHT = 0.6
+"""of the length of a leg: the pelvis is not lowered for rising or falling ground to a hip that is less high
+above the ground of its foot: the knee would go into the step on which the foot is
+"""
 MEAN_STEPS, MEAN_STEP = 4, 0.11
 """places before and behind the root whose ground counts for its height, the nearest most; metres between them
 """
@@ -66,9 +71,10 @@ MEAN_STEPS, MEAN_STEP = 4, 0.11
 def lower_pelvis(f: Any, legs: Any, keep: Any, row: int, root: Any, dt: float) -> Any:
     """Returns by how much the pelvis is lowered (metres), so that planted feet stay in reach."""
     memory, most = f.memory[0], MOST_DROP if f.ground.shape[0] == 0 else MOST_DROP_ON_GROUND
-    wanted, give = 0.0, GIVE
+    wanted, room, give = 0.0, 0.0, GIVE
     if f.fit[0] >= 0:
-        wanted, give = keep[row, f.fit[0] + SAG], GIVE_ON_GROUND
+        room, give = _room(f, legs, keep, row, root), GIVE_ON_GROUND
+        wanted = min(keep[row, f.fit[0] + SAG], room)
     for foot in range(f.hip.shape[0]):
         at = memory + OF_ACTOR + foot * OF_FOOT
         if keep[row, at + PLANTED] == STANDING or (f.fit[0] >= 0 and keep[row, at + PLANTED] == LEAVING):
@@ -76,11 +82,26 @@ def lower_pelvis(f: Any, legs: Any, keep: Any, row: int, root: Any, dt: float) -
             keep[row, at + TOO_SHORT] = 1.0 if need > most else 0.0
             wanted = max(wanted, min(need, most))
         elif f.fit[0] >= 0:
-            wanted = max(wanted, min(_awaited(keep, row, f.fit[0] + OF_GROUND + foot * OF_FIT, root), most))
+            wanted = max(wanted, min(_awaited(keep, row, f.fit[0] + OF_GROUND + foot * OF_FIT, root), room))
     old = keep[row, memory + DROP] - wanted
     drop, rate = settled(old, keep[row, memory + DROP_RATE], give, dt)
     keep[row, memory + DROP], keep[row, memory + DROP_RATE] = drop + wanted, rate
     return drop + wanted
+
+
+@inlined
+def _room(f: Any, legs: Any, keep: Any, row: int, root: Any) -> Any:
+    """By how much the pelvis can be lowered with all legs upright: a leg whose foot is ahead may be less
+    upright, by as much as the foot is ahead.
+    """
+    room = MOST_DROP_ON_GROUND
+    for foot in range(f.hip.shape[0]):
+        ground = keep[row, f.fit[0] + OF_GROUND + foot * OF_FIT + HEIGHT]
+        x, y, z = _hip_of(f, legs, row, foot, root)
+        ankle_x, _, ankle_z, _ = ankle_of(f, legs, row, foot, root)
+        ahead = (ankle_x - x) * root[3] + (ankle_z - z) * root[4]
+        room = min(room, y - ground - UPRIGHT * f.length[foot] + max(ahead, 0.0))
+    return max(room, 0.0)
 
 
 @inlined

@@ -23,6 +23,10 @@ SUPPORTED, MARGIN, TOE_ROOM = 0.02, 0.012, 0.045
 """metres: a point of a sole has ground below it if that is so near; room that is wanted round a foot, and
 before its toes: they come forward when the heel rises
 """
+WALL, CALF_ROOM, CRAMPED = 0.2, 0.075, 5
+"""metres: ground that is so much higher behind a foot comes into the way of its calf; room that is wanted
+there; points of a sole that are given for this room
+"""
 
 
 @inlined
@@ -80,7 +84,9 @@ def height_under(
 
 @called
 def points_supported(f: Any, foot: int, x: float, z: float, sine: float, cosine: float) -> Any:
-    """Returns how many of fifteen points of a sole have ground below them there."""
+    """Returns how many of fifteen points of a sole have ground below them there; CRAMPED fewer if a wall is
+    close behind.
+    """
     slope_x, slope_z = slope_under(f, foot, x, z, sine, cosine)
     height = height_over(f, foot, x, z, sine, cosine, slope_x, slope_z, TOE_ROOM, MARGIN, MARGIN)
     middle, half = 0.5 * (TOE_ROOM - MARGIN), f.print[foot, HALF_LENGTH] + 0.5 * (TOE_ROOM + MARGIN)
@@ -91,4 +97,16 @@ def points_supported(f: Any, foot: int, x: float, z: float, sine: float, cosine:
             u, v = away * sine + side * wide * cosine, away * cosine - side * wide * sine
             gap = height + slope_x * u + slope_z * v - ground_at(f.ground, x + u, z + v, 0.0)
             count += 1 if gap < SUPPORTED else 0
-    return count
+    return count - (CRAMPED if _wall_behind(f, foot, x, z, sine, cosine, height) else 0)
+
+
+@inlined
+def _wall_behind(
+    f: Any, foot: int, x: float, z: float, sine: float, cosine: float, height: float
+) -> Any:  # fmt: skip
+    """Whether ground close behind a foot is much higher than its middle."""
+    away, wide, highest = -f.print[foot, HALF_LENGTH] - CALF_ROOM, f.print[foot, HALF_WIDTH], 0.0
+    for side in range(-1, 2):
+        u, v = away * sine + side * wide * cosine, away * cosine - side * wide * sine
+        highest = max(highest, ground_at(f.ground, x + u, z + v, 0.0))
+    return highest - height > WALL
