@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from foot_at_step import EDGE, FEET, FRONT, HEIGHT, LOWEST, ON_THE_FLOOR, legs_at
+from foot_at_step import EDGE, FEET, FRONT_BESIDE, HEIGHT, LOWEST, ON_THE_FLOOR, legs_at
 from foot_kernels import aside
 from statwalk.solve.foot_aside import ROOM
 
@@ -16,12 +16,12 @@ def moved_aside(y: float, z: float) -> np.ndarray:
 
 
 def test_a_foot_before_the_step_stays_where_it_is() -> None:
-    assert not moved_aside(ON_THE_FLOOR, EDGE - FRONT - ROOM - 0.001).any()
+    assert not moved_aside(ON_THE_FLOOR, EDGE - FRONT_BESIDE - ROOM - 0.001).any()
 
 
 @pytest.mark.parametrize("deep", [0.001, 0.02, 0.08])
 def test_a_foot_in_the_step_is_moved_out_the_way_it_came_in(deep: float) -> None:
-    assert moved_aside(ON_THE_FLOOR, EDGE - FRONT + deep) == pytest.approx([0, -deep - ROOM], abs=1e-6)
+    assert moved_aside(ON_THE_FLOOR, EDGE - FRONT_BESIDE + deep) == pytest.approx([0, -deep - ROOM], abs=1e-6)
 
 
 def test_a_foot_above_the_step_is_not_moved() -> None:
@@ -30,6 +30,6 @@ def test_a_foot_above_the_step_is_not_moved() -> None:
 
 def test_the_way_out_ends_evenly_as_the_foot_rises() -> None:
     heights = np.linspace(0, HEIGHT, 121)
-    ways = np.array([moved_aside(ON_THE_FLOOR + up, EDGE - FRONT + 0.05)[1] for up in heights])
+    ways = np.array([moved_aside(ON_THE_FLOOR + up, EDGE - FRONT_BESIDE + 0.05)[1] for up in heights])
     assert (ways[0], ways[-1]) == (pytest.approx(-0.05 - ROOM, abs=1e-6), 0)
     assert np.abs(np.diff(ways)).max() < 0.004
