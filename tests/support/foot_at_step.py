@@ -20,7 +20,7 @@ def _locked(array: np.ndarray) -> np.ndarray:
 FEET: FootTables = LEGS._replace(ground=_locked(np.array([[-1.0, EDGE, 1.0, 3.0, HEIGHT, 0.0, 0.0]])))
 SOLE = np.array(FEET.point[: FEET.first_point[1]])
 FRONT, FRONT_BESIDE = SOLE[:, 2].max(), SOLE[: FEET.spread[0], 2].max()
-"""the foremost point of a sole; the foremost of those that are kept out of the sides of steps"""
+"""z of the foremost point of a sole; z of the foremost point that `way_out` looks at"""
 
 
 def legs_at(y: float, z: float) -> np.ndarray:
