@@ -51,7 +51,7 @@ def aside(feet: Any, legs: Any, out: Any) -> None:
 )
 def raised(feet: Any, legs: Any, keep: Any, shown: float) -> Any:
     """Returns by how much foot 0 of an actor at the origin is at least above its animated one; `shown`: by
-    how much it would be if it had not come down.
+    how much foot 0 would be above it, had foot 0 not come down since the tick before.
     """
     f, root = by_reference(feet), (0.0, 0.0, 0.0, 0.0, 1.0)
     return floor_of(f, legs, keep, 0, 0, 0, (0.0, 0.0, 0.0, 0.0), (0, 0.0, 0.0, 0.0), root, shown, 1 / 60)

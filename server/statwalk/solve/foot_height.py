@@ -28,7 +28,9 @@ SOFT = 0.8
 LOOK_AHEAD = 2.0 / RISE
 """seconds by which a foot comes later to its height, so that it looks so far ahead in a blend"""
 KERB = 0.025
-"""metres: ground that is so much higher than a foot is the side of a step, on which no foot stands"""
+"""metres: where the ground is so much higher than a point of a foot, the point is at the side of a step, and
+no foot stands there
+"""
 MANY, WAY_OUT = 3, 0.6
 """of so many points of a sole one must be in a step for the foot to be in it; m/s at which it then rises"""
 
@@ -38,8 +40,8 @@ def floor_of(
     f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, ankle: Any, low: Any, root: Any,
     shown: float, dt: float,
 ) -> Any:  # fmt: skip
-    """Returns by how much (metres) a shown foot is at least above its animated one; `shown`: by how much it
-    would be if it had not come down since the tick before.
+    """Returns by how much (metres) a shown foot is at least above its animated one; `shown`: by how much
+    the foot would be above it, had the foot not come down since the tick before.
     """
     floor = root[1] - low[2]
     if f.ground.shape[0] > 0:

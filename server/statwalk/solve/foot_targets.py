@@ -59,8 +59,8 @@ MOST_OVER = 0.15
 SAG_SHARE, MOST_SAG = 0.25, 0.15
 """metres by which the pelvis is lower for each metre that the ground rises or falls in a metre; at most"""
 UPRIGHT = 0.6
-"""of the length of a leg: the pelvis is not lowered for rising or falling ground to a hip that is less high
-above the ground of its foot: the knee would go into the step on which the foot is
+"""of the length of a leg: a hip stays so high above the ground of its foot when the pelvis is lowered for
+rising or falling ground, or for a foot that will land; lower, the knee would go into the step of the foot
 """
 MEAN_STEPS, MEAN_STEP = 4, 0.11
 """places before and behind the root whose ground counts for its height, the nearest most; metres between them

@@ -24,8 +24,8 @@ SUPPORTED, MARGIN, TOE_ROOM = 0.02, 0.012, 0.045
 before its toes: they come forward when the heel rises
 """
 WALL, CALF_ROOM, CRAMPED = 0.2, 0.075, 5
-"""metres: ground that is so much higher behind a foot comes into the way of its calf; room that is wanted
-there; points of a sole that are given for this room
+"""metres by which ground behind a foot must be higher to be in the way of the calf; metres of room that the
+calf wants there; how many supported points of a sole this room is worth
 """
 
 
