@@ -28,14 +28,14 @@ HELD |= {"WALK/LEFT": 0.015, "WALK/RIGHT": 0.015, "STWK/STOP": 0.01, "TLFT/STOP"
 ON_STAIRS = {
     "JUMP/END": {"slide": 0.003, "sink": 0.001, "jump": 1.0, "joint": 1.2},
     "FLY/END": {"slide": 0.001, "sink": 0.001, "jump": 0.8, "joint": 1.2},
-    "TLFT/FORWARD": {"slide": 0.008, "sink": 0.005, "jump": 1.2, "joint": 1.7},
-    "TRGT/FORWARD": {"slide": 0.008, "sink": 0.005, "jump": 1.2, "joint": 1.9},
+    "TLFT/FORWARD": {"slide": 0.008, "sink": 0.005, "jump": 1.1, "joint": 1.7},
+    "TRGT/FORWARD": {"slide": 0.008, "sink": 0.005, "jump": 1.1, "joint": 1.9},
     "TRGT/LEFT": {"slide": 0.006, "sink": 0.004, "jump": 1.2, "joint": 1.7},
-    "STWK/STOP": {"slide": 0.004, "sink": 0.003, "jump": 1.2, "joint": 1.6},
+    "STWK/STOP": {"slide": 0.004, "sink": 0.003, "jump": 1.1, "joint": 1.6},
     "TLFT/STOP": {"slide": 0.006, "sink": 0.005, "jump": 1.2, "joint": 1.7},
     "TRGT/STOP": {"slide": 0.003, "sink": 0.005, "jump": 1.2, "joint": 1.4},
-    "WALK/STOP": {"slide": 0.005, "sink": 0.004, "jump": 1.1, "joint": 1.1},
-    "WALK/LEFT": {"slide": 0.011, "sink": 0.005, "jump": 1.2, "joint": 2.0},
+    "WALK/STOP": {"slide": 0.005, "sink": 0.004, "jump": 1.0, "joint": 1.1},
+    "WALK/LEFT": {"slide": 0.011, "sink": 0.005, "jump": 1.1, "joint": 2.0},
 }
 RUNNER = {"STAND/GO": 0.006, "MOVE/STOP": 0.004, "MOVE/HURRY": 0.005, "RUN/STOP": 0.004, "RUN/EASE": 0.006}
 """metres: slides of walker-layers; without the foot lock up to 807 mm"""

@@ -9,6 +9,7 @@ from statwalk.maths.compiling import LONG, write
 from statwalk.maths.reference import by_reference
 from statwalk.solve.foot_aside import way_out
 from statwalk.solve.foot_height import come_down_gently, floor_of
+from statwalk.solve.foot_lock import step_foot
 from statwalk.solve.foot_path import along_path, choose_landing, stretch_path
 from statwalk.solve.foot_points import ankle_of
 from statwalk.solve.foot_tables import FEET, TO_X, TO_Z
@@ -55,6 +56,13 @@ def raised(feet: Any, legs: Any, keep: Any, shown: float) -> Any:
     """
     f, root = by_reference(feet), (0.0, 0.0, 0.0, 0.0, 1.0)
     return floor_of(f, legs, keep, 0, 0, 0, (0.0, 0.0, 0.0, 0.0), (0, 0.0, 0.0, 0.0), root, shown, 1 / 60)
+
+
+@late_kernel(FEET, types.Array(types.float32, 4, "C", readonly=True), write(DOUBLE, 2))
+def stepped(feet: Any, legs: Any, keep: Any) -> None:
+    """Moves the numbers of the only foot of an actor at the origin on by a tick; its motion plants it."""
+    root = 0.0, 0.0, 0.0, 0.0, 1.0
+    step_foot(by_reference(feet), legs, keep, 0, 0, 0, -1, root, True, False, 1 / 60)
 
 
 @late_kernel(FEET, types.Array(types.float32, 4, "C", readonly=True), returns=DOUBLE)

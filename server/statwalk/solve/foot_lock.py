@@ -104,10 +104,14 @@ def step_foot(
         _begin(f, keep, row, at, low, ankle, root, is_down)
     old = keep[row, at + X], keep[row, at + Z], keep[row, at + TURN], keep[row, at + Y]
     keep[row, at + SINCE] += dt
-    if keep[row, at + PLANTED] == STANDING and speed > SLOW and fall <= 0.0:
-        _perhaps_go_along(f, keep, row, at, low, root, speed)
-    if keep[row, at + PLANTED] == LEAVING:
-        _perhaps_leave(f, keep, row, at, low, root, speed)
+    shown = old[3] + max(sank, 0.0)
+    goes_along = keep[row, at + PLANTED] == STANDING and speed > SLOW and fall <= 0.0
+    if goes_along or keep[row, at + PLANTED] == LEAVING:
+        floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, shown, dt)
+        if goes_along:
+            _perhaps_go_along(f, keep, row, at, floor, speed)
+        else:
+            _perhaps_leave(keep, row, at, floor, speed)
     if keep[row, at + PLANTED] >= LEAVING:
         _hold(f, legs, keep, row, at, ankle, root)
         take_rates(keep, row, at, old, dt)
@@ -117,7 +121,7 @@ def step_foot(
         approach(keep, row, at, old, speed, dt)
     ahead = fall * LOOK_AHEAD if blends else 0.0
     lands = is_down and _must_land(keep, row, at, other, speed)
-    floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, old[3] + max(sank, 0.0), dt)
+    floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, shown, dt)
     floor += _kept_off(f, keep, row, at, blends, lands, speed)
     rate = keep[row, at + Y_RATE]
     raise_foot(keep, row, at, floor, is_down or blends, speed, ahead, lands, dt)
@@ -140,16 +144,13 @@ def _begin(f: Any, keep: Any, row: int, at: int, low: Any, ankle: Any, root: Any
 
 
 @inlined
-def _perhaps_go_along(
-    f: Any, keep: Any, row: int, at: int, low: Any, root: Any, speed: float
-) -> None:  # fmt: skip
+def _perhaps_go_along(f: Any, keep: Any, row: int, at: int, floor: float, speed: float) -> None:
     """Releases a planted foot that its motion has lifted, before it is held back: a foot that sets off late
     would still be behind when it lands. On uneven ground a foot comes down before its motion does, and then
     stands for a moment at least.
     """
-    x, z = low[1] + keep[row, at + X], low[3] + keep[row, at + Z]
     may_go = f.fit[0] < 0 or keep[row, at + SINCE] > SHORTEST_STAND
-    if may_go and low[2] - ground_at(f.ground, x, z, root[1]) > LIFTED:
+    if may_go and -floor > LIFTED:
         keep[row, at + PLANTED], keep[row, at + SINCE] = 0.0, 0.0
         keep[row, at + EAGER] = eagerness(keep, row, at, speed)
 
@@ -184,14 +185,11 @@ def _perhaps_release(
 
 
 @inlined
-def _perhaps_leave(
-    f: Any, keep: Any, row: int, at: int, low: Any, root: Any, speed: float
-) -> None:  # fmt: skip
+def _perhaps_leave(keep: Any, row: int, at: int, floor: float, speed: float) -> None:
     """Lets a released foot go to its motion: once it is clear of the ground, or too far behind."""
     x, z = keep[row, at + X], keep[row, at + Z]
-    height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
     away = math.sqrt(x * x + z * z)
-    clear = height > CLEAR
+    clear = keep[row, at + Y] - floor > CLEAR
     if clear or away > FAR or keep[row, at + SINCE] > LONGEST_LEAVE:
         keep[row, at + PLANTED] = 0.0
         keep[row, at + EAGER] = eagerness(keep, row, at, speed)
