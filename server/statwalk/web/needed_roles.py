@@ -87,6 +87,7 @@ DRIVE = (
 ADMIN = (
     "DELETE /api/characters/{name}",
     "DELETE /api/machines/{name}",
+    "GET /api/machines/{name}/unused",
     "GET /metrics",
     "PATCH /api/machines/{name}",
     "PATCH /api/machines/{name}/cells",

@@ -47,6 +47,7 @@ OF_OPERATION = {
     "POST /api/machines/{name}/rename": MAKES_CHARACTER,
     "PUT /api/machines/{name}/import.zip": MAKES_CHARACTER | {400, 408},
     "DELETE /api/machines/{name}": frozenset({409}),
+    "GET /api/machines/{name}/unused": frozenset({409}),
     "POST /api/stages": frozenset({409}),
     "DELETE /api/stages/{stage_id}": frozenset({409}),
     "GET /api/stages/{stage_id}/links": frozenset({409}),

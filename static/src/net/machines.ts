@@ -17,5 +17,8 @@ export const fromCharacter = (name: string, character: string, states: Record<st
 export const rename = (name: string, to: string) =>
   askOnce("post", "/api/machines/{name}/rename", { name }, { body: { to } });
 export const remove = (name: string) => ask("delete", "/api/machines/{name}", { name });
+/** Asks whether a machine could be renamed or deleted once the stage `besides` is gone; throws why not. */
+export const checkUnused = (name: string, besides: string) =>
+  ask("get", "/api/machines/{name}/unused", { name }, { query: { besides } });
 /** Returns the address of a machine as a file. */
 export const zipAddress = (name: string): string => `api/machines/${encodeURIComponent(name)}/export.zip`;

@@ -44,6 +44,19 @@ def test_who_may_not_rename_a_machine_stays_on_its_stage(
     until(table, "__viewer.link() === 'live' && __viewer.stage() === arg", made)
 
 
+def test_a_refused_deletion_closes_no_stage(own: Server, table: Page, allowed: list[str]) -> None:
+    """The page made its stage, and would delete it as it leaves it; the machine belongs to the server."""
+    allowed.append("status of 409")
+    table.goto(f"{own.url}/?machine=elbow&fps=6")
+    until(table, "window.__viewer?.ready && __viewer.stage() !== 'main'")
+    stage = table.evaluate("__viewer.stage()")
+    choose(table, "delete")
+    table.keyboard.press("Enter")
+    table.locator("#machine-menu [role=alert]").filter(has_text="belongs to the server").wait_for()
+    assert table.evaluate("__viewer.stage()") == stage
+    assert stage in [row["id"] for row in httpx.get(f"{own.url}/api/stages").json()]
+
+
 def test_a_machine_is_made_from_nothing_renamed_and_exported(own: Server, table: Page) -> None:
     """Typing replaces the proposed name; a name that is taken is refused in the menu."""
     choose(table, "new, from nothing")

@@ -101,6 +101,15 @@ async def test_a_copy_outlives_the_server_and_is_edited(client: httpx.AsyncClien
         assert (edited.status_code, edited.json()["saved"]) == (200, "file")
 
 
+async def test_a_machine_can_go_once_its_stage_is_gone(client: httpx.AsyncClient) -> None:
+    await new(client, name="mine")
+    stage = (await client.post("/api/stages", json={"actors": [{"machine": "mine"}]})).json()["id"]
+    played = await client.get("/api/machines/mine/unused")
+    assert (played.status_code, stage in played.text) == (409, True)
+    assert (await client.get(f"/api/machines/mine/unused?besides={stage}")).status_code == 204
+    assert (await client.get("/api/machines/elbow/unused")).status_code == 409
+
+
 async def test_a_renamed_machine_keeps_its_versions(client: httpx.AsyncClient, tmp_path: Path) -> None:
     await new(client, name="mine")
     operation = {"kind": "add_state", "state": "MORE"}

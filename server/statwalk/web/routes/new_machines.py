@@ -1,11 +1,11 @@
-"""POST and DELETE /api/machines, …/rename: make a machine, rename it, delete it."""
+"""POST and DELETE /api/machines, …/rename, …/unused: make a machine, rename it, delete it."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Annotated
 
-from fastapi import APIRouter, Depends, Response
+from fastapi import APIRouter, Depends, Query, Response
 
 from statwalk.character.character import Character
 from statwalk.character.role import Role
@@ -163,10 +163,22 @@ def _rename(name: str, new: str, registry: Registry, key: MadeKey | None) -> Non
     registry.versions.rename(name, new)
 
 
-def check_unused(name: str, registry: Registry) -> None:
+@router.get("/{name}/unused", status_code=204)
+def check_machine_is_unused(
+    name: str, registry: RegistryDep, besides: Annotated[str, Query(max_length=64)] = ""
+) -> None:
+    """Checks that a machine can be renamed or deleted, once the stage `besides` is deleted.
+
+    409 for machines that POST did not make, and while another stage plays the machine or has it in its past.
+    """
+    check_unused(name, registry, besides)
+
+
+def check_unused(name: str, registry: Registry, besides: str = "") -> None:
     """Checks that a machine can go.
 
-    :raises Problem: 409, when it belongs to the server, or a stage plays it or has it in its past.
+    :raises Problem: 409, when it belongs to the server, or a stage other than `besides` plays it or has it in
+        its past.
     """
     if not registry.catalogue.entry(name).made:
         raise Problem(
@@ -175,7 +187,8 @@ def check_unused(name: str, registry: Registry) -> None:
             "made",
             field="name",
         )
-    stages = [host.id for host in registry.all() if name in host.look(Machines())]
+    others = [host for host in registry.all() if host.id != besides]
+    stages = [host.id for host in others if name in host.look(Machines())]
     if stages:
         raise Problem(
             409, f"first delete the stages that play {name!r}: {', '.join(stages[:20])}", field="name"

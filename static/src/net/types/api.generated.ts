@@ -542,6 +542,28 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/machines/{name}/unused": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Check Machine Is Unused
+         * @description Checks that a machine can be renamed or deleted, once the stage `besides` is deleted.
+         *
+         *     409 for machines that POST did not make, and while another stage plays the machine or has it in its past.
+         */
+        get: operations["check_machine_is_unused_api_machines__name__unused_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/machines/{name}/cells": {
         parameters: {
             query?: never;
@@ -5782,6 +5804,36 @@ export interface operations {
             429: components["responses"]["429"];
             503: components["responses"]["503"];
             507: components["responses"]["507"];
+        };
+    };
+    check_machine_is_unused_api_machines__name__unused_get: {
+        parameters: {
+            query?: {
+                besides?: string;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            404: components["responses"]["404"];
+            409: components["responses"]["409"];
+            421: components["responses"]["421"];
+            422: components["responses"]["422"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
         };
     };
     patch_cell_api_machines__name__cells_patch: {

@@ -70,13 +70,13 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
   }
 
   function renaming(name: string): Ask {
-    const rename = (to: string): Promise<unknown> => unplayed(app, () => machines.rename(name, to));
+    const rename = (to: string): Promise<unknown> => unplayed(app, name, () => machines.rename(name, to));
     return { ...making("new name", name, rename), yes: "rename it" };
   }
 
   function deletion(name: string): Ask {
     const act = async (): Promise<void> => {
-      await unplayed(app, () => machines.remove(name));
+      await unplayed(app, name, () => machines.remove(name));
       notices.emit(`${name} is deleted.`);
     };
     return { words: `Delete ${name} and its versions?`, yes: "delete it", proposal: null, act };
@@ -189,9 +189,13 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
   });
 }
 
-/** Leaves the stage, then renames or deletes its machine (`act`); goes back to the stage if the server refuses. */
-async function unplayed(app: App, act: () => Promise<unknown>): Promise<void> {
+/**
+ * Leaves the stage, then renames or deletes the machine that it plays (`act`). Stays if the server would refuse: a
+ * stage of this page is closed as the page leaves it.
+ */
+async function unplayed(app: App, machine: string, act: () => Promise<unknown>): Promise<void> {
   const { id } = app.stage;
+  await machines.checkUnused(machine, id);
   await leave(app);
   try {
     await act();
