@@ -15,6 +15,7 @@ LAST_ROW_IS_SEEN = """(() => {
 CELL = "#table tbody tr:nth-child(3) td:nth-child(3)"
 SMALL = [(390, 844), (320, 640), (960, 600)]
 """pages that show one of graph, table and values"""
+PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True}
 CUT = """[...document.querySelectorAll('#events .event, #parameters label')].filter(control => {
     const box = control.getBoundingClientRect();
     return box.bottom > control.parentElement.getBoundingClientRect().bottom;
@@ -116,6 +117,26 @@ def test_the_buttons_of_events_are_whole_for_fingers(viewer: Page) -> None:
     assert button is not None
     assert row["y"] <= button["y"]
     assert button["y"] + button["height"] <= row["y"] + row["height"]
+
+
+@pytest.mark.parametrize("window", [PHONE], ids=["phone"])
+def test_the_buttons_of_the_graph_cover_no_state_of_a_phone(viewer: Page) -> None:
+    """Fingers have no pointer that comes and goes, so the buttons always show."""
+    viewer.locator("#graph .state").first.wait_for()
+    until(
+        viewer,
+        "document.querySelector('.graph-buttons').getBoundingClientRect().bottom <= Math.min("
+        "...[...document.querySelectorAll('#graph .state')].map(state => state.getBoundingClientRect().top))",
+    )
+
+
+@pytest.mark.parametrize("window", [PHONE], ids=["phone"])
+def test_the_table_of_a_phone_has_the_place_of_words_about_no_event(viewer: Page) -> None:
+    viewer.get_by_role("tab", name="table").click()
+    words = viewer.locator("#verdict")
+    words.wait_for(state="hidden")
+    viewer.locator("#events [data-event=FORWARD]").tap()
+    words.filter(has_text="FORWARD").wait_for()
 
 
 def test_a_phone_has_the_look_below_the_picture(viewer: Page) -> None:

@@ -123,7 +123,7 @@ export class GraphView {
 
   /** The size of the panel; null while it is hidden. */
   private get room(): Size | null {
-    const { width, height } = this.host.getBoundingClientRect();
+    const { width, height } = this.picture.canvas.getBoundingClientRect();
     return width && height ? { width, height } : null;
   }
 
