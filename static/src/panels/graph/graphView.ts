@@ -34,7 +34,7 @@ export class GraphView {
   private settling: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
-    private readonly host: HTMLElement,
+    host: HTMLElement,
     private readonly app: App,
     private readonly note: (words: string) => void,
   ) {
