@@ -130,3 +130,14 @@ async def test_a_machine_of_a_folder_is_refused_without_the_folder(tmp_path: Pat
     assert answer.status_code == 422
     assert "walker.glb" in answer.text
     assert str(tmp_path) not in answer.text
+
+
+@pytest.mark.anyio
+async def test_an_address_that_nothing_has_is_named_and_leads_to_the_operations(
+    client: httpx.AsyncClient,
+) -> None:
+    detail = (await client.get(f"/api/{'x' * 2_000}")).json()["detail"]
+    assert "'/api/xxx" in detail
+    assert len(detail) < 200
+    (there,) = [word for word in detail.replace(";", "").split() if word.endswith(".json")]
+    assert "/api/stages" in (await client.get(there)).json()["paths"]

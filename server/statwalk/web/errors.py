@@ -42,6 +42,7 @@ MOST_KNOWN = 2_000
 """names that an answer lists"""
 LARGEST_PROBLEM_BYTES = 128 << 10
 MEDIA_TYPE = "application/problem+json"
+NO_ADDRESS = "nothing has the address {!r}; /api/openapi.json lists the operations, and / is the page"
 
 
 class Problem(HTTPException):
@@ -167,6 +168,8 @@ def _on_http_error(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
     if error.status_code in (404, 405) and (methods := allowed_methods(request)):
         return _on_other_method(request.method, ", ".join(methods))
+    if error.status_code == 404:
+        return answer(members(404, NO_ADDRESS.format(request.url.path[:80])))
     return answer(members(error.status_code, str(error.detail)), dict(error.headers or {}))
 
 
