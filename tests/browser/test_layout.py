@@ -131,7 +131,7 @@ def test_the_buttons_of_the_graph_cover_no_state_of_a_phone(viewer: Page) -> Non
 
 
 @pytest.mark.parametrize("window", [PHONE], ids=["phone"])
-def test_the_table_of_a_phone_has_the_place_of_words_about_no_event(viewer: Page) -> None:
+def test_the_table_of_a_phone_has_the_place_of_the_words_until_an_event(viewer: Page) -> None:
     viewer.get_by_role("tab", name="table").click()
     words = viewer.locator("#verdict")
     words.wait_for(state="hidden")

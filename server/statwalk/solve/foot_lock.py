@@ -150,7 +150,8 @@ def _perhaps_go_along(f: Any, keep: Any, row: int, at: int, floor: float, speed:
     stands for a moment at least.
     """
     may_go = f.fit[0] < 0 or keep[row, at + SINCE] > SHORTEST_STAND
-    if may_go and -floor > LIFTED:
+    height = -floor  # of the animated foot above the ground
+    if may_go and height > LIFTED:
         keep[row, at + PLANTED], keep[row, at + SINCE] = 0.0, 0.0
         keep[row, at + EAGER] = eagerness(keep, row, at, speed)
 
