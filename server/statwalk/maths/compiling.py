@@ -22,6 +22,7 @@ from numba.core import caching
 from statwalk.errors import StatwalkError
 from statwalk.maths.code_folder import PACKAGE, folder
 from statwalk.maths.kernel_parts import part
+from statwalk.maths.kernel_stack import KernelCompiler
 
 try:
     import fcntl
@@ -61,7 +62,7 @@ def kernel(*arguments: Any, returns: Any = types.void) -> Callable[[Function], F
     def compiled(function: Function) -> Function:
         if not IS_COMPILED:
             return function
-        dispatcher: Any = njit(**OPTIONS)(function)
+        dispatcher: Any = njit(pipeline_class=KernelCompiler, **OPTIONS)(function)
         dispatcher._cache = _kept_code(function)
         dispatcher.compile(returns(*arguments))
         dispatcher.disable_compile()

@@ -10,10 +10,11 @@ from collections.abc import Callable
 from typing import Any
 
 from numba import njit
-from numba.core import codegen, compiler, typed_passes
+from numba.core import compiler, typed_passes
 from numba.core.compiler_machinery import register_pass
 
 from statwalk.errors import StatwalkError
+from statwalk.maths.kernel_stack import KernelLibrary, lowered_by
 
 
 def part(function: Callable[..., Any], is_inlined: bool, **options: Any) -> Any:
@@ -23,7 +24,7 @@ def part(function: Callable[..., Any], is_inlined: bool, **options: Any) -> Any:
     return njit(forceinline=is_inlined, pipeline_class=_PartCompiler, **wrappers, **options)(function)
 
 
-class _PartLibrary(codegen.JITCodeLibrary):
+class _PartLibrary(KernelLibrary):
     """Code that is linked into kernels, and not made machine code for itself."""
 
     def _optimize_functions(self, module: Any) -> None:
@@ -66,8 +67,4 @@ class _PartCompiler(compiler.CompilerBase):
     def define_pipelines(self) -> list[Any]:
         if len(compiler.ConfigStack()) < 2:  # no kernel is being compiled
             raise StatwalkError(f"{self.state.func_id.func_name} is a part of kernels: call it in a kernel")
-        pipeline = compiler.DefaultPassBuilder.define_nopython_pipeline(self.state)
-        pipeline.add_pass_after(_PartLowering, typed_passes.NativeLowering)
-        pipeline.passes = [step for step in pipeline.passes if step[0] is not typed_passes.NativeLowering]
-        pipeline.finalize()
-        return [pipeline]
+        return [lowered_by(_PartLowering, self.state)]
