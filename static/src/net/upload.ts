@@ -1,6 +1,6 @@
 /** Uploads a model: finds a free name, sends the file, reports progress. */
 
-import { ApiError, problemOf } from "./api";
+import { ApiError, characters, machines, problemOf } from "./api";
 import type { CharacterSummary, UploadedCharacter } from "./protocol";
 
 const LONGEST_NAME = 56;
@@ -35,6 +35,11 @@ export function takenNames(
   return new Set([...machines, ...used].map(({ name }) => name));
 }
 
+/** Returns a name for what is made of a file, which nothing has yet. */
+export async function freeName(file: string): Promise<string> {
+  return nameFor(file, takenNames(...(await Promise.all([machines(), characters()]))));
+}
+
 function bodyOf(request: XMLHttpRequest): unknown {
   try {
     return JSON.parse(request.responseText);
@@ -49,27 +54,22 @@ export interface HowToRead {
   position?: "replace" | "add";
 }
 
-/**
- * Sends `file` as character `name`; `progress` gets the share sent, 0…1. Rejects with the server's reason.
- */
-export function putCharacter(
-  name: string,
+/** Sends `file` to an address; `progress` gets the share sent, 0…1. Rejects with the server's reason. */
+function put(
+  address: URL,
   file: Blob,
   progress: (share: number) => void,
   signal: AbortSignal,
-  how: HowToRead = {},
-): Promise<UploadedCharacter> {
+): Promise<unknown> {
   return new Promise((resolve, reject) => {
     // fetch reports no progress of an upload.
     const request = new XMLHttpRequest();
-    const address = new URL(`api/characters/${encodeURIComponent(name)}`, document.baseURI);
-    address.search = new URLSearchParams({ ...how }).toString();
     request.open("PUT", address);
     request.setRequestHeader("content-type", "application/octet-stream");
     request.upload.addEventListener("progress", ({ loaded, total }) => progress(total ? loaded / total : 0));
     request.upload.addEventListener("load", () => progress(1));
     request.addEventListener("load", () => {
-      if (request.status < 300) resolve(bodyOf(request) as UploadedCharacter);
+      if (request.status < 300) resolve(bodyOf(request));
       else reject(problemOf(request.status, bodyOf(request)));
     });
     request.addEventListener("error", () =>
@@ -79,4 +79,28 @@ export function putCharacter(
     signal.addEventListener("abort", () => request.abort());
     request.send(file);
   });
+}
+
+/** Sends `file` as character `name`. */
+export async function putCharacter(
+  name: string,
+  file: Blob,
+  progress: (share: number) => void,
+  signal: AbortSignal,
+  how: HowToRead = {},
+): Promise<UploadedCharacter> {
+  const address = new URL(`api/characters/${encodeURIComponent(name)}`, document.baseURI);
+  address.search = new URLSearchParams({ ...how }).toString();
+  return (await put(address, file, progress, signal)) as UploadedCharacter;
+}
+
+/** Makes a machine of a .zip that has a machine.yaml. */
+export async function putMachine(
+  name: string,
+  file: Blob,
+  progress: (share: number) => void,
+  signal: AbortSignal,
+): Promise<void> {
+  const path = `api/machines/${encodeURIComponent(name)}/import.zip`;
+  await put(new URL(path, document.baseURI), file, progress, signal);
 }

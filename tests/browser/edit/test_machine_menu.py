@@ -1,10 +1,15 @@
-"""The menu beside the picker makes machines: copies, from nothing; renames, exports and deletes them."""
+"""The menu beside the picker makes machines: copies, from nothing; renames, exports and deletes them. An
+exported machine is made again of its file.
+"""
 
+from pathlib import Path
+from typing import Any
 from zipfile import ZipFile
 
 import httpx
 from browser.conftest import Server, until
 from browser.edit.conftest import NAME
+from browser.test_import import drop
 from playwright.sync_api import Page
 
 
@@ -77,3 +82,21 @@ def test_a_machine_is_made_from_nothing_renamed_and_exported(own: Server, table:
     with ZipFile(saving.value.path()) as exported:
         assert {"machine.yaml", "character.glb"} == set(exported.namelist())
     assert saving.value.suggested_filename == "ripe.zip"
+
+
+def played(server: Server, machine: str) -> dict[str, Any]:
+    """What a machine does: its states and its cells, without their lines in the file."""
+    view = httpx.get(f"{server.url}/api/machines/{machine}").json()
+    rows = {
+        state: {event: cell | {"line": None} for event, cell in row.items()}
+        for state, row in view["table"].items()
+    }
+    return {"states": view["states"], "layers": [layer["name"] for layer in view["layers"]], "rows": rows}
+
+
+def test_an_exported_machine_comes_back_by_dropping(own: Server, table: Page) -> None:
+    with table.expect_download() as saving:
+        choose(table, "export")
+    drop(table, "back.zip", Path(saving.value.path()).read_bytes())
+    until(table, "document.querySelector('#picker select').value === 'back' && __viewer.ready")
+    assert played(own, "back") == played(own, NAME)

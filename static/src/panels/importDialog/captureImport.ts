@@ -2,7 +2,7 @@
 
 import * as api from "../../net/api";
 import * as machines from "../../net/machines";
-import { nameFor, putCharacter, takenNames } from "../../net/upload";
+import { freeName, putCharacter } from "../../net/upload";
 import type { CarriedClip } from "../../net/protocol";
 import { BoneForm } from "./boneForm";
 import { sorted } from "./carriedText";
@@ -32,10 +32,6 @@ const lacksBones = (error: unknown): error is api.ApiError =>
   error instanceof api.ApiError &&
   error.status === 422 &&
   error.places.some(({ field }) => /(^|\.)(target_)?bones$/.test(field));
-
-async function freeName(file: string): Promise<string> {
-  return nameFor(file, takenNames(...(await Promise.all([api.machines(), api.characters()]))));
-}
 
 /** Carries the clip over; asks for the joints of bones whose names tell nothing. */
 async function carry(

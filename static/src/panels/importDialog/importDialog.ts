@@ -1,8 +1,8 @@
-/** Imports a character: uploads its file, maps its clips to states, makes a machine and shows it. */
+/** Imports a machine; or a character: uploads its file, maps its clips to states and makes a machine. Shows it. */
 
 import "./importDialog.css";
 import * as api from "../../net/api";
-import { nameFor, putCharacter, takenNames } from "../../net/upload";
+import { freeName, putCharacter, putMachine } from "../../net/upload";
 import type { Mapping, UploadedCharacter } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import { size } from "../../ui/amounts";
@@ -12,16 +12,14 @@ import type { Quality } from "../../view/quality";
 import { importCapture, isCapture } from "./captureImport";
 import { carriedText } from "./carriedText";
 import { FrameSwitch } from "./frameSwitch";
-import { MODELS, oneFile, PARTS } from "./modelFiles";
-import { chosenFiles, type LocalFile } from "./localFiles";
+import { checkSize, chosenFiles, type LocalFile } from "./localFiles";
 import { Look } from "./look";
+import { machineAmong } from "./machineFiles";
 import { MappingStep } from "./mappingStep";
+import { MODELS, oneFile, PARTS } from "./modelFiles";
 import { offerRig } from "./rigStep";
 
 const ACCEPT = [...MODELS, ...PARTS, "model/gltf-binary", "application/zip"].join();
-
-/** The server closes the connection on a larger file, which a page cannot tell from a lost connection. */
-const MOST_BYTES = 64 * 2 ** 20;
 
 /** Of joints, in a sentence beside the character. */
 const NAMES = 4;
@@ -69,19 +67,28 @@ export class ImportDialog {
     this.fileInput.click();
   }
 
-  /** Takes a dropped or chosen model or capture: one file, or a .gltf or character file with its files. */
+  /** Takes a dropped or chosen model, capture or machine: one file, or several that belong together. */
   async take(files: readonly LocalFile[]): Promise<void> {
     if (!files.length) return;
     this.forget();
     try {
-      const total = files.reduce((sum, { file }) => sum + file.size, 0);
-      if (total > MOST_BYTES)
-        throw new Error(`The files have ${size(total)}; the server takes ${size(MOST_BYTES)} at most.`);
-      const file = await oneFile(files);
-      await (isCapture(file) ? this.capture(file) : this.upload(file));
+      checkSize(files);
+      const machine = await machineAmong(files);
+      const file = machine ?? (await oneFile(files));
+      await (machine ? this.machine(file) : isCapture(file) ? this.capture(file) : this.upload(file));
     } catch (error) {
       this.refuse(error);
     }
+  }
+
+  /** Makes the machine, under its file's name or the next free one, and shows it. */
+  private async machine(file: File): Promise<void> {
+    const progress = this.showProgress(file, "machine");
+    await this.unlessClosed(async (signal) => {
+      const name = await freeName(file.name);
+      await putMachine(name, file, progress, signal);
+      await this.finish(name);
+    });
   }
 
   /** Carries a capture over to the watched character; plays it at once. */
@@ -96,23 +103,33 @@ export class ImportDialog {
 
   /** `why` asks first which joints are which bones. */
   private async carry(file: File, target: string, why?: string): Promise<void> {
-    const cancel = (this.cancel = new AbortController());
-    const stage = {
-      progress: this.showProgress(file),
-      signal: cancel.signal,
-      ask: (said: string, ...forms: HTMLElement[]) => this.askForBones(said, forms, cancel.signal),
-      ...(why === undefined ? {} : { why }),
-    };
-    try {
-      const { machine, state, report } = await importCapture(file, target, stage);
-      this.dialog.close();
-      releaseFocus();
-      await this.made(machine, state);
+    await this.unlessClosed(async (signal) => {
+      const { machine, state, report } = await importCapture(file, target, {
+        progress: this.showProgress(file),
+        signal,
+        ask: (said, ...forms) => this.askForBones(said, forms, signal),
+        ...(why === undefined ? {} : { why }),
+      });
+      await this.finish(machine, state);
       const all = carriedText(report, Infinity);
       this.carried(carriedText(report, NAMES), () => void this.carry(file, target, all));
+    });
+  }
+
+  /** Runs a step until the dialog is closed; says why it failed. */
+  private async unlessClosed(step: (signal: AbortSignal) => Promise<void>): Promise<void> {
+    const { signal } = (this.cancel = new AbortController());
+    try {
+      await step(signal);
     } catch (error) {
-      if (!cancel.signal.aborted) this.refuse(error);
+      if (!signal.aborted) this.refuse(error);
     }
+  }
+
+  private async finish(machine: string, state?: string): Promise<void> {
+    this.dialog.close();
+    releaseFocus();
+    await this.made(machine, state);
   }
 
   /** Shows which joint is which bone; resolves when the form is sent, rejects when the dialog is closed. */
@@ -133,25 +150,21 @@ export class ImportDialog {
   }
 
   private async upload(file: File): Promise<void> {
-    const cancel = (this.cancel = new AbortController());
     const progress = this.showProgress(file);
-    try {
-      const name = nameFor(file.name, takenNames(...(await Promise.all([api.machines(), api.characters()]))));
-      const uploaded = await putCharacter(name, file, progress, cancel.signal);
+    await this.unlessClosed(async (signal) => {
+      const name = await freeName(file.name);
+      const uploaded = await putCharacter(name, file, progress, signal);
       this.pending = name;
       const lookAt = async (): Promise<Look> => {
         const facts = await api.character(name);
-        cancel.signal.throwIfAborted();
+        signal.throwIfAborted();
         return new Look(facts, this.quality);
       };
-      const show = this.showLook.bind(this);
-      const character = await offerRig(uploaded, lookAt, show, cancel.signal);
+      const character = await offerRig(uploaded, lookAt, this.showLook.bind(this), signal);
       const mapping = await api.mapping(name);
       const look = await lookAt();
       this.showMapping(character, mapping, look, FrameSwitch.of(file));
-    } catch (error) {
-      if (!cancel.signal.aborted) this.refuse(error);
-    }
+    });
   }
 
   private show(title: string, ...parts: (Node | null)[]): void {
@@ -172,11 +185,11 @@ export class ImportDialog {
     this.look = look;
   }
 
-  private showProgress(file: File): (share: number) => void {
+  private showProgress(file: File, what = "character"): (share: number) => void {
     const bar = el("progress", { max: 1, value: 0, "aria-label": "upload" });
     const words = el("span", { class: "import-share", role: "status" }, "0 %");
     const facts = el("p", { class: "import-file" }, el("b", {}, file.name), ` ${size(file.size)}`);
-    this.show("Importing your character", facts, bar, words);
+    this.show(`Importing your ${what}`, facts, bar, words);
     this.dialog.focus(); // the only button cancels: an Enter that comes too early must not press it
     return (share) => {
       if (share < 1) bar.value = share;
@@ -214,9 +227,7 @@ export class ImportDialog {
   ): void {
     const step = new MappingStep(character, mapping, look, frames, this.cancel.signal, async (machine) => {
       this.pending = null;
-      this.dialog.close();
-      releaseFocus();
-      await this.made(machine);
+      await this.finish(machine);
     });
     this.showLook(step.title, look, ...step.parts);
     step.focus();

@@ -1,5 +1,10 @@
 /** The files that were dropped or chosen, with their paths; a dropped folder is read through. */
 
+import { size } from "../../ui/amounts";
+
+/** The server closes the connection on a larger file, which a page cannot tell from a lost connection. */
+const MOST_BYTES = 64 * 2 ** 20;
+
 export interface LocalFile {
   /** The path below what was dropped, or the file's name. */
   path: string;
@@ -50,3 +55,10 @@ export function droppedFiles(carried: DataTransfer): Promise<LocalFile[]> {
 
 /** Returns the files of a file input. */
 export const chosenFiles = (input: HTMLInputElement): LocalFile[] => [...(input.files ?? [])].map(named);
+
+/** Throws if the server would not take as many bytes. */
+export function checkSize(files: readonly LocalFile[]): void {
+  const total = files.reduce((sum, { file }) => sum + file.size, 0);
+  if (total > MOST_BYTES)
+    throw new Error(`The files have ${size(total)}; the server takes ${size(MOST_BYTES)} at most.`);
+}

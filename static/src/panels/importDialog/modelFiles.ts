@@ -1,6 +1,7 @@
 /** Puts a .gltf, or a character file, and the files that it names into one .zip, which the server reads. */
 
 import type { LocalFile } from "./localFiles";
+import { type Packed, zipped } from "./zipped";
 
 interface GltfJson {
   buffers?: { uri?: unknown }[];
@@ -11,12 +12,6 @@ interface GltfJson {
 export interface Named {
   buffers: string[];
   images: string[];
-}
-
-/** A file of the .zip. */
-export interface Packed {
-  path: string;
-  source: LocalFile;
 }
 
 /** What the server reads, and what a model may need beside itself. */
@@ -85,15 +80,6 @@ export function placed(model: LocalFile, paths: readonly string[], files: readon
     return source ? [{ path, source }] : [];
   });
 }
-
-async function zipped(name: string, files: readonly Packed[]): Promise<File> {
-  const { zipSync } = await import("three/examples/jsm/libs/fflate.module.js");
-  const contents = files.map(async ({ path, source }) => [path, await bytesOf(source.file)] as const);
-  const entries = Object.fromEntries(await Promise.all(contents));
-  return new File([zipSync(entries, { level: 0 })], name);
-}
-
-const bytesOf = async (file: File): Promise<Uint8Array> => new Uint8Array(await file.arrayBuffer());
 
 /** Returns the files that a character file may name, by their paths from its folder. */
 function besideCharacterFile(main: LocalFile, files: readonly LocalFile[]): Packed[] {

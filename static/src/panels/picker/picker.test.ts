@@ -28,6 +28,13 @@ test("lists machines and scenes, and selects what is watched", () => {
   expect(machines.value).toBe("n");
 });
 
+test("machines with the same title are told apart by their names", () => {
+  const { app, machines } = shown();
+  const [one, other] = app.library.machines.value;
+  app.library.machines.value = [one!, other!, { ...one!, name: "m-2" }];
+  expect(texts(machines).slice(0, 3)).toEqual(["The m · m", "The n", "The m · m-2"]);
+});
+
 test("a machine of a scene is chosen by its scene", () => {
   const { app, machines } = shown();
   app.library.machines.value = app.library.machines.value.map((row) => ({ ...row, scene: "s" }));

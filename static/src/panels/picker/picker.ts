@@ -36,10 +36,17 @@ function openList(press: KeyboardEvent): void {
   (press.currentTarget as HTMLSelectElement).showPicker();
 }
 
+/** Returns choices of machines by their titles; a title that several of them have is followed by the name. */
+function wellNamed(machines: readonly { name: string; title: string }[]): Choice[] {
+  const isUnique = (title: string): boolean => machines.filter((one) => one.title === title).length === 1;
+  return machines.map(({ name, title }) => ({
+    value: name,
+    words: isUnique(title) ? title : `${title} · ${name}`,
+  }));
+}
+
 function machineChoice({ library, selection }: App): TemplateResult {
-  const machines = library.machines.value
-    .filter(({ scene }) => !scene)
-    .map(({ name, title }) => ({ value: name, words: title }));
+  const machines = wellNamed(library.machines.value.filter(({ scene }) => !scene));
   const scenes = library.scenes.value.map(({ name, title, description }) => ({
     value: SCENE + name,
     words: title,
