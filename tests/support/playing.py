@@ -5,6 +5,7 @@ file can.
 from builders import character
 from statwalk.character.role import Role
 from statwalk.files.machine_yaml.machine_file import read_machine
+from statwalk.stage.stage import Stage
 
 STATES = """
 states:
@@ -35,3 +36,13 @@ def text_of(table=TABLE, more="", states=STATES, initial="STAND"):
 def role_of(text, name="tiny"):
     """The role that a machine file says."""
     return Role.build(name, character(), read_machine(text, name), "hips")
+
+
+def lived(text, *events, ticks=5):
+    """A stage with one actor that was sent events, a few ticks apart."""
+    stage = Stage()
+    stage.add(role_of(text))
+    for event in events:
+        stage.send(1, event)
+        stage.step(ticks)
+    return stage

@@ -4,10 +4,9 @@ queue.
 
 import numpy as np
 import pytest
-from playing import STATES, role_of, text_of
+from playing import STATES, lived, role_of, text_of
 from statwalk.machine.runtime.state import FOR_END, FOR_MOMENT, LOOK_UP
-from statwalk.stage.migrate.map_states import is_same, remap
-from statwalk.stage.stage import Stage
+from statwalk.stage.migrate.map_states import remap
 
 ARMS = """
 layers:
@@ -47,38 +46,9 @@ FIGHT |       |       | STAND
 """
 
 
-def lived(text, *events, ticks=5):
-    """A stage with one actor that was sent events, a few ticks apart."""
-    stage = Stage()
-    stage.add(role_of(text))
-    for event in events:
-        stage.send(1, event)
-        stage.step(ticks)
-    return stage
-
-
 def parts(stage):
     cast = stage.casts[0]
     return cast.role.machine, cast.machine
-
-
-def test_machines_that_differ_in_their_lines_alone_are_the_same():
-    plain, commented = (role_of(text).machine for text in (text_of(), "# a word\n\n" + text_of()))
-    assert is_same(plain, commented)
-
-
-@pytest.mark.parametrize(
-    "more",
-    [
-        "cells:\n  STAND/GO: {blend: 0.3}",
-        "cells:\n  STAND/GO: {when: end}",
-        'cells:\n  STAND/GO: [{if: "pace > 1", to: WALK}]',
-        "cells:\n  STAND/GO: {action: sing}",
-        "senses: {GO: {when: pace > 1}}",
-    ],
-)
-def test_machines_that_do_something_else_are_not(more):
-    assert not is_same(role_of(text_of()).machine, role_of(text_of(more=more)).machine)
 
 
 def test_a_new_layer_begins_in_its_initial_state():

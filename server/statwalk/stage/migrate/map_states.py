@@ -1,11 +1,10 @@
 """The state of machines, mapped to another version of their table: states, events, parameters and senses by
-name.
+name; a state that has another name, by its motion.
 """
 
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Sequence
-from dataclasses import fields
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,41 +22,16 @@ from statwalk.machine.runtime.state import (
     fresh,
 )
 from statwalk.maths.arrays import Bools, Ints
-
-NOT_COMPARED = ("condition", "when", "release", "line")
-"""members that are ignored when two machines are compared: programs, whose text is compared, and
-line numbers
-"""
-
-
-def is_same(old: Machine, new: Machine) -> bool:
-    """Returns whether two machines behave in the same way, whatever their files look like."""
-    return all(_plain(getattr(old, part.name)) == _plain(getattr(new, part.name)) for part in fields(Machine))
-
-
-def _plain(value: object) -> object:
-    """A value that can be compared: arrays as bytes, without programs and line numbers."""
-    if isinstance(value, np.ndarray):
-        return value.shape, value.tobytes()
-    if isinstance(value, dict):
-        return {key: _plain(member) for key, member in value.items()}
-    if isinstance(value, tuple) and hasattr(value, "_asdict"):
-        return tuple(_plain(member) for name, member in value._asdict().items() if name not in NOT_COMPARED)
-    if isinstance(value, tuple):
-        return tuple(_plain(member) for member in value)
-    if hasattr(value, "__dataclass_fields__"):
-        return tuple(
-            _plain(getattr(value, name)) for name in value.__dataclass_fields__ if name not in NOT_COMPARED
-        )
-    return value
+from statwalk.stage.migrate.match_states import is_same, is_same_motion, matched_states
 
 
 class MigratedState(NamedTuple):
-    """The state under the new machine, and the pending events that the new machine does not have: (row,
-    layer, old column) each.
+    """The state under the new machine; the actors whose state the new machine does not have: (row, layer of
+    the new machine) each; and the pending events that it does not have: (row, layer, old column) each.
     """
 
     state: MachineState
+    displaced: list[tuple[int, int]]
     lost: list[tuple[int, int, int]]
 
 
@@ -68,12 +42,15 @@ def remap(old: Machine, new: Machine, state: MachineState) -> MigratedState:
     else from the same phase. Pending events are looked up again.
     """
     if is_same(old, new):
-        return MigratedState(state, [])
+        return MigratedState(state, [], [])
     count = len(state.state)
     blank = fresh(new.program, count)
     columns = _by_name(old.events, new.events)
     parts = [_layer(old, new, state, blank, layer, columns) for layer in range(len(new.layers))]
-    stacked = {name: np.stack([part[name] for part in parts], 1) for name in parts[0]}
+    stacked = {name: np.stack([part[name] for part in parts], 1) for name in LAYERED}
+    displaced = [
+        (row, layer) for layer, part in enumerate(parts) for row in np.flatnonzero(part["displaced"]).tolist()
+    ]
     lost = np.argwhere((state.waiting_event >= 0) & (columns[state.waiting_event] < 0))
     lost_events = [
         (int(row), int(layer), int(state.waiting_event[row, layer, place])) for row, layer, place in lost
@@ -83,21 +60,22 @@ def remap(old: Machine, new: Machine, state: MachineState) -> MigratedState:
         np.ascontiguousarray(array, like.dtype)
         for array, like in zip(mapped.arrays(), blank.arrays(), strict=True)
     ]
-    return MigratedState(MachineState._make(arrays), lost_events)
+    return MigratedState(MachineState._make(arrays), displaced, lost_events)
 
 
 def _layer(
     old: Machine, new: Machine, state: MachineState, blank: MachineState, layer: int, columns: Ints
 ) -> dict[str, NDArray[Any]]:
-    """The members of one layer of the new machine, (N, …) each."""
+    """The members of one layer of the new machine, (N, …) each, and which actors are displaced."""
     names = [old_layer.name for old_layer in old.layers]
     if new.layers[layer].name not in names:
-        return {name: getattr(blank, name)[:, layer] for name in LAYERED}
+        none = np.zeros(len(blank.state), bool)
+        return {name: getattr(blank, name)[:, layer] for name in LAYERED} | {"displaced": none}
     before = names.index(new.layers[layer].name)
     old_states = state.state[:, before]
-    new_states = _states(old, new, before, layer)[old_states]
+    new_states = matched_states(old, new, before, layer)[old_states]
     stays, new_states = new_states >= 0, np.where(new_states >= 0, new_states, new.fallbacks[layer])
-    goes_on = stays & _is_same_motion(old, new, old_states, new_states)
+    goes_on = stays & is_same_motion(old, new, old_states, new_states)
     time, passed = _times(
         old, new, (old_states, new_states), (state.time[:, before], state.passed[:, before]), stays, goes_on
     )
@@ -109,6 +87,7 @@ def _layer(
         "age": np.where(stays, state.age[:, before], 0).astype(np.int32),
         "ended": np.where(goes_on, state.ended[:, before], RUNNING).astype(np.uint8),
         "stayed": _stayed(old, new, state.stayed[:, before], (old_states, new_states), columns),
+        "displaced": ~stays,
     }
 
 
@@ -176,7 +155,7 @@ def _shared(old: Machine, new: Machine, state: MachineState, blank: MachineState
     limits = [(parameter.minimum, parameter.maximum) for parameter in new.parameters]
     bounds = np.array(limits, np.float64).reshape(-1, 2).T
     wide = np.concatenate([bounds, np.tile([[-np.inf], [np.inf]], len(new.entry_values))], 1)
-    goals = _states(old, new, 0, 0)
+    goals = matched_states(old, new, 0, 0)
     return {
         "held": _taken(state.held, _by_name(new.events, old.events), blank.held),
         "parameters": np.clip(_taken(state.parameters, parameters, blank.parameters), *bounds),
@@ -196,40 +175,9 @@ def _last(old: Machine, new: Machine, state: MachineState, blank: MachineState) 
         before = (
             [old_layer.name for old_layer in old.layers].index(layer) if (layer, _) in old.histories else -1
         )
-        to = _states(old, new, before, layers.index(layer))
+        to = matched_states(old, new, before, layers.index(layer))
         last[:, column] = np.where(last[:, column] >= 0, to[last[:, column]], -1)
     return last
-
-
-def _states(old: Machine, new: Machine, before: int, layer: int) -> Ints:
-    """(S,) the row in a layer of the new machine of each state of the old machine, -1 if the state
-    is gone.
-    """
-    rows = {new.states[row]: row for row in new.rows(layer)}
-    return np.array(
-        [rows.get(name, -1) if old.layer_of[row] == before else -1 for row, name in enumerate(old.states)]
-    )
-
-
-def _is_same_motion(old: Machine, new: Machine, before: Ints, after: Ints) -> Bools:
-    """(N,) whether two states play the same motion, as long and in the same way."""
-    key_of = [_motions(old), _motions(new)]
-    same = {
-        (old_state, new_state): key_of[0][old_state] == key_of[1][new_state]
-        for old_state, new_state in set(zip(before.tolist(), after.tolist(), strict=True))
-    }
-    return np.array([same[pair] for pair in zip(before.tolist(), after.tolist(), strict=True)], bool)
-
-
-def _motions(machine: Machine) -> list[object]:
-    """The motion of each state, in comparable form."""
-    clips = [machine.motions[row] if row >= 0 else "" for row in machine.motion]
-    return [
-        (clip, _plain(blend), bool(loop), float(duration))
-        for clip, blend, loop, duration in zip(
-            clips, machine.blends, machine.loop, machine.duration, strict=True
-        )
-    ]
 
 
 def _by_name(names: Sequence[Hashable], known_names: Sequence[Hashable]) -> Ints:

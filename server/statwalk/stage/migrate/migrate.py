@@ -94,20 +94,11 @@ def _begun(
 def _notices(before: Cast, after: Cast, migrated: MigratedState) -> list[Notice]:
     """The notices to actors: the states they had to leave, and the events they lost."""
     old, new = before.role.machine, after.role.machine
-    notices = []
-    for layer, new_layer in enumerate(new.layers):
-        was = (
-            [old_layer.name for old_layer in old.layers].index(new_layer.name)
-            if new_layer in old.layers
-            else -1
-        )
-        for row, actor in enumerate(before.ids.tolist() if was >= 0 else ()):
-            old_state, new_state = (
-                old.states[before.machine.state[row, was]],
-                new.states[after.machine.state[row, layer]],
-            )
-            if old_state != new_state:
-                notices.append(Notice(actor, EDIT, -1, STATE_IS_GONE, layer, old_state, new_state))
+    layers, notices = [layer.name for layer in old.layers], []
+    for row, layer in migrated.displaced:
+        was = before.machine.state[row, layers.index(new.layers[layer].name)]
+        names = old.states[was], new.states[after.machine.state[row, layer]]
+        notices.append(Notice(int(before.ids[row]), EDIT, -1, STATE_IS_GONE, layer, *names))
     return notices + [
         Notice(int(before.ids[row]), old.events[event], -1, EVENT_IS_GONE) for row, _, event in migrated.lost
     ]
