@@ -44,7 +44,7 @@ NESTED = text_of(INSIDE_TABLE, states=INSIDE)
 
 
 @pytest.mark.parametrize(("text", "state"), [(RENAMED, "STROLL"), (NESTED, "GAIT.STRIDE")])
-def test_a_state_with_another_name_goes_on_to_the_bit_and_nobody_hears_of_it(text, state):
+def test_in_a_state_with_another_name_an_actor_goes_on_to_the_bit(text, state):
     stage = lived(text_of(), "GO", ticks=20)
     plain = stage.fork()
     stage.edit(role_of(text))
@@ -54,7 +54,15 @@ def test_a_state_with_another_name_goes_on_to_the_bit_and_nobody_hears_of_it(tex
     assert all(
         (one == other).all() for one, other in zip(stage.actor(1).pose, plain.actor(1).pose, strict=True)
     )
-    assert [verdict.event for verdict in stage.verdicts] == ["GO"]
+
+
+def test_who_is_in_a_state_with_another_name_hears_of_it():
+    stage = lived(text_of(), "GO", ticks=20)
+    stage.edit(role_of(RENAMED))
+    stage.step()
+    assert [one[3:8] for one in stage.frame.verdicts] == [
+        ("EDIT", "taken", "the edit calls WALK STROLL", "WALK", "STROLL")
+    ]
 
 
 MARCH = "  MARCH: {motion: walk, loop: true}\n  HOP:"

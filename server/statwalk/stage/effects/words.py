@@ -45,6 +45,7 @@ NOTICES = {
     pending_events.NO_SUCH_EVENT: "{role} has no event {event}",
     pending_events.NO_SUCH_STATE: "{role} has no state {event}",
     pending_events.STATE_IS_GONE: "the edit has no state {from_state}",
+    pending_events.STATE_IS_RENAMED: "the edit calls {from_state} {to_state}",
     pending_events.EVENT_IS_GONE: "the edit has no such event",
 }
 """the reasons of notices, with fields of the notice and `role`, the name of the actor's role"""

@@ -31,7 +31,7 @@ class MigratedState(NamedTuple):
     """
 
     state: MachineState
-    displaced: list[tuple[int, int]]
+    displaced: set[tuple[int, int]]
     lost: list[tuple[int, int, int]]
 
 
@@ -42,15 +42,15 @@ def remap(old: Machine, new: Machine, state: MachineState) -> MigratedState:
     else from the same phase. Pending events are looked up again.
     """
     if is_same(old, new):
-        return MigratedState(state, [], [])
+        return MigratedState(state, set(), [])
     count = len(state.state)
     blank = fresh(new.program, count)
     columns = _by_name(old.events, new.events)
     parts = [_layer(old, new, state, blank, layer, columns) for layer in range(len(new.layers))]
     stacked = {name: np.stack([part[name] for part in parts], 1) for name in LAYERED}
-    displaced = [
+    displaced = {
         (row, layer) for layer, part in enumerate(parts) for row in np.flatnonzero(part["displaced"]).tolist()
-    ]
+    }
     lost = np.argwhere((state.waiting_event >= 0) & (columns[state.waiting_event] < 0))
     lost_events = [
         (int(row), int(layer), int(state.waiting_event[row, layer, place])) for row, layer, place in lost

@@ -17,7 +17,7 @@ from statwalk.maths.simd.aligned import zeros
 from statwalk.maths.simd.lanes import LANES
 from statwalk.stage.migrate.map_states import MigratedState, remap
 from statwalk.stage.state.cast import Cast
-from statwalk.stage.state.pending_events import EVENT_IS_GONE, STATE_IS_GONE, Notice
+from statwalk.stage.state.pending_events import EVENT_IS_GONE, STATE_IS_GONE, STATE_IS_RENAMED, Notice
 from statwalk.stage.state.pose_offsets import PoseOffsets, Transitions
 from statwalk.stage.steps.offset_begin import begin
 from statwalk.stage.steps.offset_lanes import scratch_size
@@ -92,17 +92,22 @@ def _begun(
 
 
 def _notices(before: Cast, after: Cast, migrated: MigratedState) -> list[Notice]:
-    """The notices to actors: the states they had to leave, and the events they lost."""
+    """The notices to actors: the states they had to leave or have under another name, and the events they
+    lost.
+    """
     old, new = before.role.machine, after.role.machine
-    layers, notices = [layer.name for layer in old.layers], []
-    for row, layer in migrated.displaced:
-        was = before.machine.state[row, layers.index(new.layers[layer].name)]
-        names = old.states[was], new.states[after.machine.state[row, layer]]
-        notices.append(Notice(int(before.ids[row]), EDIT, -1, STATE_IS_GONE, layer, *names))
+    layers, ids, notices = [layer.name for layer in old.layers], before.ids.tolist(), []
+    for layer, row in np.ndindex(len(new.layers), len(ids)):
+        if (name := new.layers[layer].name) in layers:
+            was = old.states[before.machine.state[row, layers.index(name)]]
+            comes = new.states[after.machine.state[row, layer]]
+            reason = STATE_IS_GONE if (row, layer) in migrated.displaced else STATE_IS_RENAMED
+            if was != comes:
+                notices.append(Notice(ids[row], EDIT, -1, reason, layer, was, comes))
     return notices + [
-        Notice(int(before.ids[row]), old.events[event], -1, EVENT_IS_GONE) for row, _, event in migrated.lost
+        Notice(ids[row], old.events[event], -1, EVENT_IS_GONE) for row, _, event in migrated.lost
     ]
 
 
 EDIT = "EDIT"
-"""event name of a notice about an edit that moved an actor to another state"""
+"""event name of a notice about an actor's state after an edit"""

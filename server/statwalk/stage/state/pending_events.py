@@ -19,13 +19,15 @@ actors could raise a million events on each other
     NO_SUCH_STATE,
     STATE_IS_GONE,
     EVENT_IS_GONE,
-) = range(8)
+    STATE_IS_RENAMED,
+) = range(9)
 """Reasons of a notice. For `raise(EVENT, WHOM)`: NO_OTHER; NOBODY_KNOWS, no other actor's machine has the
 event; NOBODY_IS_CALLED, no actor has the name; TOO_MANY_RAISED on one actor in a tick. For an input: the role
-has NO_SUCH_EVENT, or NO_SUCH_STATE to travel to. For an edit: STATE_IS_GONE, the state that the actor was in;
-EVENT_IS_GONE, a pending event. `stage.effects.words` turns the codes into sentences when they are read
+has NO_SUCH_EVENT, or NO_SUCH_STATE to travel to. For an edit: STATE_IS_GONE,
+the state that the actor was in; STATE_IS_RENAMED, the state that the actor is in; EVENT_IS_GONE, a pending
+event. `stage.effects.words` turns the codes into sentences when they are read
 """
-NOTICE_REASONS = range(EVENT_IS_GONE + 1)
+NOTICE_REASONS = range(STATE_IS_RENAMED + 1)
 
 
 class PendingEvent(NamedTuple):
@@ -55,10 +57,10 @@ class Notice(NamedTuple):
     """or the state, if the state does not exist"""
     other: int
     reason: int
-    """NO_OTHER … EVENT_IS_GONE"""
+    """NO_OTHER … STATE_IS_RENAMED"""
     layer: int = 0
     from_state: str = ""
     to_state: str = ""
-    """the state that an edit moved the actor to"""
+    """the state of the actor after the edit"""
     target: str = ""
     """the name that no actor has"""
