@@ -88,3 +88,10 @@ def test_where_the_compiler_is_switched_off_python_gets_an_error_of_ours():
 
 def test_every_name_of_the_face_is_there():
     assert all(getattr(statwalk, name).__name__ == name for name in statwalk.__all__)
+
+
+def test_python_m_statwalk_is_the_command():
+    ran = subprocess.run(
+        [sys.executable, "-m", "statwalk", "play", "nobody"], env=ENVIRONMENT, capture_output=True, text=True
+    )
+    assert (ran.returncode, "'nobody'" in ran.stderr) == (2, True)
