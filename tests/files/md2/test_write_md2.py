@@ -12,6 +12,7 @@ from statwalk.errors import ContentError
 from statwalk.files.gltf import read_model
 from statwalk.files.md2 import read_md2, write_md2
 from statwalk.files.md2.md2_content import read_content
+from statwalk.services.library.load import load
 
 STEP = 1 / 255
 
@@ -103,3 +104,8 @@ def test_without_a_triangle_there_is_nothing_to_write() -> None:
     bare = Character("bare", tetra.skeleton, tetra.node_index, tetra.bind_pose, tetra.clips)
     with pytest.raises(ContentError, match="no triangles"):
         write_md2(bare)
+
+
+def test_the_shipped_walker_comes_back_with_all_its_clips() -> None:
+    walker = load("faq-walker").character
+    assert len(read_md2(write_md2(walker), "walker").clips) == len(walker.clips)

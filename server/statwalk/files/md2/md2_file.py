@@ -38,7 +38,7 @@ SUFFIX = ".md2"
 METRES = 0.0254
 TO_GLTF = [1, 2, 0]
 """the file's axis for x (left), y (up) and z (forward)"""
-LARGEST_MORPHS = 48 << 20
+LARGEST_MORPHS = 64 << 20
 """bytes of all frames as morph targets: positions and normals"""
 
 
