@@ -41,8 +41,8 @@ def matched_states(old: Machine, new: Machine, before: int, layer: int) -> Ints:
     """Returns (S,) the row in a layer of the new machine of each state of the old machine, -1 if the state
     is gone.
 
-    A state whose name is gone was renamed, or put into another machine, if one new name has its motion, and
-    no other name that is gone.
+    A state whose name is gone is the one new state with its motion, unless another state that is gone had
+    this motion, too: an edit renamed it, or moved it into or out of a sub-machine.
     """
     rows = {new.states[row]: row for row in new.rows(layer)}
     names = {name: row for row, name in enumerate(old.states) if old.layer_of[row] == before}

@@ -19,7 +19,7 @@ import { MappingStep } from "./mappingStep";
 import { MODELS, oneFile, PARTS } from "./modelFiles";
 import { offerRig } from "./rigStep";
 
-const ACCEPT = [...MODELS, ...PARTS, "model/gltf-binary", "application/zip"].join();
+const ACCEPT = [...MODELS, ...PARTS, ".csv", "model/gltf-binary", "application/zip"].join();
 
 /** Of joints, in a sentence beside the character. */
 const NAMES = 4;
