@@ -13,7 +13,7 @@ from statwalk.stage.history.engine import ENGINE
 from statwalk.stage.history.state_codec import from_bytes, to_bytes
 from statwalk.stage.stage import Stage
 from statwalk.stage.state import pending_events
-from statwalk.stage.state.pending_events import Notice
+from statwalk.stage.state.pending_events import NOTICE_REASONS, Notice
 from statwalk.stage.state.stage_state import StageState
 from wild_machines import inputs, machine
 
@@ -125,7 +125,7 @@ def test_notices_are_stored_as_codes():
 
 
 def test_a_reason_that_there_is_not_is_refused():
-    for reason in (8, -1, "there is no other", None):
+    for reason in (NOTICE_REASONS.stop, -1, "there is no other", None):
         with pytest.raises(StageError, match="no reason of a notice"):
             from_bytes(to_bytes(StageState(notices=(NOTICE._replace(reason=reason),))), {})
 
