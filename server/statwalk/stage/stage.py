@@ -133,7 +133,8 @@ class Stage(Timeline):
     def edit(self, role: Role, text: str = "") -> Edit:
         """Replaces the role of the same name by another version at once; `text`, its machine file, is logged.
 
-        Every actor of the role keeps its state, by the names of states, parameters and events.
+        Every actor of the role keeps its state, by the names of states, parameters and events; a state that
+        was renamed is found by its motion.
 
         :raises UnknownNameError: when the stage has no role of this name.
         :raises StageError: when the new version has other joints.

@@ -1,5 +1,5 @@
-"""Migration to another version of a role during play: every actor keeps its state, by name, and the shown
-pose does not jump.
+"""Migration to another version of a role during play: every actor keeps its state, and the shown pose
+does not jump.
 """
 
 from __future__ import annotations
