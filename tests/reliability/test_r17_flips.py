@@ -82,6 +82,17 @@ def test_r17_a_page_that_hides_answers_is_reported(tmp_path: Path, catalogue: Ca
     assert outcome(tmp_path, with_hidden_answers(tmp_path, catalogue), catalogue) == (REPORTED, [])
 
 
+def test_r17_a_row_that_hides_answers_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
+    """Rows are sought by halves: a row in the middle that belongs before all others leads past them. A bit can
+    do that too: seed 8489 of `flips`, with some stages.
+    """
+    before, path = kept(tmp_path, catalogue), tmp_path / FILE_NAME
+    data = path.read_bytes()
+    at = data.index(f"{sorted(before)[1]}STRETCH".encode())
+    path.write_bytes(data[:at] + b"!" + data[at + 1 :])
+    assert outcome(tmp_path, before, catalogue) == (REPORTED, [])
+
+
 def test_r17_a_server_that_does_not_look_at_pages_is_found_out(
     tmp_path: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
 ) -> None:

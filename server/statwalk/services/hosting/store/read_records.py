@@ -173,8 +173,8 @@ class KeptRecords:
         return int(next(self._rows("PRAGMA user_version"))[0])
 
     def damage(self, table: str = "") -> list[str]:
-        """Returns what SQLite itself finds wrong with the file, or quickly with the pages of one table."""
-        check = f"quick_check({table})" if table else "integrity_check"
+        """Returns what SQLite itself finds wrong with the file, or with the pages of one table."""
+        check = f"integrity_check({table})" if table else "integrity_check"
         try:
             return [text for (text,) in self._rows(f"PRAGMA {check}") if text != "ok"]
         except StorageError as error:
