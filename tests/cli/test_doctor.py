@@ -59,6 +59,19 @@ def test_a_damaged_stage_is_named(stage: str, tmp_path: Path, capsys: pytest.Cap
     assert f"stage {stage}: damaged: entry 1 of the log is damaged" in capsys.readouterr().out
 
 
+def test_a_damaged_version_of_a_machine_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with keeping(tmp_path, Catalogue()) as held:
+        current = held.versions.current("elbow")
+        held.versions.change(current, current.version.text + "\n# edited\n", "a remark")
+    database = sqlite3.connect(tmp_path / FILE_NAME)
+    with database:
+        database.execute("UPDATE versions SET what = 'another' WHERE number = 2")
+    database.close()
+    with pytest.raises(typer.Exit):
+        doctor(tmp_path)
+    assert "machine elbow: 1 version damaged: version 2" in capsys.readouterr().out
+
+
 def test_a_damaged_model_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for name, data in {
         f"characters/{'a' * 64}.glb": b"model",

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from flips_folder import REPORTED, WHOLE, kept, outcome, outcomes
+from flips_folder import EDITED, REPORTED, WHOLE, kept, outcome, outcomes
 from statwalk.services.hosting import reopen
 from statwalk.services.hosting.store import read_records
 from statwalk.services.hosting.store.database import FILE_NAME
@@ -78,17 +78,17 @@ def with_hidden_answers(folder: Path, catalogue: Catalogue) -> dict[str, Any]:
 
 
 def test_r17_a_page_that_hides_answers_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
-    """A bit can do that: seed 2461 of `flips`."""
+    """A bit can do that."""
     assert outcome(tmp_path, with_hidden_answers(tmp_path, catalogue), catalogue) == (REPORTED, [])
 
 
 def test_r17_a_row_that_hides_answers_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
-    """Rows are sought by halves: a row in the middle that belongs before all others leads past them. A bit can
-    do that too: seed 8489 of `flips`, with some stages.
+    """Rows are sought by halves: a row in the middle that belongs before all others leads past them. A bit
+    can do that too.
     """
     before, path = kept(tmp_path, catalogue), tmp_path / FILE_NAME
     data = path.read_bytes()
-    at = data.index(f"{sorted(before)[1]}STRETCH".encode())
+    at = data.index(f"{sorted(set(before) - {EDITED})[1]}STRETCH".encode())
     path.write_bytes(data[:at] + b"!" + data[at + 1 :])
     assert outcome(tmp_path, before, catalogue) == (REPORTED, [])
 
@@ -110,4 +110,25 @@ def test_r17_a_server_that_compares_no_hashes_is_found_out(
     before = with_other_answers(tmp_path, catalogue)
     monkeypatch.setattr(read_records, "row_digest", lambda *_: Believed())
     what, wrong = outcome(tmp_path, before, catalogue)
-    assert (what, sorted(wrong)) == (WHOLE, sorted(before))
+    assert (what, sorted(wrong)) == (WHOLE, sorted(set(before) - {EDITED}))
+
+
+def with_another_version(folder: Path, catalogue: Catalogue) -> dict[str, Any]:
+    """Makes a folder in which an edit of a machine is another one; returns what its stages were."""
+    before = kept(folder, catalogue)
+    with closing(sqlite3.connect(folder / FILE_NAME)) as database, database:
+        database.execute("UPDATE versions SET text = text || '#' WHERE number = 2")
+    return before
+
+
+def test_r17_another_version_of_a_machine_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
+    assert outcome(tmp_path, with_another_version(tmp_path, catalogue), catalogue) == (REPORTED, [])
+
+
+def test_r17_a_server_that_leaves_damaged_versions_out_is_found_out(
+    tmp_path: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The control."""
+    before = with_another_version(tmp_path, catalogue)
+    monkeypatch.setattr(read_records.KeptRecords, "damaged_versions", lambda _: {})
+    assert outcome(tmp_path, before, catalogue) == (WHOLE, [EDITED])

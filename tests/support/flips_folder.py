@@ -16,6 +16,8 @@ from statwalk.services.hosting.store.database import FILE_NAME
 from statwalk.services.library.catalogue import Catalogue
 
 STAGES = 3
+EDITED = "biceps"
+"""the machine that is edited, which plays on no stage"""
 REPORTED, WHOLE = "reported", "whole"
 CUT_SHARE = 0.1
 """of the damages that take the end of the file away, instead of flipping a bit"""
@@ -30,12 +32,16 @@ def kept(folder: Path, catalogue: Catalogue) -> dict[str, Any]:
                 host.handle(ask.Post((SendEvent(event, 1),), key=f"{event} {number}"))
                 host.handle(ask.Step(400))
             host.handle(ask.Seek(700 + number))
+        current = held.versions.current(EDITED)
+        held.versions.change(current, current.version.text + "\n# a remark\n", "a remark")
         return _all(held)
 
 
 def _all(held: Registry) -> dict[str, Any]:
-    """What all stages are, with the answers that their keys stand for."""
-    found = {}
+    """What all stages are, with the answers that their keys stand for, and the versions of the machine that
+    was edited.
+    """
+    found: dict[str, Any] = {EDITED: (None, held.versions.of(EDITED))}
     for host in held.all():
         keys = host._live.keys
         found[host.id] = what_it_is(host), dict(keys.answers) if keys else {}
@@ -58,17 +64,17 @@ def outcome(folder: Path, before: dict[str, Any], catalogue: Catalogue) -> tuple
     """
     try:
         with keeping(folder, catalogue) as held:
-            now, left, answers = _all(held), set(held.left), held.damage
+            now, left, damage = _all(held), set(held.left), held.damage
     except (ContentError, StorageError):
         return REPORTED, []
-    if answers:  # it is reported that they are damaged
+    if damage:  # it is reported what is damaged beside stages
         now, before = ({name: what for name, (what, _) in found.items()} for found in (now, before))
     # damage may have given the stage that is reported another name
     wrong = [
         name for name, was in before.items() if now.get(name, None if left else "gone") not in (was, None)
     ]
     wrong += [name for name in now if name not in before]
-    return REPORTED if left or answers else WHOLE, wrong
+    return REPORTED if left or damage else WHOLE, wrong
 
 
 def outcomes(folder: Path, seeds: range, catalogue: Catalogue) -> Iterator[tuple[int, str, list[str]]]:

@@ -182,6 +182,41 @@ def damaged(folder: Path, change: str) -> None:
     connection.close()
 
 
+def spoilt(folder: Path, version: int) -> None:
+    """Changes the text of a version, as a flipped bit does."""
+    damaged(folder, f"UPDATE versions SET text = text || '#' WHERE number = {version}")
+
+
+def test_a_damaged_edit_is_named_among_the_versions_and_the_one_before_counts(tmp_path: Path) -> None:
+    with keeping(tmp_path, Catalogue()) as held:
+        whole = edited(held)
+        edited(held)
+    spoilt(tmp_path, 3)
+    with keeping(tmp_path, Catalogue()) as held:
+        assert held.catalogue.entry("elbow").file.text == whole
+        versions = [(version.number, version.what) for version in held.versions.of("elbow")]
+    assert versions[1:] == [(2, "a remark"), (4, "version 3 is damaged: version 2 again")]
+
+
+def test_a_damaged_edit_is_named_once(tmp_path: Path) -> None:
+    with keeping(tmp_path, Catalogue()) as held:
+        edited(held)
+    spoilt(tmp_path, 2)
+    for _ in range(2):
+        with keeping(tmp_path, Catalogue()) as held:
+            assert [version.number for version in held.versions.of("elbow")] == [1, 3]
+
+
+def test_a_damaged_old_edit_is_told_in_the_log(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    with keeping(tmp_path, Catalogue()) as held:
+        edited(held)
+        newest = edited(held)
+    spoilt(tmp_path, 2)
+    with keeping(tmp_path, Catalogue()) as held:
+        assert held.catalogue.entry("elbow").file.text == newest
+    assert "elbow comes back without version 2: damaged" in caplog.messages
+
+
 DAMAGES = {
     "a line of its log": "UPDATE commands SET line = replace(line, 'FORWARD', 'STOP')",
     "a line that is gone": "DELETE FROM commands WHERE place = 2",

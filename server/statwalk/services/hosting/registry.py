@@ -61,8 +61,8 @@ class Registry:
         self.stages: dict[str, StageHost] = {}
         self.left: dict[str, str] = {}
         """why stages did not come back when the server started, by id; their records are kept"""
-        self.damage = ""
-        """what is damaged among the kept answers to requests; empty: nothing"""
+        self.damage: list[str] = []
+        """what is damaged beside stages: kept answers to requests, versions of machines"""
         self.versions = MachineVersions(catalogue, self.all, store)
 
     def all(self) -> list[StageHost]:

@@ -12,11 +12,11 @@ from statwalk.character.role import Role
 from statwalk.errors import StageError, StatwalkError
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, machine_of
 from statwalk.services.hosting.edited_file import saved
-from statwalk.services.hosting.machine_versions import MachineVersions
+from statwalk.services.hosting.machine_versions import MOST_VERSIONS, MachineVersions
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.hosting.stage_messages import Edit
-from statwalk.services.hosting.store.database import KEYS
+from statwalk.services.hosting.store.database import KEYS, VERSIONS
 from statwalk.services.hosting.store.records import MAIN, MachineVersion, StageRecord
 from statwalk.services.hosting.store.store import Store
 from statwalk.services.library.catalogue import Catalogue
@@ -42,7 +42,7 @@ def reopen(registry: Registry, main: str) -> None:
     if store is None:
         return
     _check_answers(registry, store)
-    _reopen_versions(registry.versions, store)
+    _reopen_versions(registry, store)
     names: dict[str, str] = {}  # new ids by the old ones; a fork comes after the stage that it left
     for stage_id in store.records.ids():
         try:
@@ -62,12 +62,19 @@ def reopen(registry: Registry, main: str) -> None:
 
 def _check_answers(registry: Registry, store: Store) -> None:
     """A damaged page may hide answers, which have no end as logs have: the stages come back without them."""
-    registry.damage = "; ".join(store.records.damage(KEYS)[:3])
-    if registry.damage:
-        log.error(
-            "answers to requests are damaged, and a request that is sent again may count again: %s",
-            registry.damage,
-        )
+    if damage := _damage(store, KEYS):
+        again = "a request that is sent again may count again"
+        _report(registry, f"answers to requests are damaged, and {again}: {damage}")
+
+
+def _damage(store: Store, table: str) -> str:
+    """What is wrong with the pages of a table; empty: nothing."""
+    return "; ".join(store.records.damage(table)[:3])
+
+
+def _report(registry: Registry, damage: str) -> None:
+    log.error("%s", damage)
+    registry.damage.append(damage)
 
 
 # --- stages
@@ -158,19 +165,29 @@ def _role(record: StageRecord, catalogue: Catalogue, key: str, text: str = "") -
 # --- versions of machines
 
 
-def _reopen_versions(versions: MachineVersions, store: Store) -> None:
+def _reopen_versions(registry: Registry, store: Store) -> None:
+    versions, damaged = registry.versions, store.records.damaged_versions()
+    if damage := _damage(store, VERSIONS):
+        _report(registry, f"versions of machines are damaged, and some may not come back: {damage}")
+    for machine, numbers in damaged.items():
+        _report(registry, f"{machine} comes back without version {_listed(numbers)}: damaged")
     for machine, kept in store.records.versions().items():
         if machine not in versions.catalogue.entries:
             continue
         try:
-            _reopen_machine(versions, machine, kept)
+            _reopen_machine(versions, machine, kept, damaged.get(machine, []))
         except StatwalkError as error:
             log.error("%s keeps the text of its file: %s", machine, error)
 
 
-def _reopen_machine(versions: MachineVersions, machine: str, kept: list[MachineVersion]) -> None:
+def _reopen_machine(
+    versions: MachineVersions, machine: str, kept: list[MachineVersion], damaged: list[int]
+) -> None:
     """A shipped machine plays its newest edit again; another machine has its file, which may be newer."""
     catalogue = versions.catalogue
+    if lost := _newer(damaged, kept[-1].number):
+        kept = [*kept, _again(kept[-1], lost)]
+        versions.keep(machine, kept)
     entry, newest = catalogue.entry(machine), kept[-1]
     if saved(entry) == "memory" and entry.file.text != newest.text:
         role = catalogue.version(machine, newest.text)
@@ -180,3 +197,18 @@ def _reopen_machine(versions: MachineVersions, machine: str, kept: list[MachineV
         kept = [*kept, MachineVersion(newest.number + 1, time.time(), what, entry.file.text, newest.number)]
         versions.keep(machine, kept)
     versions.versions_of[machine] = kept
+
+
+def _newer(damaged: list[int], number: int) -> list[int]:
+    """The numbers of the damaged versions that came after a version; a number may be damaged itself."""
+    return [lost for lost in damaged if number < lost <= number + MOST_VERSIONS]
+
+
+def _again(newest: MachineVersion, lost: list[int]) -> MachineVersion:
+    """The version that says that newer ones were lost, with the text of the newest one that was not."""
+    what = f"version {_listed(lost)} is damaged: version {newest.number} again"
+    return MachineVersion(lost[-1] + 1, time.time(), what, newest.text, newest.number)
+
+
+def _listed(numbers: list[int]) -> str:
+    return ", ".join(map(str, numbers))

@@ -22,6 +22,7 @@ APPLICATION = 0x5374576B
 LARGEST_WAL_BYTES = 16 << 20
 STAGES = "stages"
 KEYS = "keys"
+VERSIONS = "versions"
 PARTS = ("beginnings", "roles", "commands", "ends", "snapshots", KEYS)
 """the tables with rows of stages"""
 SEALED = {

@@ -35,8 +35,7 @@ def examine(folder: Path) -> Iterator[Examined]:
         yield Examined("database", f"{path.stat().st_size:,} bytes", damage)
         with _up_to_date(path) as records:
             yield from (_stage(records, stage) for stage in records.ids())
-            for machine, versions in records.versions().items():
-                yield Examined(f"machine {machine}", f"{len(versions)} versions")
+            yield from _machines(records)
     yield from _models(ModelStore(folder))
 
 
@@ -67,6 +66,15 @@ def _stage(records: KeptRecords, stage: str) -> Examined:
     ticks = ", ".join(map(str, bad[:5]))
     damage = f"snapshots of tick {ticks} (made again from the log)" if bad else ""
     return Examined(f"stage {stage}", f"tick {note.tick:,} of {note.head:,}, {held}", damage)
+
+
+def _machines(records: KeptRecords) -> Iterator[Examined]:
+    whole, damaged = records.versions(), records.damaged_versions()
+    for machine in sorted({*whole, *damaged}):
+        numbers = ", ".join(map(str, damaged.get(machine, ())))
+        count = len(whole.get(machine, ()))
+        facts = f"{count} version{'' if count == 1 else 's'}"
+        yield Examined(f"machine {machine}", facts, f"version {numbers}" if numbers else "")
 
 
 def _models(store: ModelStore) -> Iterator[Examined]:

@@ -158,11 +158,27 @@ class KeptRecords:
         :raises StorageError: when the database is damaged.
         """
         found: dict[str, list[MachineVersion]] = {}
-        for machine, *row, digest in self._rows("SELECT * FROM versions ORDER BY machine, number"):
-            version = MachineVersion(*row)
-            if version_row(machine, version)[-1] == digest:
+        for machine, version, is_whole in self._versions():
+            if is_whole:
                 found.setdefault(machine, []).append(version)
         return found
+
+    def damaged_versions(self) -> dict[str, list[int]]:
+        """Returns the numbers of the versions whose rows have changed, by machine.
+
+        :raises StorageError: when the database is damaged.
+        """
+        found: dict[str, list[int]] = {}
+        for machine, version, is_whole in self._versions():
+            if not is_whole:
+                found.setdefault(machine, []).append(version.number)
+        return found
+
+    def _versions(self) -> Iterator[tuple[str, MachineVersion, bool]]:
+        """All versions, and whether each is as it was written."""
+        for machine, *row, digest in self._rows("SELECT * FROM versions ORDER BY machine, number"):
+            version = MachineVersion(*row)
+            yield machine, version, version_row(machine, version)[-1] == digest
 
     @property
     def format(self) -> int:
