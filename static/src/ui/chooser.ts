@@ -23,11 +23,24 @@ export function choose(
   );
 }
 
-/** Opens a large menu in the middle of the window; returns the chosen item, or null. */
-export function find<T extends Named>(title: string, items: readonly T[]): Promise<T | null> {
+/**
+ * Opens a large menu in the middle of the window, at once, so that no typed letter goes elsewhere; `newer` items
+ * take the place of `items` when they are known. Returns the chosen item, or null.
+ */
+export function find<T extends Named>(
+  title: string,
+  items: readonly T[],
+  newer: Promise<readonly T[]>,
+): Promise<T | null> {
   return new Promise((done) => {
-    const end = (choice: Named | null): void => done(items.find((item) => item === choice) ?? null);
-    new Chooser(title, items, () => null, end).openWide();
+    let offered = items;
+    const end = (choice: Named | null): void => done(offered.find((item) => item === choice) ?? null);
+    const chooser = new Chooser(title, items, () => null, end);
+    chooser.openWide();
+    void newer.then((known) => {
+      offered = known;
+      chooser.offer(known);
+    });
   });
 }
 
@@ -48,7 +61,7 @@ class Chooser {
 
   constructor(
     title: string,
-    private readonly choices: readonly Named[],
+    private choices: readonly Named[],
     private readonly novelty: Novelty,
     private readonly done: (choice: Named | null) => void,
   ) {
@@ -75,6 +88,14 @@ class Chooser {
       Math.max(MARGIN, Math.min(value, room - size - MARGIN));
     this.dialog.style.left = `${within(x, width, innerWidth)}px`;
     this.dialog.style.top = `${within(y, height, innerHeight)}px`;
+  }
+
+  /** Offers other choices; the marked one stays marked. */
+  offer(choices: readonly Named[]): void {
+    const marked = this.shown[this.chosen];
+    this.choices = choices;
+    this.draw();
+    this.mark(this.shown.findIndex(({ name, note }) => name === marked?.name && note === marked.note));
   }
 
   private show(): void {

@@ -115,3 +115,13 @@ def test_a_default_column_is_made_and_taken_away(own: Server, table: Page) -> No
         assert (cell and cell["to"]) == where
         if count == "1":
             rows.get_by_role("button", name="every state, CROUCH").click()
+
+
+def test_the_palette_leads_from_a_field_to_another_section(table: Page) -> None:
+    open_section(table, "about").get_by_label("title").focus()
+    table.keyboard.press("Control+k")
+    table.keyboard.type("proof")
+    table.keyboard.press("Enter")
+    properties = table.locator("[data-section=properties]")
+    until(table, "document.activeElement.parentElement.dataset.section === 'properties'")
+    properties.get_by_label("new").wait_for()

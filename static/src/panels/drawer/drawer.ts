@@ -3,6 +3,7 @@
 import "./drawer.css";
 import { effect } from "@preact/signals-core";
 import { html } from "lit-html";
+import { keyName } from "../../state/commands";
 import type { Drawer } from "../../state/inspection";
 import { byId } from "../../ui/dom";
 import { draw } from "../../ui/draw";
@@ -72,11 +73,14 @@ export function drawerPanel(host: HTMLElement, app: App): void {
     const chosen = drawer.value && host.querySelector('[role="tab"][aria-selected="true"]');
     if (chosen) chosen.scrollIntoView({ block: "nearest", inline: "nearest" });
   });
-  // Keys in the drawer are for its fields, not for the character.
+  const isForThePage = (press: KeyboardEvent): boolean =>
+    (press.ctrlKey || press.metaKey) &&
+    (["z", "y"].includes(press.key.toLowerCase()) || app.commands.of(keyName(press)) !== undefined);
+  // Keys in the drawer are for its fields, not for the character; Ctrl and a key act as everywhere.
   for (const kind of ["keydown", "keyup"] as const)
     host.addEventListener(kind, (press) => {
       if (kind === "keydown" && press.key === "Escape" && !press.defaultPrevented) close();
-      if (!isUndo(press)) press.stopPropagation();
+      if (!isForThePage(press)) press.stopPropagation();
     });
   document.addEventListener("keydown", (press) => {
     if (press.key !== "Escape" || press.target !== document.body || drawer.value === null) return;
@@ -84,9 +88,6 @@ export function drawerPanel(host: HTMLElement, app: App): void {
     close();
   });
 }
-
-const isUndo = ({ ctrlKey, metaKey, key }: KeyboardEvent): boolean =>
-  (ctrlKey || metaKey) && ["z", "y"].includes(key.toLowerCase());
 
 /** Moves to the tab beside the focused one by the arrow keys. */
 function turned(press: KeyboardEvent): void {

@@ -150,3 +150,15 @@ test("the keyboard stays at an entry that is renamed, and goes to the section wh
   await Promise.resolve();
   expect(document.activeElement?.tagName).toBe("SUMMARY");
 });
+
+test("each section has a command that opens it and leads the keyboard there", () => {
+  const app = exampleApp();
+  const host = document.body.appendChild(document.createElement("div"));
+  machineFormPanel(host, app);
+  watch(app, { layers: [layer({})] });
+  const commands = app.commands.all.value;
+  for (const { act } of commands) act();
+  const sections = [...host.querySelectorAll("details")];
+  expect(sections.map(({ open }) => open)).toEqual(commands.map(() => true));
+  expect(document.activeElement?.parentElement?.dataset["section"]).toBe("properties");
+});

@@ -13,6 +13,7 @@ import { keySection } from "./keys";
 import { layerSection } from "./layers";
 import { parameterSection } from "./parameters";
 import { propertyForm } from "./properties";
+import { addSectionCommands } from "./sectionCommands";
 import { senseSection } from "./senses";
 import { aboutSection, defaultsSection } from "./settings";
 
@@ -36,6 +37,7 @@ export function machineFormPanel(host: HTMLElement, app: App): void {
       ${SECTIONS.map((section) => sectionForm(fields, section(info)))} ${defaultCells(app)}
       ${propertyForm(app, fields, info)}`;
   });
+  addSectionCommands(host, app);
   const again = keepFocus(host);
   machine.info.subscribe(() => queueMicrotask(again));
 }

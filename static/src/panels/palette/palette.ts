@@ -1,13 +1,14 @@
 /** Finds commands and everything that has a name, by some of its letters. */
 
-import * as api from "../../net/api";
 import type { App } from "../../view/app";
 import { find } from "../../ui/chooser";
-import { hitsOf } from "./hits";
+import { type Hit, hitsOf } from "./hits";
 
 async function openPalette(app: App): Promise<void> {
-  const stages = await api.stages().catch(() => []);
-  const hit = await find("find a command, state, event, clip, joint, machine, stage", hitsOf(app, stages));
+  const { stageList } = app;
+  const known = (): Hit[] => hitsOf(app, stageList.all.value);
+  const title = "find a command, state, event, clip, joint, machine, stage";
+  const hit = await find(title, known(), stageList.read().then(known));
   hit?.act();
 }
 
