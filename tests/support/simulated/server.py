@@ -99,7 +99,6 @@ class Server:
     def crash(self, *, without_power: bool = False) -> None:
         """Ends the process wherever it is, and starts another one soon."""
         self.is_up = False
-        self.checker.ended()
         self.world.after(0.0, self._end, without_power)
 
     def _end(self, without_power: bool) -> None:
@@ -110,6 +109,7 @@ class Server:
         for connection in self.connections:
             connection.cut()
         self.connections.clear()
+        self.checker.ended()  # no frame of this process can arrive any more
         self.world.after(self.ids.uniform(0.1, 1.0), self.boot)
 
     # --- what runs by itself
