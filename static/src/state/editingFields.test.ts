@@ -45,6 +45,28 @@ test("the reason is there while the text is typed", async () => {
   expect(kept).toEqual([]);
 });
 
+test("a typed text is being checked until the answer", async () => {
+  vi.useFakeTimers();
+  const { form } = fields(REFUSED);
+  bind(form).typed("WLK");
+  const before = bind(form).checking;
+  await vi.runAllTimersAsync();
+  vi.useRealTimers();
+  expect([before, bind(form).checking]).toEqual([true, false]);
+});
+
+test("a check that a newer one of another field replaces ends, and what was wrong stays", async () => {
+  vi.useFakeTimers();
+  const answers: (Answer | null)[] = [REFUSED, null];
+  const form = new EditingFields({ try: () => Promise.resolve(answers.shift()) } as unknown as Editing);
+  for (const text of ["WLK", "WLKK"]) {
+    bind(form).typed(text);
+    await vi.runAllTimersAsync();
+  }
+  vi.useRealTimers();
+  expect(bind(form)).toMatchObject({ checking: false, error: "WLK is no state" });
+});
+
 test("the old text again is no edit", async () => {
   const { form, kept } = fields(FINE);
   bind(form).typed("WALKS");

@@ -14,9 +14,11 @@ interface Draft {
   error: string;
   /** The verifier's, if it refuses the text. */
   findings: readonly Finding[];
+  /** Whether the server has not answered yet. */
+  checking: boolean;
 }
 
-const FINE: Omit<Draft, "text"> = { error: "", findings: [] };
+const FINE: Omit<Draft, "text"> = { error: "", findings: [], checking: false };
 
 /** A field: its value, what is wrong with it, what happens while it is typed in and when it is left. */
 export interface BoundField {
@@ -27,6 +29,8 @@ export interface BoundField {
   changed: boolean;
   /** The verifier's, if it refuses the text. */
   findings: readonly Finding[];
+  /** Whether the server has not answered yet. */
+  checking: boolean;
   typed: (text: string) => void;
   left: (text: string) => void;
   dropped: () => void;
@@ -50,6 +54,7 @@ export class EditingFields {
       error: draft?.error ?? "",
       changed: draft !== undefined,
       findings: draft?.findings ?? [],
+      checking: draft?.checking ?? false,
       typed: (text) => this.typed(key, text, text === value, means),
       left: (text) => void this.keep(key, text, text === value, means),
       dropped: () => this.put(key, null),
@@ -64,24 +69,29 @@ export class EditingFields {
 
   private typed(key: string, text: string, same: boolean, means: Means): void {
     clearTimeout(this.timer);
-    this.put(key, { ...(this.drafts.value.get(key) ?? FINE), text });
-    if (same) this.put(key, { ...FINE, text });
-    else this.timer = setTimeout(() => void this.try(key, text, means), TRIAL_PAUSE_MS);
+    this.put(key, same ? { ...FINE, text } : this.unanswered(key, text));
+    if (!same) this.timer = setTimeout(() => void this.try(key, text, means), TRIAL_PAUSE_MS);
   }
 
   private async try(key: string, text: string, means: Means): Promise<void> {
     const answer = await answered(() => this.editing.try(means(text)));
-    if (answer && this.drafts.value.get(key)?.text === text) this.put(key, { text, ...fault(answer) });
+    const draft = this.drafts.value.get(key);
+    if (draft?.text === text)
+      this.put(key, answer ? { text, ...fault(answer) } : { ...draft, checking: false });
   }
 
   private async keep(key: string, text: string, same: boolean, means: Means): Promise<void> {
     clearTimeout(this.timer);
-    // What was wrong with it stays until the answer: what stands below the field must not move under the pointer.
-    this.put(key, same ? null : { ...(this.drafts.value.get(key) ?? FINE), text });
+    this.put(key, same ? null : this.unanswered(key, text));
     if (same) return;
     const answer = await answered(() => this.editing.keep(means(text)));
     if (this.drafts.value.get(key)?.text !== text) return;
     this.put(key, answer?.kind === "fine" ? null : { text, ...fault(answer) });
+  }
+
+  /** What was wrong stays until the answer: what stands below the field must not move under the pointer. */
+  private unanswered(key: string, text: string): Draft {
+    return { ...(this.drafts.value.get(key) ?? FINE), text, checking: true };
   }
 
   private put(key: string, draft: Draft | null): void {
@@ -102,5 +112,5 @@ async function answered(request: () => Promise<Answer | null>): Promise<Answer |
 
 function fault(answer: Answer | null): Omit<Draft, "text"> {
   if (!answer || answer.kind === "fine") return FINE;
-  return { error: answer.findings[0]?.message ?? answer.words, findings: answer.findings };
+  return { ...FINE, error: answer.findings[0]?.message ?? answer.words, findings: answer.findings };
 }

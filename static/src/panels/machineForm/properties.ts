@@ -85,6 +85,7 @@ function propertyField(
 ): TemplateResult {
   const refuted = field.changed ? verdictOf(text, field.findings) : null;
   return html`${formField(field, { label, hint: "JUMP only after WALK", lines: 2 })}
+  ${field.checking && !field.error ? html`<p class="verdict" role="status">checking …</p>` : nothing}
   ${refuted ? replayButton(app, machine, refuted.finding) : nothing}`;
 }
 
