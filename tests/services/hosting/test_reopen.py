@@ -198,6 +198,17 @@ def test_a_damaged_edit_is_named_among_the_versions_and_the_one_before_counts(tm
     assert versions[1:] == [(2, "a remark"), (4, "version 3 is damaged: version 2 again")]
 
 
+def test_an_undo_after_a_damaged_edit_takes_back_the_edit_that_counts(tmp_path: Path) -> None:
+    with keeping(tmp_path, Catalogue()) as held:
+        shipped = held.catalogue.entry("elbow").file.text
+        edited(held)
+        edited(held)
+    spoilt(tmp_path, 3)
+    with keeping(tmp_path, Catalogue()) as held:
+        undo(held.versions, EditRequest("elbow", held.versions.current("elbow").version.number))
+        assert held.catalogue.entry("elbow").file.text == shipped
+
+
 def test_a_damaged_edit_is_named_once(tmp_path: Path) -> None:
     with keeping(tmp_path, Catalogue()) as held:
         edited(held)

@@ -207,7 +207,7 @@ def _newer(damaged: list[int], number: int) -> list[int]:
 def _again(newest: MachineVersion, lost: list[int]) -> MachineVersion:
     """The version that says that newer ones were lost, with the text of the newest one that was not."""
     what = f"version {_listed(lost)} is damaged: version {newest.number} again"
-    return MachineVersion(lost[-1] + 1, time.time(), what, newest.text, newest.number)
+    return MachineVersion(lost[-1] + 1, time.time(), what, newest.text, newest.before)
 
 
 def _listed(numbers: list[int]) -> str:
