@@ -228,6 +228,36 @@ def test_a_damaged_old_edit_is_told_in_the_log(tmp_path: Path, caplog: pytest.Lo
     assert "elbow comes back without version 2: damaged" in caplog.messages
 
 
+def emptied(folder: Path, table: str, column: str) -> None:
+    """Takes the values of a column away, which a flip of one bit can do in spite of NOT NULL."""
+    for change in (
+        f"UPDATE sqlite_schema SET sql = replace(sql, '{column} REAL NOT NULL', '{column} REAL')",
+        f"UPDATE {table} SET {column} = NULL",
+        f"UPDATE sqlite_schema SET sql = replace(sql, '{column} REAL', '{column} REAL NOT NULL')",
+    ):
+        connection = sqlite3.connect(folder / FILE_NAME)
+        with connection:
+            connection.execute("PRAGMA writable_schema = ON")
+            assert connection.execute(change).rowcount > 0
+        connection.close()
+
+
+def test_a_stage_whose_speed_is_gone_does_not_come_back(tmp_path: Path) -> None:
+    with keeping(tmp_path, Catalogue()) as held:
+        host = held.open(StageSetup(clock="manual", actors=(AddActor("elbow"),)))
+    emptied(tmp_path, "stages", "speed")
+    with keeping(tmp_path, Catalogue()) as held:
+        assert "the row that says what it is is damaged" in held.left[host.id]
+
+
+def test_a_version_whose_date_is_gone_does_not_come_back(tmp_path: Path) -> None:
+    with keeping(tmp_path, Catalogue()) as held:
+        edited(held)
+    emptied(tmp_path, "versions", "at")
+    with keeping(tmp_path, Catalogue()) as held:
+        assert "elbow comes back without version 1, 2: damaged" in held.damage
+
+
 DAMAGES = {
     "a line of its log": "UPDATE commands SET line = replace(line, 'FORWARD', 'STOP')",
     "a line that is gone": "DELETE FROM commands WHERE place = 2",

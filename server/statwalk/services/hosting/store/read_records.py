@@ -21,8 +21,6 @@ from statwalk.services.hosting.store.records import (
     chained,
     machine_keys,
     row_digest,
-    stage_row,
-    version_row,
 )
 
 
@@ -63,14 +61,14 @@ class KeptRecords:
         row = next(self._rows(f"SELECT {columns} FROM stages WHERE id = ?", stage), None)  # noqa: S608 - our own names
         if row is None:
             raise StorageError("the row that says what it is is missing")
-        _, opened, seed, rate, clock, tick, head, state, paused, speed, keep_running, *rest, digest = row
+        *values, digest = row
+        if row_digest(*values) != digest:
+            raise StorageError("the row that says what it is is damaged")
+        _, opened, seed, rate, clock, tick, head, state, paused, speed, keep_running, *rest = values
         name, parent, forked_tick, forked_number, made = rest
         origin = Origin(parent, forked_tick, forked_number) if parent else None
         identity = StageIdentity(stage, opened, seed, rate, clock, bool(keep_running), made, origin)
-        found = identity, Note(tick, head, state, bool(paused), speed, name)
-        if stage_row(*found)[-1] != digest:
-            raise StorageError("the row that says what it is is damaged")
-        return found
+        return identity, Note(tick, head, state, bool(paused), speed, name)
 
     def _beginning(self, stage: str) -> KeptBeginning | None:
         for tick, number, digest in self._rows(
@@ -164,21 +162,22 @@ class KeptRecords:
         return found
 
     def damaged_versions(self) -> dict[str, list[int]]:
-        """Returns the numbers of the versions whose rows have changed, by machine.
+        """Returns the numbers of the versions whose rows have changed, by machine; 0 for what is no number any
+        more.
 
         :raises StorageError: when the database is damaged.
         """
         found: dict[str, list[int]] = {}
         for machine, version, is_whole in self._versions():
             if not is_whole:
-                found.setdefault(machine, []).append(version.number)
+                number: Any = version.number
+                found.setdefault(str(machine), []).append(number if isinstance(number, int) else 0)
         return found
 
     def _versions(self) -> Iterator[tuple[str, MachineVersion, bool]]:
         """All versions, and whether each is as it was written."""
         for machine, *row, digest in self._rows("SELECT * FROM versions ORDER BY machine, number"):
-            version = MachineVersion(*row)
-            yield machine, version, version_row(machine, version)[-1] == digest
+            yield machine, MachineVersion(*row), row_digest(machine, *row) == digest
 
     @property
     def format(self) -> int:
