@@ -117,3 +117,7 @@ def __getattr__(name: str) -> Any:
         raise
     globals()[name] = value = getattr(module, name)
     return value
+
+
+def __dir__() -> list[str]:
+    return __all__  # what a notebook completes

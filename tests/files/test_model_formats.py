@@ -37,6 +37,11 @@ def test_a_written_file_is_known_by_its_start_and_read_again(row: FileFormat, tm
     assert back.model_glb
 
 
+def test_a_vrm_is_read_as_the_glb_that_it_is(tmp_path: Path) -> None:
+    (tmp_path / "tiny.vrm").write_bytes(model())
+    assert {"hip", "knee"} <= set(load_character_file(tmp_path / "tiny.vrm").skeleton.names)
+
+
 def test_an_unknown_suffix_lists_the_known_ones() -> None:
     with pytest.raises(ContentError, match=r"\.glb.*\.bvh"):
         format_of(Path("fox.fbx"))

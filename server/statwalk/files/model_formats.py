@@ -79,6 +79,7 @@ FORMATS: tuple[FileFormat, ...] = (
         "model/gltf-binary",
         _load_gltf,
     ),
+    FileFormat("VRM", (".vrm",), read_model, media_type="model/gltf-binary", load=_load_gltf),
     FileFormat(
         "glTF",
         (".gltf",),
@@ -174,7 +175,9 @@ def format_of(path: Path) -> FileFormat:
     found = next((row for row in (*FORMATS, CHARACTER_TEXT) if suffix in row.suffixes), None)
     if found is None:
         raise ContentError(
-            f"no format has the suffix {suffix[:20]!r}; there are: {', '.join(SUFFIXES)}", file=str(path)
+            f"no format has the suffix {suffix[:20]!r}; there are: {', '.join(SUFFIXES)} (Blender and other "
+            "programs write .glb)",
+            file=str(path),
         )
     return found
 

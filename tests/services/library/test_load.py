@@ -53,3 +53,9 @@ def test_an_option_with_a_wrong_value_names_the_right_ones(tmp_path):
     (tmp_path / "walk.bvh").write_text(captures.walk())
     with pytest.raises(ContentError, match=r"position= should be 'replace' or 'add', it is 'sum'"):
         load(tmp_path / "walk.bvh", position="sum")
+
+
+def test_a_file_of_no_format_lists_the_formats(tmp_path):
+    (tmp_path / "walk.fbx").write_bytes(b"Kaydara FBX Binary")
+    with pytest.raises(ContentError, match=r"no format has the suffix '\.fbx'; there are: \.glb"):
+        load(tmp_path / "walk.fbx")

@@ -92,6 +92,8 @@ def load(
         return load_character_file(path)
     if path.is_dir():
         return load_role(path) if (path / MACHINE_FILE).is_file() else _load_model_folder(path)
+    if path.is_file():
+        model_formats.format_of(path)  # says which formats there are
     return load_shipped(str(source), "model file, machine folder or shipped machine")
 
 

@@ -32,7 +32,7 @@ export function dropZone(taken: (files: LocalFile[]) => void): void {
     el(
       "span",
       {},
-      "a .glb, .md2, .x or .chunk, or a .gltf or .yaml with its files (or a .zip of them); a motion for this one: .bvh, .trc; or a machine that you exported: .zip",
+      "a .glb, .vrm, .md2, .x or .chunk, or a .gltf or .yaml with its files (or a .zip of them); a motion for this one: .bvh, .trc; or a machine that you exported: .zip",
     ),
   ];
   const overlay = el(

@@ -83,4 +83,11 @@ describe("the file to upload", () => {
     expect(() => modelAmong([local("a.glb"), local("b.gltf")])).toThrow("a.glb and b.gltf");
     expect(() => modelAmong([local("a.png"), local("b.bin")])).toThrow("None of these files is a model");
   });
+
+  it("of another program's format is refused with the way out, and any other single file is tried", () => {
+    expect(() => modelAmong([local("walk.FBX")])).toThrow(
+      "walk.FBX is of a format that statwalk does not read",
+    );
+    expect(modelAmong([local("robot.backup")]).path).toBe("robot.backup");
+  });
 });

@@ -16,7 +16,22 @@ export interface Named {
 
 /** What the server reads, and what a model may need beside itself. */
 const CHARACTER_FILES = [".yaml", ".yml"];
-const SINGLE = [".glb", ".gltf", ".md2", ".x", ".chunk", ".bvh", ".trc"];
+const SINGLE = [".glb", ".vrm", ".gltf", ".md2", ".x", ".chunk", ".bvh", ".trc"];
+/** Formats of other programs, which can also write a .glb. */
+const FOREIGN = [
+  ".fbx",
+  ".obj",
+  ".dae",
+  ".blend",
+  ".stl",
+  ".ply",
+  ".usd",
+  ".usdz",
+  ".3ds",
+  ".ma",
+  ".max",
+  ".c4d",
+];
 export const MODELS = [...SINGLE, ".zip", ...CHARACTER_FILES];
 export const PARTS = [".bin", ".png", ".jpg", ".jpeg", ".webp", ".ktx2", ".txt"];
 
@@ -27,6 +42,7 @@ const endsWith =
 const isGltf = endsWith(".gltf");
 const isCharacterFile = endsWith(...CHARACTER_FILES);
 const isModel = endsWith(...MODELS);
+const isForeign = endsWith(...FOREIGN);
 const isPart = endsWith(...SINGLE, ...PARTS);
 const folderOf = ({ path }: LocalFile): string => path.slice(0, path.length - nameOf(path).length);
 const nameOf = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
@@ -41,6 +57,10 @@ export function modelAmong(files: readonly LocalFile[]): LocalFile {
     throw new Error(
       `Import one model at a time: ${nameOf(model.path)} and ${nameOf(second.path)} are two. ` +
         "The other files may be the .bin and the pictures of a .gltf, or what a .yaml names.",
+    );
+  if (isForeign(model))
+    throw new Error(
+      `${nameOf(model.path)} is of a format that statwalk does not read. Save it as .glb: Blender does, and most programs.`,
     );
   return model;
 }

@@ -162,8 +162,7 @@ class KeptRecords:
         return found
 
     def damaged_versions(self) -> dict[str, list[int]]:
-        """Returns the numbers of the versions whose rows have changed, by machine; 0 for what is no number any
-        more.
+        """Returns the numbers of the versions whose rows have changed, by machine; 0: no number any more.
 
         :raises StorageError: when the database is damaged.
         """
