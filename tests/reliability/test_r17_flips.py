@@ -46,24 +46,26 @@ class Believed(bytes):
         return False
 
 
-def with_other_answers(folder: Path, catalogue: Catalogue) -> dict[str, Any]:
-    """Makes a folder in which the answers to requests are other ones; returns what its stages were."""
+OTHER_ANSWERS = "UPDATE keys SET seq = seq + 1"
+ANOTHER_VERSION = "UPDATE versions SET text = text || '#' WHERE number = 2"
+
+
+def changed(folder: Path, catalogue: Catalogue, change: str) -> dict[str, Any]:
+    """Makes a folder whose database was changed; returns what it held before."""
     before = kept(folder, catalogue)
     with closing(sqlite3.connect(folder / FILE_NAME)) as database, database:
-        database.execute("UPDATE keys SET seq = seq + 1")
+        database.execute(change)
     return before
 
 
 def test_r17_another_answer_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
-    assert outcome(tmp_path, with_other_answers(tmp_path, catalogue), catalogue) == (REPORTED, [])
+    assert outcome(tmp_path, changed(tmp_path, catalogue, OTHER_ANSWERS), catalogue) == (REPORTED, [])
 
 
 def test_r17_an_answer_of_another_stage_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
     """A flip in the column that says whose answer it is."""
-    before = kept(tmp_path, catalogue)
-    with closing(sqlite3.connect(tmp_path / FILE_NAME)) as database, database:
-        database.execute("UPDATE keys SET stage = substr(stage, 1, 7) || '%' WHERE key = 'TWIST 1'")
-    assert outcome(tmp_path, before, catalogue) == (REPORTED, [])
+    of_another = "UPDATE keys SET stage = substr(stage, 1, 7) || '%' WHERE key = 'TWIST 1'"
+    assert outcome(tmp_path, changed(tmp_path, catalogue, of_another), catalogue) == (REPORTED, [])
 
 
 def with_hidden_answers(folder: Path, catalogue: Catalogue) -> dict[str, Any]:
@@ -107,28 +109,20 @@ def test_r17_a_server_that_compares_no_hashes_is_found_out(
     tmp_path: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The control."""
-    before = with_other_answers(tmp_path, catalogue)
+    before = changed(tmp_path, catalogue, OTHER_ANSWERS)
     monkeypatch.setattr(read_records, "row_digest", lambda *_: Believed())
     what, wrong = outcome(tmp_path, before, catalogue)
     assert (what, sorted(wrong)) == (WHOLE, sorted(set(before) - {EDITED}))
 
 
-def with_another_version(folder: Path, catalogue: Catalogue) -> dict[str, Any]:
-    """Makes a folder in which an edit of a machine is another one; returns what its stages were."""
-    before = kept(folder, catalogue)
-    with closing(sqlite3.connect(folder / FILE_NAME)) as database, database:
-        database.execute("UPDATE versions SET text = text || '#' WHERE number = 2")
-    return before
-
-
 def test_r17_another_version_of_a_machine_is_reported(tmp_path: Path, catalogue: Catalogue) -> None:
-    assert outcome(tmp_path, with_another_version(tmp_path, catalogue), catalogue) == (REPORTED, [])
+    assert outcome(tmp_path, changed(tmp_path, catalogue, ANOTHER_VERSION), catalogue) == (REPORTED, [])
 
 
 def test_r17_a_server_that_leaves_damaged_versions_out_is_found_out(
     tmp_path: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The control."""
-    before = with_another_version(tmp_path, catalogue)
+    before = changed(tmp_path, catalogue, ANOTHER_VERSION)
     monkeypatch.setattr(read_records.KeptRecords, "damaged_versions", lambda _: {})
     assert outcome(tmp_path, before, catalogue) == (WHOLE, [EDITED])

@@ -1,5 +1,6 @@
 """After a start, every kept stage is where it was, with its log and the edits of its machines."""
 
+import shutil
 import sqlite3
 from collections.abc import Callable
 from dataclasses import replace
@@ -21,6 +22,7 @@ from statwalk.services.hosting.store.database import FILE_NAME
 from statwalk.services.hosting.store.read_records import KeptRecords
 from statwalk.services.hosting.store.records import MAIN
 from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.load import shipped_machines_folder
 from statwalk.stage.history import state_codec
 
 WALKER = AddActor("faq-walker")
@@ -226,6 +228,35 @@ def test_a_damaged_old_edit_is_told_in_the_log(tmp_path: Path, caplog: pytest.Lo
     with keeping(tmp_path, Catalogue()) as held:
         assert held.catalogue.entry("elbow").file.text == newest
     assert "elbow comes back without version 2: damaged" in caplog.messages
+
+
+@pytest.fixture
+def elbow(tmp_path: Path) -> Path:
+    """The folder of a machine of one's own."""
+    return Path(shutil.copytree(shipped_machines_folder() / "elbow", tmp_path / "mine"))
+
+
+def test_a_file_that_was_saved_meanwhile_is_a_version(tmp_path: Path, elbow: Path) -> None:
+    with keeping(tmp_path, Catalogue([elbow])) as held:
+        edited(held, "mine")
+    with (elbow / "machine.yaml").open("a") as file:
+        file.write("# saved\n")
+    with keeping(tmp_path, Catalogue([elbow])) as held:
+        newest = held.versions.of("mine")[-1]
+    assert (newest.number, newest.what, newest.before) == (3, "the file was saved while no server ran", 2)
+
+
+def test_a_machine_with_a_file_keeps_its_text_if_its_newest_version_is_damaged(
+    tmp_path: Path, elbow: Path
+) -> None:
+    with keeping(tmp_path, Catalogue([elbow])) as held:
+        edited(held, "mine")
+        text = edited(held, "mine")
+    spoilt(tmp_path, 3)
+    with keeping(tmp_path, Catalogue([elbow])) as held:
+        newest = held.versions.of("mine")[-1]
+        assert held.catalogue.entry("mine").file.text == text == newest.text
+    assert (newest.number, newest.what) == (4, "version 3 is damaged: the text of the file")
 
 
 def emptied(folder: Path, table: str, column: str) -> None:

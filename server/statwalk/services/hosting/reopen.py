@@ -185,17 +185,14 @@ def _reopen_machine(
 ) -> None:
     """A shipped machine plays its newest edit again; another machine has its file, which may be newer."""
     catalogue = versions.catalogue
-    if lost := _newer(damaged, kept[-1].number):
-        kept = [*kept, _again(kept[-1], lost)]
+    entry = catalogue.entry(machine)
+    text = kept[-1].text if saved(entry) == "memory" else entry.file.text
+    if version := _new_version(kept[-1], text, _newer(damaged, kept[-1].number)):
+        kept = [*kept, version]
         versions.keep(machine, kept)
-    entry, newest = catalogue.entry(machine), kept[-1]
-    if saved(entry) == "memory" and entry.file.text != newest.text:
-        role = catalogue.version(machine, newest.text)
-        catalogue.renew(replace(entry, file=machine_of(newest.text, entry.folder, FILE_NAME)), role)
-    elif entry.file.text != newest.text:
-        what = "the file was saved while no server ran"
-        kept = [*kept, MachineVersion(newest.number + 1, time.time(), what, entry.file.text, newest.number)]
-        versions.keep(machine, kept)
+    if text != entry.file.text:
+        role = catalogue.version(machine, text)
+        catalogue.renew(replace(entry, file=machine_of(text, entry.folder, FILE_NAME)), role)
     versions.versions_of[machine] = kept
 
 
@@ -204,10 +201,20 @@ def _newer(damaged: list[int], number: int) -> list[int]:
     return [lost for lost in damaged if number < lost <= number + MOST_VERSIONS]
 
 
-def _again(newest: MachineVersion, lost: list[int]) -> MachineVersion:
-    """The version that says that newer ones were lost, with the text of the newest one that was not."""
-    what = f"version {_listed(lost)} is damaged: version {newest.number} again"
-    return MachineVersion(lost[-1] + 1, time.time(), what, newest.text, newest.before)
+def _new_version(newest: MachineVersion, text: str, lost: list[int]) -> MachineVersion | None:
+    """The version that says why a machine has `text` now, if that is not just the text of its newest version;
+    `lost`: the numbers of newer versions, which are damaged.
+    """
+    is_newest = text == newest.text
+    if lost:
+        instead = f"version {newest.number} again" if is_newest else "the text of the file"
+        what = f"version {_listed(lost)} is damaged: {instead}"
+    elif not is_newest:
+        what = "the file was saved while no server ran"
+    else:
+        return None
+    before = newest.before if is_newest else newest.number
+    return MachineVersion(max([newest.number, *lost]) + 1, time.time(), what, text, before)
 
 
 def _listed(numbers: list[int]) -> str:
