@@ -201,7 +201,7 @@ def test_a_character_file_gives_limits_to_a_model(tmp_path, model):
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("model: other.yaml\n", "must name a .glb, .gltf, .* file"),
+        ("model: other.yaml\n", "must name a .glb, .vrm, .gltf, .* file"),
         ("model: ../knight.glb\n", "in the folder of this file"),
         ("model: knight.glb\nskeleton: mammal\n", "skeleton"),
         ("model: knight.glb\n", "must name a .glb"),
