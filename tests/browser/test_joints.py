@@ -1,5 +1,6 @@
 """The free end of a chain, and handles at joints, dragged with the mouse; joints chosen by a click."""
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -28,9 +29,11 @@ def actor(server: Server, page: Page) -> dict[str, Any]:
 def dragged(page: Page, handle: str, x: float, y: float, steps: int = 8) -> tuple[float, float]:
     """Drags a handle by (x, y) pixels, and keeps the button down; returns the place of the pointer."""
     until(page, "arg in __viewer.handles()", handle)
-    for _ in range(3):  # it may move while the pointer comes
-        at = page.evaluate("arg => __viewer.handles()[arg]", handle)
+    at, now = (math.inf, math.inf), page.evaluate("arg => __viewer.handles()[arg]", handle)
+    while math.dist(at, now) > 3:  # it moved while the pointer came
+        at = now
         page.mouse.move(*at)
+        now = page.evaluate("arg => __viewer.handles()[arg]", handle)
     page.mouse.down()
     for step in range(1, steps + 1):
         page.mouse.move(at[0] + x * step / steps, at[1] + y * step / steps)

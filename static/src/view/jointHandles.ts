@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import type { JointLimit, Parameter } from "../net/protocol";
+import { drawnDiscs, handleAt, metresOfPixel } from "./handlePick";
 import type { LimitMark } from "./limitOverlay";
 import { markAt } from "./limitShapes";
 import type { Scene } from "./scene";
@@ -50,7 +51,6 @@ export class JointHandles {
     depthTest: false,
     transparent: true,
   });
-  private readonly caster = new THREE.Raycaster();
   private dragged: Shown | null = null;
 
   constructor(
@@ -71,6 +71,11 @@ export class JointHandles {
     return this.dragged !== null;
   }
 
+  /** Whether there is no handle. */
+  get isEmpty(): boolean {
+    return !this.shown.size;
+  }
+
   /** Shows these handles with the values of their parameters, and no others. */
   show(wanted: readonly { handle: Handle; mark: LimitMark; values: number[] }[]): void {
     const keys = new Set(wanted.map(({ handle }) => handle.key));
@@ -87,18 +92,14 @@ export class JointHandles {
       this.shown.set(handle.key, shown);
       if (this.dragged?.handle.key === handle.key) this.dragged = shown;
       ball.position.copy(this.place(shown, held));
-      ball.scale.setScalar(Math.max(SIZE * mark.metres, PIXELS * this.pixel(ball.position)));
+      const pixel = metresOfPixel(this.scene.view.camera, this.scene.canvas.clientHeight, ball.position);
+      ball.scale.setScalar(Math.max(SIZE * mark.metres, PIXELS * pixel));
     }
   }
 
   /** Where each handle is drawn, in pixels of the page. */
   places(): Record<string, [number, number]> {
-    const box = this.scene.canvas.getBoundingClientRect();
-    const place = (shown: Shown): [number, number] => {
-      const { x, y } = this.pixels(shown, shown.values);
-      return [box.left + x, box.top + y];
-    };
-    return Object.fromEntries([...this.shown].map(([key, shown]) => [key, place(shown)]));
+    return Object.fromEntries([...this.discs()].map(([key, { x, y }]) => [key, [x, y]]));
   }
 
   /** The key of the handle that is dragged; null: none. */
@@ -117,11 +118,9 @@ export class JointHandles {
     return new Map(handle?.parameters.map(({ name }, k) => [name, values![k]!]));
   }
 
-  /** Metres of a pixel at a place. */
-  private pixel(place: THREE.Vector3): number {
-    const { camera } = this.scene.view;
-    const high = 2 * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)) * camera.position.distanceTo(place);
-    return high / Math.max(camera.view?.fullHeight ?? this.scene.canvas.clientHeight, 1);
+  private discs(): ReturnType<typeof drawnDiscs> {
+    const balls = [...this.shown].map(([key, { ball }]) => [key, ball] as const);
+    return drawnDiscs(balls, this.scene.view.camera, this.scene.canvas);
   }
 
   private ball(): THREE.Mesh {
@@ -148,17 +147,8 @@ export class JointHandles {
   }
 
   private grab(event: PointerEvent): void {
-    if (event.button !== 0 || !this.shown.size) return;
-    const { clientWidth, clientHeight } = this.scene.canvas;
-    const { x, y } = this.pointer(event);
-    const at = new THREE.Vector2((x / clientWidth) * 2 - 1, 1 - (y / clientHeight) * 2);
-    this.caster.setFromCamera(at, this.scene.view.camera);
-    const balls = [...this.shown.values()];
-    const [hit] = this.caster.intersectObjects(
-      balls.map(({ ball }) => ball),
-      false,
-    );
-    const found = balls.find(({ ball }) => ball === hit?.object);
+    if (event.button !== 0 || this.isEmpty) return;
+    const found = this.shown.get(handleAt(this.discs(), event) ?? "");
     if (!found) return;
     this.dragged = found;
     this.scene.view.controls.enabled = false;

@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import type { Point } from "../state/points";
+import { drawnDiscs, handleAt } from "./handlePick";
 import type { Scene } from "./scene";
 
 /** The place where a ray meets the plane through `through` that faces the camera; null: it does not meet it. */
@@ -74,12 +75,7 @@ export class PointHandles {
 
   /** Where each handle is drawn, in pixels of the page; for tests. */
   places(): Record<string, [number, number]> {
-    const box = this.scene.canvas.getBoundingClientRect();
-    const place = (ball: THREE.Mesh): [number, number] => {
-      const { x, y } = ball.position.clone().project(this.scene.view.camera);
-      return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
-    };
-    return Object.fromEntries([...this.balls].map(([name, ball]) => [name, place(ball)]));
+    return Object.fromEntries([...this.discs()].map(([name, { x, y }]) => [name, [x, y]]));
   }
 
   /** The ray under the pointer. */
@@ -91,12 +87,13 @@ export class PointHandles {
     return this.caster.ray;
   }
 
+  private discs(): ReturnType<typeof drawnDiscs> {
+    return drawnDiscs(this.balls, this.scene.view.camera, this.scene.canvas);
+  }
+
   private grab(event: PointerEvent): void {
-    if (event.button !== 0 || !this.balls.size) return;
-    this.ray(event);
-    const [hit] = this.caster.intersectObjects([...this.balls.values()], false);
-    const name = [...this.balls].find(([, ball]) => ball === hit?.object)?.[0];
-    if (name === undefined) return;
+    const name = event.button === 0 ? handleAt(this.discs(), event) : null;
+    if (name === null) return;
     this.dragged = name;
     this.scene.view.controls.enabled = false;
     this.scene.canvas.setPointerCapture(event.pointerId);

@@ -73,7 +73,7 @@ class JointPanel {
 
   /** Whether handles move the chosen joint. */
   get hasHandles(): boolean {
-    return Object.keys(this.handles.places()).length > 0;
+    return !this.handles.isEmpty;
   }
 
   /** Follows the pose; called once per drawn frame. */
