@@ -15,7 +15,7 @@ from statwalk.machine.definition.cell_definition import (
     Curve,
     Enter,
 )
-from statwalk.machine.definition.state_table import NAME
+from statwalk.machine.definition.name_rule import NAME
 
 TIMINGS = ("now", "end", "marker NAME", "window A..B")
 WINDOW = re.compile(r"([0-9.]+)\.\.([0-9.]+)")

@@ -12,7 +12,8 @@ from statwalk.files.machine_yaml import cell_fields, conditions, fields
 from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.definition.cell_definition import AlternativeDefinition, CellDefinition
 from statwalk.machine.definition.machine_definition import ANY, END
-from statwalk.machine.definition.state_table import NAME, read_cell
+from statwalk.machine.definition.name_rule import NAME
+from statwalk.machine.definition.state_table import read_cell
 
 CELL_KEYS = ("to", "when", "blend", "enter", "action", "off")
 CHOICE_KEYS = ("if", "to", "blend", "enter", "action")

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from statwalk.files.yaml.yaml_text import Node
-from statwalk.machine.definition.state_table import NAME
+from statwalk.machine.definition.name_rule import NAME, refused_name
 
 LONGEST_SECONDS = 60.0
 FARTHEST = 1e6
@@ -31,10 +31,7 @@ def named(node: Node | None, kind: str, most: int = MOST_PARTS) -> dict[str, Nod
         return {}
     for name, line in node.key_lines.items():
         if not NAME.fullmatch(name):
-            raise node.refuse(
-                f"{name[:40]!r} is no name for the {kind}; use letters, digits, _, and later . or -",
-                line,
-            )
+            raise node.refuse(refused_name(name, kind), line)
     if len(entries) > most:
         raise node.refuse(f"there are {len(entries):,} entries here; at most {most:,} are allowed")
     return entries
@@ -46,9 +43,7 @@ def name(node: Node, kind: str) -> str:
     :raises MachineError: when the value is no valid name.
     """
     if not NAME.fullmatch(node.text()):
-        raise node.refuse(
-            f"{node.text()[:40]!r} is no name for the {kind}; use letters, digits, _, and later . or -"
-        )
+        raise node.refuse(refused_name(node.text(), kind))
     return node.text()
 
 

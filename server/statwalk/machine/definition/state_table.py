@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from statwalk.errors import MachineError
 from statwalk.machine.definition.cell_definition import AT_END, CellDefinition, CellTiming
 from statwalk.machine.definition.machine_definition import ANY
+from statwalk.machine.definition.name_rule import NAME, refused_name
 
-NAME = re.compile(r"\w[\w.-]{0,99}")
 CELL = re.compile(r"(?P<state>\w[\w.-]{0,99})(?P<restart>!?)(?:\s+at\s+(?P<timing>\w[\w.-]{0,99}))?")
 MOST_CELLS = 100_000
 MOST_ROWS, MOST_COLUMNS = 10_000, 4_000
@@ -164,11 +164,7 @@ def _distinct(names: Iterable[str], kind: str, file: str, line: int) -> dict[str
     lines: dict[str, int] = {}
     for name in names:
         if name != ANY and not NAME.fullmatch(name):
-            raise MachineError(
-                f"{name[:40]!r} is no name for the {kind}: letters, digits and _, then also . -",
-                file=file,
-                place=f"line {line}",
-            )
+            raise MachineError(refused_name(name, kind), file=file, place=f"line {line}")
         if name in lines:
             raise MachineError(f"the {kind} {name[:40]} is defined twice", file=file, place=f"line {line}")
         lines[name] = line

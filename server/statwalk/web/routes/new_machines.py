@@ -13,7 +13,7 @@ from statwalk.errors import ContentError
 from statwalk.files.machine_yaml.new_machine import idle_clip
 from statwalk.files.machine_yaml.state_names import proposed
 from statwalk.files.simple_character import simple_character
-from statwalk.machine.definition.state_table import NAME as STATE
+from statwalk.machine.definition.name_rule import NAME, refused_name
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_messages import Machines
 from statwalk.services.library import made_machines
@@ -44,12 +44,8 @@ def _states_of(new: NewMachine, character: Character) -> dict[str, str]:
     states = {clip: state for clip, state in new.mapping.items() if state}
     clip_of: dict[str, str] = {}
     for clip, state in states.items():
-        if not STATE.fullmatch(state):
-            raise Problem(
-                422,
-                f"{state!r} is no name for a state; use letters, digits, _ . and -, begin without . and -",
-                field=f"mapping.{clip[:80]}",
-            )
+        if not NAME.fullmatch(state):
+            raise Problem(422, refused_name(state, "state"), field=f"mapping.{clip[:80]}")
         if state in clip_of:
             raise Problem(
                 422,

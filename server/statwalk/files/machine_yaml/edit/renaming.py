@@ -12,7 +12,8 @@ from statwalk.files.yaml.yaml_edit import renamed_key
 from statwalk.files.yaml.yaml_node import Node
 from statwalk.files.yaml.yaml_places import Splice
 from statwalk.files.yaml.yaml_value import text_of
-from statwalk.machine.definition.state_table import CELL, NAME
+from statwalk.machine.definition.name_rule import NAME, refused_name
+from statwalk.machine.definition.state_table import CELL
 from statwalk.machine.model_checker.properties import LEADS, NEVER, ONLY_AFTER, REACHES
 
 Rename = Callable[[str], str]
@@ -22,9 +23,7 @@ FORMS = (ONLY_AFTER, NEVER, LEADS, REACHES)
 def check_name(name: str, kind: str) -> None:
     """Checks the name of something new. :raises MachineError: when the reader would not take it."""
     if not NAME.fullmatch(name):
-        raise MachineError(
-            f"{name[:40]!r} is no name for the {kind}; use letters, digits, _, and later . or -"
-        )
+        raise MachineError(refused_name(name, kind))
 
 
 @dataclass(frozen=True)
