@@ -15,8 +15,11 @@ def test_operations_in_their_order() -> None:
 @pytest.mark.parametrize(
     ("operation", "words"),
     [
-        ({"kind": "set_cel"}, "operations.0: Input tag 'set_cel'"),
-        (RENAME | {"more": 1}, "operations.0.rename_state.more: Extra inputs"),
+        ({"kind": "set_cel"}, "operations.0: 'set_cel' is no kind; did you mean set_cell"),
+        (
+            RENAME | {"more": 1},
+            "rename_state.more: there is no such member; there are: state, layer, kind, to",
+        ),
         (RENAME | {"state": "OPNE"}, "did you mean OPEN"),
         ({"kind": "delete_entry", "section": "parameters", "name": "wind"}, "wind"),
     ],

@@ -24,7 +24,7 @@ def said(**body: Any) -> list[dict[str, str]]:
 def test_several_types_are_one_error() -> None:
     (error,) = said(value=[1, 2])
     assert error["field"] == "value"
-    assert "valid number; or: List should have at least 3 items" in error["message"]
+    assert "must be a number; or: must have at least 3 entries" in error["message"]
 
 
 def test_an_item_of_a_list_is_named() -> None:

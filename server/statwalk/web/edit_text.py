@@ -10,6 +10,7 @@ from pydantic import ValidationError
 from statwalk.errors import ContentError
 from statwalk.files.machine_yaml.edit.edited import edited
 from statwalk.files.machine_yaml.machine_file import read_machine
+from statwalk.web.field_errors import field_errors
 from statwalk.web.schemas.machine_operations import NewOperations
 
 
@@ -25,9 +26,9 @@ def edit(text: str, operations: Iterable[Mapping[str, Any]]) -> str:
     try:
         checked = NewOperations.model_validate({"operations": [dict(operation) for operation in operations]})
     except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(map(str, first["loc"]))
-        raise ContentError(first["msg"], place=place) from None
+        places = [{**entry, "loc": ("body", *entry["loc"])} for entry in error.errors()]
+        first = field_errors(places, NewOperations)[0]
+        raise ContentError(first["message"], place=first["field"]) from None
     after = edited(text, [operation.operation() for operation in checked.operations])
     read_machine(after)
     return after

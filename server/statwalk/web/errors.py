@@ -185,10 +185,11 @@ def _on_domain_error(request: Request, error: Exception) -> Response:
     return _on_http_error(request, from_error(error, request.path_params))
 
 
-def _on_invalid(_: Request, error: Exception) -> Response:
+def _on_invalid(request: Request, error: Exception) -> Response:
     """A request that does not fit its model."""
     assert isinstance(error, RequestValidationError)
-    every = field_errors(error.errors())
+    body = getattr(request.scope.get("route"), "body_field", None)
+    every = field_errors(error.errors(), body.field_info.annotation if body else None)
     errors, more = every[:MOST_ERRORS], len(every) - MOST_ERRORS
     detail = "; ".join(f"{entry['field'][:LONGEST_FIELD]}: {entry['message']}" for entry in errors)
     detail = detail[: LONGEST_DETAIL - 100]  # leaves room for the number of the others

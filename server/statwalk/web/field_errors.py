@@ -8,6 +8,9 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from statwalk.web.field_members import members_at
+from statwalk.web.field_words import field_words
+
 Place = tuple[str | int, ...]
 TYPE = re.compile(r"constrained-\w+|(?:list|tuple|dict|set|frozenset|function-\w+)\[.*\]")
 """parts of a place that are types of pydantic, and no names"""
@@ -15,14 +18,17 @@ PLAIN = frozenset({"bool", "int", "float", "str"})
 """types that a field might also be called: they are types beside one of TYPE"""
 
 
-def field_errors(entries: Sequence[Mapping[str, Any]]) -> list[dict[str, str]]:
-    """Returns `field` and `message` of each field that pydantic's errors name, in their order."""
+def field_errors(entries: Sequence[Mapping[str, Any]], kind: Any = None) -> list[dict[str, str]]:
+    """Returns `field` and `message` of each field that pydantic's errors name, in their order. The first part
+    of a place says where the value of the type `kind` came from: `body`, `query` …
+    """
     types = _beside_types([entry["loc"] for entry in entries])
     messages: dict[str, list[str]] = {}
     for entry in entries:
         said = messages.setdefault(field_name(_without_types(entry["loc"], types)), [])
-        if entry["msg"] not in said:
-            said.append(entry["msg"])
+        words = field_words(entry, members_at(kind, entry["loc"][1:-1]))
+        if words not in said:
+            said.append(words)
     return [{"field": field, "message": "; or: ".join(said)} for field, said in messages.items()]
 
 

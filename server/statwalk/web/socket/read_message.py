@@ -29,6 +29,7 @@ def read(raw: object) -> ViewerMessage:
     try:
         return MESSAGES.validate_python(raw)
     except ValidationError as error:
-        entries = error.errors(include_url=False, include_context=False, include_input=False)
-        first = field_errors([{**entry, "loc": ("message", *entry["loc"])} for entry in entries])[0]
+        entries = error.errors(include_url=False, include_input=False)
+        places = [{**entry, "loc": ("message", *entry["loc"])} for entry in entries]
+        first = field_errors(places, ViewerMessage)[0]
         raise Problem(422, first["message"], field=first["field"]) from None
