@@ -11,8 +11,10 @@ from pathlib import Path
 import httpx
 import pytest
 from browser.conftest import Server, leave, until
+from damaging import damaged
 from playwright.sync_api import Page
 
+Open = Callable[[str], Page]
 WORD = "document.querySelector('#status .word').textContent"
 DISK = 'mount -t tmpfs -o size=16m tmpfs "$0" && exec "$@"'
 """runs a program that alone sees a small disk at the first path"""
@@ -104,3 +106,17 @@ def test_a_server_that_stands_still_is_noticed(server: Server, viewer: Page) -> 
     until(viewer, f"{WORD} === 'live'")
     shown = viewer.evaluate("__viewer.posed()")
     until(viewer, "__viewer.posed() > arg + 10", shown)
+
+
+def test_the_list_says_what_a_start_did_not_bring_back(tmp_path: Path, opened: Open) -> None:
+    with Server(tmp_path) as first:
+        body = {"clock": "manual", "actors": [{"machine": "elbow"}]}
+        stage = httpx.post(f"{first.url}/api/stages", json=body).json()["id"]
+    damaged(tmp_path, f"DELETE FROM commands WHERE stage = '{stage}'")
+    with Server(tmp_path) as again:
+        assert [lost["id"] for lost in httpx.get(f"{again.url}/api/losses").json()["stages"]] == [stage]
+        page = opened(again.url)
+        page.keyboard.press("o")
+        said = page.locator("#losses")
+        said.get_by_text(f"{stage} is kept, and did not come back").wait_for()
+        leave(page)

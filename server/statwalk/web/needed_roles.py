@@ -31,6 +31,7 @@ VIEW = (
     "GET /api/characters/{name}/path",
     "GET /api/characters/{name}/skeleton.svg",
     "GET /api/characters/{name}/twinning",
+    "GET /api/losses",
     "GET /api/machines",
     "GET /api/machines/{name}",
     "GET /api/machines/{name}/export.zip",

@@ -4,6 +4,8 @@ import { ask } from "./api";
 
 export const rename = (stage_id: string, name: string) =>
   ask("patch", "/api/stages/{stage_id}", { stage_id }, { body: { name } });
+/** Lists what the last start of the server did not bring back. */
+export const losses = () => ask("get", "/api/losses", {});
 /** Forks a stage at a tick; null: at its playhead. */
 export const fork = (stage_id: string, tick: number | null, name: string) =>
   ask("post", "/api/stages/{stage_id}/fork", { stage_id }, { body: { tick, name } });

@@ -18,6 +18,10 @@ def test_a_server_that_serves_is_healthy_and_ready(rest: httpx.Client) -> None:
     assert rest.get("/readyz").json() == {"status": "ready"}
 
 
+def test_a_start_without_losses_says_so(rest: httpx.Client) -> None:
+    assert rest.get("/api/losses").json() == {"stages": [], "other": []}
+
+
 async def test_without_its_clock_a_server_lives_but_is_not_ready(client: httpx.AsyncClient) -> None:
     assert (await client.get("/healthz")).status_code == 200
     answer = await client.get("/readyz")

@@ -1,4 +1,6 @@
-"""/healthz, /readyz and /metrics: whether the server lives, whether it takes requests, and what it does."""
+"""/healthz, /readyz, /api/losses and /metrics: whether the server lives, whether it takes requests, what its start
+could not bring back, and what it does.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,7 @@ from statwalk.web.dependencies import CONNECTIONS, ENDING, registry_of
 from statwalk.web.errors import Problem
 from statwalk.web.long_work import LongWork
 from statwalk.web.metrics import Metrics
-from statwalk.web.schemas.readiness import HealthView, ReadyView
+from statwalk.web.schemas.readiness import HealthView, LossesView, LostStageView, ReadyView
 from statwalk.web.upload_limiter import upload_limiter_of
 
 METRICS: dict[int | str, dict[str, Any]] = {200: {"content": {"text/plain": {"schema": {"type": "string"}}}}}
@@ -43,6 +45,13 @@ async def get_readiness(request: Request) -> ReadyView:
     if fault:
         raise Problem(503, fault)
     return ReadyView()
+
+
+@router.get("/api/losses")
+async def list_losses(registry: Annotated[Registry, Depends(registry_of)]) -> LossesView:
+    """Lists what the last start of the server did not bring back."""
+    stages = [LostStageView(id=stage, why=why) for stage, why in registry.left.items()]
+    return LossesView(stages=stages, other=registry.damage)
 
 
 @router.get("/metrics", response_class=Response, responses=METRICS)

@@ -1441,6 +1441,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/losses": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Losses
+         * @description Lists what the last start of the server did not bring back.
+         */
+        get: operations["list_losses_api_losses_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/metrics": {
         parameters: {
             query?: never;
@@ -2507,6 +2527,16 @@ export interface components {
             count: number;
             names: string[];
             instead: string;
+        };
+        /** @description What the last start of the server did not bring back: stages, and other things, in words. */
+        LossesView: {
+            stages: components["schemas"]["LostStageView"][];
+            other: string[];
+        };
+        /** @description A stage that the last start of the server did not bring back, and why; its record is kept. */
+        LostStageView: {
+            id: string;
+            why: string;
         };
         /** @description What a machine says of itself; `idle` is an event, `fallback` a state, `root` a joint. */
         MachineFields: {
@@ -4626,6 +4656,8 @@ export type LevelView = components['schemas']['LevelView'];
 export type LimitView = components['schemas']['LimitView'];
 export type LinkView = components['schemas']['LinkView'];
 export type LossView = components['schemas']['LossView'];
+export type LossesView = components['schemas']['LossesView'];
+export type LostStageView = components['schemas']['LostStageView'];
 export type MachineFields = components['schemas']['MachineFields'];
 export type MachineSummary = components['schemas']['MachineSummary'];
 export type MachineView = components['schemas']['MachineView'];
@@ -7431,6 +7463,31 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ReadyView"];
+                };
+            };
+            401: components["responses"]["401"];
+            403: components["responses"]["403"];
+            421: components["responses"]["421"];
+            429: components["responses"]["429"];
+            503: components["responses"]["503"];
+        };
+    };
+    list_losses_api_losses_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LossesView"];
                 };
             };
             401: components["responses"]["401"];

@@ -13,6 +13,7 @@ import { focusFirst } from "../../ui/focusFirst";
 import type { App } from "../../view/app";
 import { ghostDifference } from "./ghostDifference";
 import { leftBehindPart } from "./leftBehind";
+import { lossesPart } from "./losses";
 import { nowWords, originWords, type Row, spanOf, treeOf } from "./stageTree";
 
 const READ_MS = 2000;
@@ -28,6 +29,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
   const { commands, ghost, inspection, notices, playback, session, stage, stageList, stages } = app;
   const difference = ghostDifference(app);
   const sleepers = leftBehindPart(app, act);
+  const losses = lossesPart();
   const asked = signal<Asked>(null);
   const isOpen = (): boolean => inspection.drawer.value === "stages";
 
@@ -173,7 +175,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
           .textContent=${tick === null ? "fork now" : `fork at ${tick}`}
         ></button>
       </form>
-      ${sleepers()}
+      ${losses.part()} ${sleepers()}
       <ul aria-label="stages">
         ${treeOf(stageList.all.value).map(row)}
       </ul>
@@ -197,7 +199,9 @@ export function stagesPanel(host: HTMLElement, app: App): void {
     press.preventDefault();
   });
   effect(() => {
-    if (isOpen()) void stageList.read();
+    if (!isOpen()) return;
+    void stageList.read();
+    void losses.read().catch((error: unknown) => notices.emit(reasonOf(error)));
   });
   setInterval(() => isOpen() && void stageList.read(), READ_MS);
 }
