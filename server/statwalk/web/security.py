@@ -43,7 +43,7 @@ class BodyRules(NamedTuple):
         if int(length) == 0 and "transfer-encoding" not in headers:
             return
         if headers.get("content-type", "").partition(";")[0].strip().lower() not in self.types:
-            raise Problem(415, f"the body must be {' or '.join(self.types)}", field="Content-Type")
+            raise Problem(415, f"the Content-Type must be {' or '.join(self.types)}", field="Content-Type")
 
     def _too_long(self) -> Problem:
         return Problem(413, f"the body is too large; it may have {self.most} bytes at most")
@@ -72,12 +72,19 @@ OTHER_TYPES = ("application/octet-stream", "application/x-zip-compressed", "text
 MODEL = BodyRules(
     LARGEST_UPLOAD_BYTES, tuple(dict.fromkeys((*(row.media_type for row in FORMATS), *OTHER_TYPES)))
 )
-UPLOAD = re.compile(r"/api/characters/[^/]+|/api/machines/[^/]+/import\.zip")
+ZIP = BodyRules(
+    LARGEST_UPLOAD_BYTES, ("application/zip", "application/x-zip-compressed", "application/octet-stream")
+)
+UPLOADS = (
+    (re.compile(r"/api/characters/[^/]+"), MODEL),
+    (re.compile(r"/api/machines/[^/]+/import\.zip"), ZIP),
+)
 
 
 def _bodies(scope: Scope) -> BodyRules:
-    """Returns the rules for a request's body: a model for an upload, JSON for everything else."""
-    return MODEL if scope["method"] == "PUT" and UPLOAD.fullmatch(scope["path"]) else JSON
+    """Returns the rules for a request's body: of an upload its own, JSON for everything else."""
+    uploads = UPLOADS if scope["method"] == "PUT" else ()
+    return next((rules for path, rules in uploads if path.fullmatch(scope["path"])), JSON)
 
 
 class Guard:

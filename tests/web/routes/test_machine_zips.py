@@ -168,6 +168,13 @@ async def test_a_machine_of_a_made_one_with_a_large_table(client: httpx.AsyncCli
     assert made.json()["tables"] == {"big.csv": table}
 
 
+async def test_another_content_type_is_refused_with_the_right_ones(client: httpx.AsyncClient) -> None:
+    headers = {"Content-Type": "model/gltf-binary"}
+    answer = await client.put("/api/machines/mine/import.zip", content=b"glTF", headers=headers)
+    assert answer.status_code == 415
+    assert answer.json()["detail"].startswith("the Content-Type must be application/zip or")
+
+
 async def unpacked(client: httpx.AsyncClient, content: bytes, name: str = "mine") -> httpx.Response:
     headers = {"Content-Type": "application/zip"}
     return await client.put(f"/api/machines/{name}/import.zip", content=content, headers=headers)
