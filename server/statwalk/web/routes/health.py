@@ -1,5 +1,5 @@
-"""/healthz, /readyz, /api/losses and /metrics: whether the server lives and takes requests, what its start could not
-bring back, and what it does.
+"""/healthz, /readyz, /api/losses and /metrics: whether the server lives and takes requests, what its start
+could not bring back, and what it does.
 """
 
 from __future__ import annotations
