@@ -116,6 +116,7 @@ def test_the_list_says_what_a_start_did_not_bring_back(tmp_path: Path, opened: O
     with Server(tmp_path) as again:
         assert [lost["id"] for lost in httpx.get(f"{again.url}/api/losses").json()["stages"]] == [stage]
         page = opened(again.url)
+        page.get_by_text("did not bring all back. The list of stages (O) says what").wait_for()
         page.keyboard.press("o")
         said = page.locator("#losses")
         said.get_by_text(f"{stage} is kept, and did not come back").wait_for()

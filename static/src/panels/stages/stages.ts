@@ -29,7 +29,7 @@ export function stagesPanel(host: HTMLElement, app: App): void {
   const { commands, ghost, inspection, notices, playback, session, stage, stageList, stages } = app;
   const difference = ghostDifference(app);
   const sleepers = leftBehindPart(app, act);
-  const losses = lossesPart();
+  const losses = lossesPart((words) => notices.emit(words));
   const asked = signal<Asked>(null);
   const isOpen = (): boolean => inspection.drawer.value === "stages";
 
@@ -199,9 +199,10 @@ export function stagesPanel(host: HTMLElement, app: App): void {
     press.preventDefault();
   });
   effect(() => {
-    if (!isOpen()) return;
-    void stageList.read();
-    void losses.read().catch((error: unknown) => notices.emit(reasonOf(error)));
+    if (isOpen()) void stageList.read();
+  });
+  effect(() => {
+    if (stage.hello.value) void losses.read();
   });
   setInterval(() => isOpen() && void stageList.read(), READ_MS);
 }
