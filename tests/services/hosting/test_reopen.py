@@ -1,5 +1,6 @@
 """After a start, every kept stage is where it was, with its log and the edits of its machines."""
 
+import shutil
 import sqlite3
 from collections.abc import Callable
 from dataclasses import replace
@@ -21,6 +22,7 @@ from statwalk.services.hosting.store.database import FILE_NAME
 from statwalk.services.hosting.store.read_records import KeptRecords
 from statwalk.services.hosting.store.records import MAIN
 from statwalk.services.library.catalogue import Catalogue
+from statwalk.services.library.load import shipped_machines_folder
 from statwalk.stage.history import state_codec
 
 WALKER = AddActor("faq-walker")
@@ -131,6 +133,15 @@ def test_a_stage_whose_speed_is_gone_does_not_come_back(tmp_path: Path) -> None:
     emptied(tmp_path, "stages", "speed")
     with keeping(tmp_path, Catalogue()) as held:
         assert "the row that says what it is is damaged" in held.left[host.id]
+
+
+def test_why_a_stage_did_not_come_back_names_no_folder(tmp_path: Path) -> None:
+    mine = Path(shutil.copytree(shipped_machines_folder() / "elbow", tmp_path / "mine"))
+    with keeping(tmp_path, Catalogue([mine])) as held:
+        host = held.open(StageSetup(clock="manual", actors=(AddActor("mine"),)))
+    (mine / "elbow.glb").write_bytes(b"nonsense")
+    with keeping(tmp_path, Catalogue([mine])) as held:
+        assert "did not come back: elbow.glb, byte 0: this is no glTF" in held.left[host.id]
 
 
 DAMAGES = {

@@ -9,7 +9,7 @@ from dataclasses import replace
 from functools import partial
 
 from statwalk.character.role import Role
-from statwalk.errors import StageError, StatwalkError
+from statwalk.errors import ContentError, StageError, StatwalkError
 from statwalk.files.machine_yaml.machine_file import FILE_NAME, machine_of
 from statwalk.services.hosting.edited_file import saved
 from statwalk.services.hosting.machine_versions import MOST_VERSIONS, MachineVersions
@@ -57,7 +57,8 @@ def reopen(registry: Registry, main: str) -> None:
                     registry, store
                 )  # the server opens a new stage that is called main
             kept = names.get(stage_id, stage_id)
-            registry.left[kept] = f"{kept} is kept, and did not come back: {error}"
+            why = error.without_folder() if isinstance(error, ContentError) else error
+            registry.left[kept] = f"{kept} is kept, and did not come back: {why}"
 
 
 def _check_answers(registry: Registry, store: Store) -> None:
