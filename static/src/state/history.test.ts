@@ -51,6 +51,62 @@ describe("History", () => {
     expect(history.stateAt(2, 0)).toBeNull();
   });
 
+  describe("a verdict", () => {
+    const spans = (history: History): (number | string)[][] =>
+      history.between(1, 0, 999).map((run) => [run.start, run.end, run.state]);
+    const seen = (...frames: [number, string][]): History => {
+      const history = new History();
+      frames.forEach(([tick, state]) => history.see(1, tick, state));
+      return history;
+    };
+
+    it("before the frame begins the state", () => {
+      const history = seen([0, "A"], [5, "A"]);
+      history.enter(1, 7, "B");
+      history.see(1, 9, "B");
+      expect(spans(history)).toEqual([
+        [0, 6, "A"],
+        [7, 9, "B"],
+      ]);
+    });
+
+    it("after the frame moves the beginning to where it was", () => {
+      const history = seen([0, "A"], [9, "B"], [12, "B"]);
+      history.enter(1, 7, "B");
+      expect(spans(history)).toEqual([
+        [0, 6, "A"],
+        [7, 12, "B"],
+      ]);
+    });
+
+    it("tells of a state that no frame has shown", () => {
+      const history = seen([0, "A"], [9, "C"]);
+      history.enter(1, 3, "B");
+      history.enter(1, 6, "C");
+      expect(spans(history)).toEqual([
+        [0, 2, "A"],
+        [3, 5, "B"],
+        [6, 9, "C"],
+      ]);
+    });
+
+    it("may tell of two states in one tick: the last one counts", () => {
+      const history = seen([0, "A"], [9, "C"]);
+      history.enter(1, 4, "B");
+      history.enter(1, 4, "C");
+      expect(spans(history)).toEqual([
+        [0, 3, "A"],
+        [4, 9, "C"],
+      ]);
+    });
+
+    it("that stays in the state changes nothing", () => {
+      const history = seen([0, "A"], [9, "A"]);
+      history.enter(1, 4, "A");
+      expect(spans(history)).toEqual([[0, 9, "A"]]);
+    });
+  });
+
   describe("fill", () => {
     const spans = (history: History): (number | string)[][] =>
       history.between(1, 0, 999).map((run) => [run.start, run.end, run.state]);

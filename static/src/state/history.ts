@@ -18,6 +18,17 @@ export function laneKey(actor: number, layer = 0): number {
 
 const MOST_RUNS = 20_000;
 
+/** Joins equal states that follow each other without a gap. */
+function joined(runs: readonly Run[]): Run[] {
+  const all: Run[] = [];
+  for (const run of runs) {
+    const last = all.at(-1);
+    if (last?.state === run.state && last.end + 1 === run.start) last.end = run.end;
+    else all.push({ ...run });
+  }
+  return all;
+}
+
 export class History {
   private runs = new Map<number, Run[]>();
   private gaps = new Set<number>();
@@ -28,19 +39,37 @@ export class History {
   }
 
   /**
-   * Enters that `lane` is in `state` at `tick`; older ticks are known already and stay.
-   * The stream may skip frames but no change of state, so the ticks between two frames are known, unless
-   * `markGap` was called.
+   * Enters that `lane` is in `state` at `tick`, as a frame shows it; older ticks are known already and stay.
+   * The stream may skip frames: the older state lasts up to this one, unless `markGap` was called or `enter`
+   * says when the state changed.
    */
   see(lane: number, tick: number, state: string): void {
     const runs = this.runs.get(lane) ?? [];
     if (!runs.length) this.runs.set(lane, runs);
     const last = runs.at(-1);
     if (last && tick <= last.end) return;
-    const joined = last !== undefined && !this.gaps.delete(lane);
-    if (joined) last.end = last.state === state ? tick : tick - 1;
-    if (!joined || last.state !== state) runs.push({ start: tick, end: tick, state });
+    const isBridged = last !== undefined && !this.gaps.delete(lane);
+    if (isBridged) last.end = last.state === state ? tick : tick - 1;
+    if (!isBridged || last.state !== state) runs.push({ start: tick, end: tick, state });
     if (runs.length > MOST_RUNS) runs.splice(0, MOST_RUNS / 4);
+  }
+
+  /**
+   * Enters that `lane` came into `state` at `tick`, as a verdict says. The server sends a verdict when it is on
+   * disk, so newer frames may be here already: the state that they bridged lasts up to this tick only.
+   */
+  enter(lane: number, tick: number, state: string): void {
+    const runs = this.runs.get(lane) ?? [];
+    const at = lowerBound(runs, tick, (run) => run.end);
+    const run = runs[at];
+    if (!run || tick < run.start) return this.see(lane, tick, state);
+    const parts = [
+      { ...run, end: tick - 1 },
+      { start: tick, end: run.end, state },
+    ].filter(({ start, end }) => start <= end);
+    const around = [runs[at - 1], ...parts, runs[at + 1]].filter((part) => part !== undefined);
+    const from = Math.max(at - 1, 0);
+    runs.splice(from, at + 2 - from, ...joined(around));
   }
 
   /** Marks a gap: the connection was lost, so the ticks up to the next frame stay unknown. */

@@ -61,7 +61,7 @@ export class Past {
     const known = this.selection.place(actor) !== null && this.machine.isActors;
     this.events.judge(verdict, known ? blendTicks(this.machine.info.value, verdict, this.stage.rate) : 0);
     const led = verdict.verdict === "taken" && to ? this.selection.stateIndex(actor, to, layer) : -1;
-    if (led >= 0) this.runs.see(laneKey(actor, layer), tick, to);
+    if (led >= 0) this.runs.enter(laneKey(actor, layer), tick, to);
     return led;
   }
 
