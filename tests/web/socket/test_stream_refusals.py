@@ -43,6 +43,12 @@ def test_an_unknown_event_is_answered_with_those_there_are(address: str, stage: 
     assert "FORWARD" in error["known"]
 
 
+def test_a_refused_member_is_named_with_what_would_be_right(address: str, stage: str) -> None:
+    with Watcher(address, stage) as viewer:
+        viewer.say(type="event", event="JUMP", actr=1)
+        assert viewer.text("error")["detail"] == "event.actr: there is no such member; did you mean actor?"
+
+
 def test_a_message_that_is_too_long_ends_the_connection(address: str, stage: str) -> None:
     with Watcher(address, stage) as viewer:
         viewer.socket.send("x" * (65 << 10))

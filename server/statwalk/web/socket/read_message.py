@@ -32,4 +32,4 @@ def read(raw: object) -> ViewerMessage:
         entries = error.errors(include_url=False, include_input=False)
         places = [{**entry, "loc": ("message", *entry["loc"])} for entry in entries]
         first = field_errors(places, ViewerMessage)[0]
-        raise Problem(422, first["message"], field=first["field"]) from None
+        raise Problem(422, f"{first['field']}: {first['message']}", field=first["field"]) from None
