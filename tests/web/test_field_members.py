@@ -6,6 +6,7 @@ from statwalk.web.field_members import members_at
 
 
 class Leaf(BaseModel):
+    leaf: str = ""
     kind: Literal["leaf"] = "leaf"
     colour: str = ""
 
@@ -21,9 +22,9 @@ class Branch(BaseModel):
     ("place", "members"),
     [
         ((), ["kind", "parts", "by_name", "width"]),
-        (("parts", 3, "leaf"), ["kind", "colour"]),
-        (("parts", 0, "branch", "parts", 1, "leaf"), ["kind", "colour"]),
-        (("by_name", "any"), ["kind", "colour"]),
+        (("parts", 3, "leaf"), ["leaf", "kind", "colour"]),
+        (("parts", 0, "branch", "parts", 1, "leaf"), ["leaf", "kind", "colour"]),
+        (("by_name", "any"), ["leaf", "kind", "colour"]),
         (("width",), []),
         (("nothing", 1), []),
     ],

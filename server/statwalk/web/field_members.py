@@ -15,7 +15,9 @@ def members_at(kind: Any, place: Sequence[str | int]) -> list[str]:
     """
     kinds = _each(kind)
     for part in place:
-        kinds = [within for found in kinds for within in _within(found, part)]
+        # of several kinds pydantic names one as a part of the place, before its members
+        named = [found for found in kinds if len(kinds) > 1 and _is_named(found, part)]
+        kinds = named or [within for found in kinds for within in _within(found, part)]
     return [
         field.alias or name
         for model in kinds
@@ -37,13 +39,18 @@ def _is_model(kind: Any) -> bool:
     return isinstance(kind, type) and issubclass(kind, BaseModel)
 
 
+def _is_named(kind: Any, part: str | int) -> bool:
+    """Whether a member says that this is the kind, as `kind` of an operation and `type` of a message do."""
+    fields = kind.model_fields.values() if _is_model(kind) else ()
+    literals = [field.annotation for field in fields if get_origin(field.annotation) is Literal]
+    return any(part in get_args(literal) for literal in literals)
+
+
 def _within(kind: Any, part: str | int) -> list[Any]:
     """The types of what a part of a place leads to."""
     if _is_model(kind):
         for name, field in kind.model_fields.items():
             if part in (name, field.alias):
                 return _each(field.annotation)
-            if get_origin(field.annotation) is Literal and part in get_args(field.annotation):
-                return [kind]  # pydantic names the kind of an operation as a part of the place
         return []
     return _each(get_args(kind)[-1]) if get_args(kind) else []
