@@ -10,8 +10,8 @@ from pydantic import BaseModel
 
 
 def members_at(kind: Any, place: Sequence[str | int]) -> list[str]:
-    """Returns the names of the members at a place of a value of the type `kind`; none where it is no model.
-    A place is one of pydantic's, with the kinds of operations and messages that it goes through.
+    """Returns the names of the members that the type `kind` has at a place; an empty list if the place holds
+    no model. The place is pydantic's: it names the kind of each operation or message that it goes through.
     """
     kinds = _each(kind)
     for part in place:

@@ -1,6 +1,7 @@
 /** Finds the handle that a press takes hold of: a hand may miss a small ball, above all one that moves. */
 
 import * as THREE from "three";
+import { pixelsPerMetre } from "./detailChoice";
 
 /** Pixels of the page that a press may be away from the middle of a handle: of a mouse, and of a finger. */
 const [MOUSE, FINGER] = [12, 22];
@@ -18,8 +19,8 @@ export function metresOfPixel(
   height_px: number,
   place: THREE.Vector3,
 ): number {
-  const high = 2 * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)) * camera.position.distanceTo(place);
-  return high / Math.max(camera.view?.fullHeight ?? height_px, 1);
+  const height = Math.max(camera.view?.fullHeight ?? height_px, 1);
+  return 1 / pixelsPerMetre(camera.position.distanceTo(place), camera.fov / camera.zoom, height);
 }
 
 /** Returns the balls, by name, as they are drawn; those behind the camera are not. */

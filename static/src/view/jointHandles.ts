@@ -71,7 +71,7 @@ export class JointHandles {
     return this.dragged !== null;
   }
 
-  /** Whether there is no handle. */
+  /** Whether no handles are shown. */
   get isEmpty(): boolean {
     return !this.shown.size;
   }

@@ -1,4 +1,4 @@
-"""Names of states, events, markers, parameters …, and what is wrong with a text that is no name."""
+"""Checks names of states, events, markers and parameters, and says what is wrong with a refused name."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ NAME = re.compile(rf"\w[\w.-]{{0,{MOST_LETTERS - 1}}}")
 
 
 def refused_name(text: str, kind: str) -> str:
-    """Returns the sentence that says why a text that does not match `NAME` is no name for the `kind`."""
+    """Returns a sentence: why a text is no name for the `kind`. The text does not match `NAME`."""
     return (
         f"{text[:40]!r} is no name for the {kind}: {_fault(text)}; use letters, digits, _, and later . or -"
     )
