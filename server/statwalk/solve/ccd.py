@@ -21,6 +21,9 @@ from statwalk.solve.chains import TWO_BONE
 from statwalk.solve.iterate import FAR, aimed, goes_on, is_free_joint, keep_better, note_cuts, take_best
 
 ZERO, ONE = np.float32(0), np.float32(1)
+SLOW = 0.97
+"""a limb stops at the iteration that leaves more than this part of the distance: it begins at the best that
+a triangle allows, and what its limits leave goes slowly"""
 
 
 @called
@@ -45,6 +48,8 @@ def solve_ccd(
         iterations = iterations + active
         better = where_below(distance, best, active, zero)
         best = keep_better(scratch, count - 1, better, distance, best)
+        if chains.solver[number] == TWO_BONE:
+            active = where_below(distance, last * of(SLOW), active, zero)
         active, last = goes_on(active, distance, last, tolerance, whole), distance
     take_best(scratch, count - 1)
     return iterations, best

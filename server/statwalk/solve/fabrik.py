@@ -21,8 +21,8 @@ from statwalk.solve.chain_lanes import AIM, JOINT, LENGTH, LOCAL, OFFSET, POINT
 from statwalk.solve.iterate import FAR, aimed, goes_on, keep_better, note_cuts, take_best, take_better
 
 ZERO, ONE = np.float32(0), np.float32(1)
-CANCELLED = 1e-6
-"""of a sum of squares: a difference of squares below it is rounding"""
+CANCELLED, TINY = 1e-6, 1e-36
+"""of a sum of squares: a difference of squares below it is rounding; the square of a length that is none"""
 
 
 @called
@@ -47,7 +47,10 @@ def solve_fabrik(
         drawn = pull_back(scratch, count, goal, drawn)
         iterations = iterations + active
         if is_free:
-            end, drawn = pull_forth(scratch, count, active, drawn)
+            if any_above(one, active):
+                end, drawn = pull_forth(scratch, count, active, False, drawn)
+            else:  # nothing to choose
+                end, drawn = pull_forth(scratch, count, active, True, drawn)
             distance = length(minus(goal, end))
         else:
             distance = length(minus(goal, turn_to_points(chains, clamps, number, AIM, scratch)))
@@ -83,54 +86,57 @@ def pull_back(scratch: Any, count: int, goal: Any, drawn: Any) -> Any:
 
 
 @inlined
-def pull_forth(scratch: Any, count: int, active: Any, drawn: Any) -> Any:
-    """Puts each joint, from the start to the end, at its bone's length; writes the points of active lanes to
-    POINT. `drawn`: the second joint; returns the place of the end, and the last joint but one as drawn.
+def pull_forth(scratch: Any, count: int, active: Any, all_move: bool, drawn: Any) -> Any:
+    """Puts each joint, from the start to the end, at its bone's length; writes the points of active lanes, or
+    of all lanes, to POINT. `drawn`: the second joint; returns the place of the end, and the last joint but one as drawn.
     """
     start = load3(scratch, POINT)
     before, drawn = fixed(start), _drawn_back(drawn, start, load(scratch, JOINT + LENGTH))
     for place in range(2, count):
         at, before = place * JOINT, drawn
         drawn = _drawn(drawn, load3(scratch, at + AIM), load(scratch, at + LENGTH))
-        _move(scratch, at - JOINT, active, drawn[0])
+        _move(scratch, at - JOINT, active, all_move, drawn[0])
     end = _place(drawn)
-    _move(scratch, (count - 1) * JOINT, active, end)
+    _move(scratch, (count - 1) * JOINT, active, all_move, end)
     return end, before
 
 
 @inlined
-def _move(scratch: Any, at: int, active: Any, point: Any) -> None:
-    store3(scratch, at + POINT, either3(active, point, load3(scratch, at + POINT)))
+def _move(scratch: Any, at: int, active: Any, all_move: bool, point: Any) -> None:
+    if not all_move:
+        point = either3(active, point, load3(scratch, at + POINT))
+    store3(scratch, at + POINT, point)
 
 
 @inlined
 def fixed(point: Any) -> Any:
     """Returns a joint that stays at a point, as `_drawn` returns it."""
     zero = broadcast(ZERO)
-    return point, (zero, zero, zero), zero, zero
+    return point, (zero, zero, zero), (zero, zero), zero
 
 
 @inlined
 def _place(drawn: Any) -> Any:
     """Where a joint has been drawn to."""
-    origin, way, factor, _ = drawn
-    return added(origin, way, factor)
+    origin, way, (length_of_way, per_square), _ = drawn
+    return added(origin, way, length_of_way * per_square)
 
 
 @inlined
 def _drawn(drawn: Any, point: Any, bone: Any) -> Any:
     """Draws a joint from `point` to a bone's length from the joint before it: returns the place of that one,
-    the way from there to `point`, the factor of the way, and the bone.
+    the way from there to `point`, the two numbers whose product is the factor of the way, and the bone.
 
     Only roots take long, so the square of the way does not wait for the way: with o + w·f the place of the
     joint before, its bone |w·f|, and v = point − o, it is |v|² + |w·f|² − 2 f w·v.
     """
-    origin, way, factor, last = drawn
+    origin, way, (length_of_way, per_square), last = drawn
     from_origin = minus(point, origin)
-    squares = most(fused(last, last, vector_square(from_origin)), of(1e-30))
+    squares = fused(last, last, vector_square(from_origin))
     both = dot(from_origin, way)
-    square = most(fused(-(both + both), factor, squares), squares * of(CANCELLED))
-    return added(origin, way, factor), added(from_origin, way, -factor), _factor(bone, square), bone
+    square = fused(-(both + both) * per_square, length_of_way, squares)
+    square, factor = most(square, fused(squares, of(CANCELLED), of(TINY))), length_of_way * per_square
+    return added(origin, way, factor), added(from_origin, way, -factor), _factors(bone, square), bone
 
 
 @inlined
@@ -139,18 +145,18 @@ def _drawn_back(drawn: Any, point: Any, bone: Any) -> Any:
 
     The length of the last bone is measured here, so that rounding does not add up from pass to pass.
     """
-    origin, way, factor, last = drawn
-    from_point = minus(origin, point)
+    origin, way, (length_of_way, per_square), last = drawn
+    factor, from_point = length_of_way * per_square, minus(origin, point)
     apart, both = vector_square(from_point), dot(from_point, way)
-    least_square = most(fused(last, last, apart), of(1e-30)) * of(CANCELLED)
+    least_square = fused(fused(last, last, apart), of(CANCELLED), of(TINY))
     square = most(fused(fused(vector_square(way), factor, both + both), factor, apart), least_square)
-    return point, added(from_point, way, factor), _factor(bone, square), bone
+    return point, added(from_point, way, factor), _factors(bone, square), bone
 
 
 @inlined
-def _factor(bone: Any, square: Any) -> Any:
-    """bone / √square; the division does not wait for the root."""
-    return root(square) * (bone / square)
+def _factors(bone: Any, square: Any) -> Any:
+    """Two numbers whose product is bone / √square; the division does not wait for the root."""
+    return root(square), bone / square
 
 
 @inlined
@@ -164,14 +170,13 @@ def turn_along(scratch: Any, count: int) -> Any:
         at = place * JOINT
         q, offset = load4(scratch, at + LOCAL), load3(scratch, at + JOINT + OFFSET)
         way, bone = minus(load3(scratch, at + JOINT + POINT), load3(scratch, at + POINT)), rotated(q, offset)
-        square_of_way = most(vector_square(way), of(1e-30))
-        sizes = root(vector_square(bone) * square_of_way)
-        turn, square = half_way(bone, rotated_back(above, way), sizes)
+        length_of_bone = load(scratch, at + JOINT + LENGTH)
+        turn, square = half_way(bone, rotated_back(above, way), length_of_bone * length_of_bone)
         q, factor = mul(turn, renormalized(q)), per_root(square)
         q = q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor
         store4(scratch, at + LOCAL, q)
         above = mul(above, q)
-        end = added(end, way, sizes / square_of_way)  # the turned bone is parallel to the way
+        end = plus(end, way)
     return end
 
 

@@ -169,7 +169,7 @@ def _turn(
         store4(scratch, place * JOINT + LOCAL, load4(coming, where + ROTATION))
     store3(scratch, POINT, offset)
     goal, tolerance = last, spread(chains.tolerance, number)
-    end, drawn = pull_forth(scratch, count, one, fixed(load3(scratch, JOINT + AIM)))
+    end, drawn = pull_forth(scratch, count, one, True, fixed(load3(scratch, JOINT + AIM)))
     missed = length(minus(goal, end))
     held = where_below(zero, load(work, LINKS + (count - 1) * LINK + FREE), zero, one)
     if not h.holds[k, 0]:
@@ -178,7 +178,7 @@ def _turn(
     for _ in range(PULLS):
         if not any_above(held, zero):
             break
-        end, drawn = pull_forth(scratch, count, held, pull_back(scratch, count, goal, drawn))
+        end, drawn = pull_forth(scratch, count, held, False, pull_back(scratch, count, goal, drawn))
         missed = length(minus(goal, end))
         held = where_below(tolerance, missed, held, zero)
     turn_to_points(chains, clamps, number, POINT, scratch)

@@ -161,8 +161,8 @@ def _solve(chains: Any, clamps: Any, number: int, target: Any, pole: Any, weight
         target, distance, circle = solve_two_bone(scratch, count, middle, target, pole, hinge, softening)
         if chains.is_free[number]:
             return zero, distance
-        clamp_limb(chains, clamps, number, middle, scratch)
-        swivel_limb(chains, clamps, number, circle, scratch)
+        wanted = clamp_limb(chains, clamps, number, middle, scratch)
+        swivel_limb(chains, clamps, number, circle, wanted, scratch)
     whole = chain_length(scratch, count)
     if solver != TWO_BONE:
         target = softened(target, load3(scratch, OFFSET), whole, softening)

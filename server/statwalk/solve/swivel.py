@@ -1,7 +1,8 @@
 """Turns a limb about the line from its start to its target until its first joint is within its limits (IK15).
 
 The middle joint of a limb that reaches its target is on a circle about that line. What the limits of the
-first joint cut of the first bone's direction tells Newton's method how far to go along the circle.
+first joint cut tells Newton's method how far to go along the circle: what they cut of the first bone's
+direction, or, if the limits are angles and the middle joint bends one way, of the whole rotation.
 """
 
 from __future__ import annotations
@@ -13,8 +14,8 @@ import numpy as np
 from statwalk.maths.clamp_kinds import EULER, HINGE
 from statwalk.maths.compiling import inlined
 from statwalk.maths.simd.lane_elementary import of
-from statwalk.maths.simd.lane_functions import any_above, least, most
-from statwalk.maths.simd.lane_quat import minus, rotated, scaled, vector_square
+from statwalk.maths.simd.lane_functions import any_above, least, most, turned
+from statwalk.maths.simd.lane_quat import conjugate, minus, mul, rotated, scaled, vector_square
 from statwalk.maths.simd.lane_turns import between_frames
 from statwalk.maths.simd.lane_vector import added, cross, dot, unit, where3_below
 from statwalk.maths.simd.lanes import broadcast
@@ -37,21 +38,45 @@ SMALLEST = 1e-6
 
 
 @inlined
-def swivel_limb(chains: Any, clamps: Any, number: int, circle: Any, scratch: Any) -> None:
+def swivel_limb(chains: Any, clamps: Any, number: int, circle: Any, wanted: Any, scratch: Any) -> None:
     """Turns the first joint of a limb, whose rotation at LOCAL is within its limits, so that the middle joint
     comes to its circle; from there the second bone can point at the target.
 
     `circle` is what `solve_two_bone` returns: the unit vectors of the first bone and of the hinge in the
     frame of the first joint; the unit vectors to the target and aside, where the middle joint would be
-    without limits; how far it is from the start along each of the two, in lengths of the first bone. Lanes
-    within the limits keep their bits.
+    without limits; how far it is from the start along each of the two, in lengths of the first bone.
+    `wanted`: the rotation without limits. Lanes within the limits keep their bits.
     """
-    row, within = chains.first[number], of(WITHIN)
-    if clamps.row[chains.joint[row]] < 0:
+    row, within, q = chains.first[number], of(WITHIN), load4(scratch, LOCAL)
+    limit, bends_one_way = clamps.row[chains.joint[row]], _bends_one_way(chains, clamps, number)
+    if limit < 0:
         return
-    upper, hinge, onward, sideways, along, radius = circle
-    aim, q = added(scaled(onward, along), sideways, radius), load4(scratch, LOCAL)
-    bone = rotated(q, upper)
+    if bends_one_way and clamps.kind[limit] == EULER:
+        moved, missed = _by_rotation(chains, clamps, row, circle, wanted, q, scratch)
+        if any_above(missed, within):
+            other = _by_bone(chains, clamps, row, circle, q, False, scratch)
+            moved = either4(missed - within, other, moved)
+    else:
+        moved = _by_bone(chains, clamps, row, circle, q, bends_one_way, scratch)
+    store4(scratch, LOCAL, moved)
+
+
+@inlined
+def _bends_one_way(chains: Any, clamps: Any, number: int) -> Any:
+    """Whether the first joint must turn so that the middle joint bends about its hinge. A middle joint with a
+    cone needs no hinge: it bends to all sides.
+    """
+    bend = clamps.row[chains.joint[chains.first[number] + chains.middle[number]]]
+    return bend >= 0 and (clamps.kind[bend] == HINGE or clamps.kind[bend] == EULER)
+
+
+@inlined
+def _by_bone(chains: Any, clamps: Any, row: int, circle: Any, q: Any, keeps_hinge: Any, scratch: Any) -> Any:
+    """The rotation q of the first joint after steps by what limits cut of the first bone's direction; then
+    turned about that bone, if the limb keeps its hinge.
+    """
+    within, (upper, hinge, onward, sideways, along, radius) = of(WITHIN), circle
+    aim, bone = added(scaled(onward, along), sideways, radius), rotated(q, upper)
     first_cut = vector_square(minus(bone, aim))
     for _ in range(STEPS):
         lack, around = minus(bone, aim), cross(sideways, onward)
@@ -61,27 +86,45 @@ def swivel_limb(chains: Any, clamps: Any, number: int, circle: Any, scratch: Any
         moved = unit(added(sideways, around, _step(lack, cut, around, radius)))
         sideways = where3_below(within, cut, moved, sideways)
         aim = added(scaled(onward, along), sideways, radius)
-        turned = aimed(chains, clamps, row, bone, aim, q, scratch, 0)
-        q = either4(cut - within, turned, q)
+        q = either4(cut - within, aimed(chains, clamps, row, bone, aim, q, scratch, 0), q)
         bone = rotated(q, upper)
-    if any_above(first_cut, within) and _keeps_hinge(chains, clamps, number):
-        turned = between_frames(upper, hinge, aim, cross(sideways, onward))
-        turned = limited(chains, clamps, row, turned, broadcast(ONE), scratch, 0)
-        turned = aimed(chains, clamps, row, rotated(turned, upper), aim, turned, scratch, 0)
-        q = either4(first_cut - within, turned, q)
-    store4(scratch, LOCAL, q)
+    if keeps_hinge and any_above(first_cut, within):
+        hinged = between_frames(upper, hinge, aim, cross(sideways, onward))
+        hinged = limited(chains, clamps, row, hinged, broadcast(ONE), scratch, 0)
+        hinged = aimed(chains, clamps, row, rotated(hinged, upper), aim, hinged, scratch, 0)
+        q = either4(first_cut - within, hinged, q)
+    return q
 
 
 @inlined
-def _keeps_hinge(chains: Any, clamps: Any, number: int) -> Any:
-    """Whether the first joint turns so that the middle joint bends about its hinge. A middle joint with a
-    cone needs no hinge: it bends to all sides. A first joint with angles can't keep the hinge: what its
-    limits cut of the hinge's direction moves the bone, too.
+def _by_rotation(chains: Any, clamps: Any, row: int, circle: Any, wanted: Any, q: Any, scratch: Any) -> Any:
+    """The rotation q of the first joint after steps by what limits cut of its whole rotation, which keeps the
+    hinge; and the square of how far the middle joint is from its circle then.
     """
-    first = chains.first[number]
-    start, bend = clamps.row[chains.joint[first]], clamps.row[chains.joint[first + chains.middle[number]]]
-    bends_one_way = bend >= 0 and (clamps.kind[bend] == HINGE or clamps.kind[bend] == EULER)
-    return bends_one_way and clamps.kind[start] != EULER
+    within, (upper, hinge, onward, sideways, along, radius) = of(WITHIN), circle
+    aim, lack = added(scaled(onward, along), sideways, radius), _turn_from(wanted, q)
+    first_cut = vector_square(lack)
+    for _ in range(STEPS):
+        cut = vector_square(lack)
+        if not any_above(cut, within):
+            break
+        moved = unit(added(sideways, cross(onward, sideways), _step(lack, cut, onward, broadcast(ONE))))
+        sideways = where3_below(within, cut, moved, sideways)
+        aim = added(scaled(onward, along), sideways, radius)
+        wanted = between_frames(upper, hinge, aim, cross(sideways, onward))
+        q = either4(cut - within, limited(chains, clamps, row, wanted, broadcast(ONE), scratch, 0), q)
+        lack = _turn_from(wanted, q)
+    if any_above(first_cut, within):
+        pointed = aimed(chains, clamps, row, rotated(q, upper), aim, q, scratch, 0)
+        q = either4(first_cut - within, pointed, q)
+    return q, vector_square(minus(rotated(q, upper), aim))
+
+
+@inlined
+def _turn_from(old: Any, new: Any) -> Any:
+    """The axis of the turn from one rotation to another, as long as twice the sine of half the angle."""
+    x, y, z, w = mul(new, conjugate(old))
+    return turned(x + x, w), turned(y + y, w), turned(z + z, w)
 
 
 @inlined

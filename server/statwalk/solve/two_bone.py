@@ -128,14 +128,15 @@ def _bend(hinge: Any, old: Any, new: Any) -> Any:
 
 
 @inlined
-def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any) -> None:
-    """Brings the first and the middle joint within their limits."""
-    first, one = chains.first[number], broadcast(ONE)
-    store4(scratch, LOCAL, limited(chains, clamps, first, load4(scratch, LOCAL), one, scratch, 0))
+def clamp_limb(chains: Any, clamps: Any, number: int, middle: int, scratch: Any) -> Any:
+    """Brings the first and the middle joint within their limits; returns the first one's rotation before."""
+    first, one, wanted = chains.first[number], broadcast(ONE), load4(scratch, LOCAL)
+    store4(scratch, LOCAL, limited(chains, clamps, first, wanted, one, scratch, 0))
     at = middle * JOINT
     bent = limited(chains, clamps, first + middle, load4(scratch, at + LOCAL), one, scratch, at)
     store4(scratch, at + LOCAL, bent)
     note_cuts(chains, number, one, scratch)
+    return wanted
 
 
 @inlined

@@ -18,7 +18,7 @@ export function within({ minimum, maximum }: Parameter, value: number): number {
 }
 
 export class ParameterValues {
-  /** The numbers, and the components of points as `target.x`, by name. */
+  /** The numbers, and the components of points, directions and rotations as `target.x`, by name. */
   readonly all = signal<ReadonlyMap<string, number>>(new Map());
   private readonly senders = new Map<string, Latest<() => void>>();
   private machine: MachineInfo | null = null;
@@ -44,19 +44,25 @@ export class ParameterValues {
     return [this.get(`${name}.x`), this.get(`${name}.y`), this.get(`${name}.z`)];
   }
 
-  /** Sets a number; a component of a point goes out with the whole point. */
+  /** Sets a number; a component of a point, a direction or a rotation goes out with the others. */
   set(name: string, value: number): void {
     const parameter = this.machine?.parameters.find((known) => known.name === name);
     if (!parameter) return;
     this.take([[name, within(parameter, value)]]);
     const whole = parameter.vector || name;
-    this.send(whole, parameter.vector ? () => this.point(whole) : () => this.get(name));
+    this.send(whole, parameter.vector ? () => this.vector(whole) : () => this.get(name));
   }
 
   setPoint(name: string, point: Point): void {
     const parts = (this.machine?.parameters ?? []).filter(({ vector }) => vector === name);
     this.take(parts.map((part) => [part.name, within(part, point["xyz".indexOf(part.name.slice(-1))]!)]));
     this.send(name, () => this.point(name));
+  }
+
+  /** The components of a point, a direction or a rotation. */
+  private vector(name: string): number[] {
+    const parts = (this.machine?.parameters ?? []).filter(({ vector }) => vector === name);
+    return parts.map((part) => this.get(part.name));
   }
 
   /** Begins with the defaults. */
@@ -85,7 +91,7 @@ export class ParameterValues {
     this.all.value = new Map([...this.all.value, ...values]);
   }
 
-  private send(whole: string, value: () => number | Point): void {
+  private send(whole: string, value: () => number | number[]): void {
     const actor = this.selection.actor.value;
     if (actor === null) return;
     let sender = this.senders.get(whole);

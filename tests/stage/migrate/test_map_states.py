@@ -99,6 +99,25 @@ def test_the_inner_state_left_last_is_kept():
     assert stage.actor(1).state == "FIGHT.HIT"
 
 
+def test_a_sub_machine_that_is_renamed_keeps_the_inner_state_left_last():
+    stage = lived(text_of(INNER_TABLE, states=INNER), "TURN", "GO", "HOP")
+    renamed = [text.replace("FIGHT", "BOX") for text in (INNER_TABLE, INNER)]
+    stage.edit(role_of(text_of(renamed[0], states=renamed[1])))
+    stage.send(1, "TURN")
+    stage.step()
+    assert stage.actor(1).state == "BOX.HIT"
+
+
+def test_an_inner_state_that_has_left_its_sub_machine_is_not_resumed():
+    stage = lived(text_of(INNER_TABLE, states=INNER), "TURN", "GO", "HOP")
+    fewer = INNER.replace(", HIT: {motion: walk, loop: true}", "").replace("GUARD | HIT", "GUARD |")
+    outside = fewer.replace("  FIGHT:", "  HIT: {motion: walk, loop: true}\n  FIGHT:")
+    stage.edit(role_of(text_of(INNER_TABLE, states=outside)))
+    stage.send(1, "TURN")
+    stage.step()
+    assert stage.actor(1).state == "FIGHT.GUARD"
+
+
 def test_a_sense_that_is_on_stays_on():
     sense = "senses: {{{}HOP: {{when: pace > 0.6}}}}\n"
     stage = lived(text_of(more=sense.format("")), "GO", ticks=40)

@@ -168,16 +168,29 @@ def _shared(old: Machine, new: Machine, state: MachineState, blank: MachineState
 
 
 def _last(old: Machine, new: Machine, state: MachineState, blank: MachineState) -> NDArray[Any]:
-    """(N, H) the inner states that were left last, if the composite state and the inner state still exist."""
-    last = _taken(state.last, _by_name(new.histories, old.histories), blank.last)
-    layers = [new_layer.name for new_layer in new.layers]
-    for column, (layer, _) in enumerate(new.histories):
-        before = (
-            [old_layer.name for old_layer in old.layers].index(layer) if (layer, _) in old.histories else -1
-        )
-        to = matched_states(old, new, before, layers.index(layer))
-        last[:, column] = np.where(last[:, column] >= 0, to[last[:, column]], -1)
+    """(N, H) the inner states that were left last, where the composite state still has them."""
+    last, layers = blank.last.copy(), [old_layer.name for old_layer in old.layers]
+    for column, (name, _) in enumerate(new.histories):
+        before = layers.index(name) if name in layers else -1
+        layer = [new_layer.name for new_layer in new.layers].index(name)
+        to = matched_states(old, new, before, layer)
+        row = _history(old, new, column, to)
+        if row >= 0:
+            inner = np.where(state.last[:, row] >= 0, to[state.last[:, row]], -1)
+            last[:, column] = np.where((inner >= 0) & new.inside[inner, column], inner, -1)
     return last
+
+
+def _history(old: Machine, new: Machine, column: int, to: Ints) -> int:
+    """The row in the old machine of a composite state that resumes: by name; if its name is new, the only
+    one that is gone and had the same inner states; -1 none. `to`: the new row of each old state.
+    """
+    if new.histories[column] in old.histories:
+        return old.histories.index(new.histories[column])
+    known = set(np.flatnonzero(new.inside[:, column]).tolist()) & set(to.tolist())
+    gone = [row for row, name in enumerate(old.histories) if name not in new.histories]
+    alike = [row for row in gone if known and set(to[old.inside[:, row]].tolist()) - {-1} == known]
+    return alike[0] if len(alike) == 1 else -1
 
 
 def _by_name(names: Sequence[Hashable], known_names: Sequence[Hashable]) -> Ints:
