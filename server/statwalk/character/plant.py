@@ -10,11 +10,9 @@ import numpy as np
 
 from statwalk.character.body import Body
 from statwalk.character.body_bones import PARENTS, SIDES
-from statwalk.character.feet import BONES, feet_of
-from statwalk.character.feet import SIDES as SIDE_OF
+from statwalk.character.carried_soles import Sole, soles_of
 from statwalk.maths import quat, vector
 from statwalk.maths.arrays import Floats
-from statwalk.rig.evaluate import world_from_local
 from statwalk.solve.rules import joint_between
 
 STANDING_SHARE = 5.0
@@ -40,14 +38,6 @@ class CapturedPath(NamedTuple):
     drop: float
 
 
-class Sole(NamedTuple):
-    """The sole of a foot: its points (K, 3) from the ankle at rest, and the height of the ground."""
-
-    foot: str
-    arms: Floats
-    ground: float
-
-
 class BodyKeys(NamedTuple):
     """The target's motion in its own space.
 
@@ -61,37 +51,23 @@ class BodyKeys(NamedTuple):
 
 def planted(body: Body, turns: dict[str, Floats], path: CapturedPath) -> BodyKeys:
     """Returns the turns of the bones with the legs on the ground, and where the hips are."""
-    soles = _soles(body)
-    ground = min((float(points[:, 1].min()) for points in soles.values()), default=0.0)
+    soles = soles_of(body, turns)
+    ground = min((sole.lowest for sole in soles.values()), default=0.0)
     hips = _hips(body, path, soles)
     solved, places = dict(turns), {"Hips": hips}
     for side in SIDES:
         leg = [side + bone for bone in ("UpperLeg", "LowerLeg", "Foot")]
         if all(bone in turns for bone in leg) and leg[2] in path.feet:
             target = _ankle(body, turns, hips, path, leg[2])
-            sole = Sole(leg[2], soles[leg[2]] - body.at(leg[2]), ground)
-            solved[leg[2]] = _flattened(body, turns[leg[2]], target, sole)
-            target = target + Y * np.maximum(_below(body, solved[leg[2]], target, sole), 0)[:, None]
+            sole, height = soles[leg[2]], target[:, 1] - ground
+            solved[leg[2]] = _flattened(body, turns, height, sole)
+            below = sole.under(body, solved[leg[2]], turns) - height
+            target = target + Y * np.maximum(below, 0)[:, None]
             solved |= _leg(body, turns, hips, target, leg)
     return BodyKeys(solved, places | _detached(body, solved, places))
 
 
-def _soles(body: Body) -> dict[str, Floats]:
-    """Returns by foot bone the points (K, 3) of its sole at rest."""
-    names = body.character.skeleton.names
-    legs = {
-        foot: {
-            part: names[body.bones[side + bone]] for part, bone in BONES.items() if side + bone in body.bones
-        }
-        for foot, side in SIDE_OF.items()
-        if side + "Foot" in body.bones
-    }
-    rest = world_from_local(body.character.skeleton, body.character.bind_pose).astype(np.float64)
-    feet = [foot for foot in feet_of(body.character, legs) if foot.name in legs]
-    return {SIDE_OF[foot.name] + "Foot": foot.skin.at(rest) for foot in feet}
-
-
-def _hips(body: Body, path: CapturedPath, soles: dict[str, Floats]) -> Floats:
+def _hips(body: Body, path: CapturedPath, soles: dict[str, Sole]) -> Floats:
     """Returns the hips (F, 3): the hip joints as high above the standing ankle as the captured ones,
     in scale.
     """
@@ -150,23 +126,12 @@ def _turned(body: Body, turns: dict[str, Floats], bone: str, at_rest: Floats) ->
     return quat.rotate(turn, np.broadcast_to(at_rest, (*turn.shape[:-1], 3)))
 
 
-def _below(body: Body, turn: Floats, ankle: Floats, sole: Sole) -> Floats:
-    """Returns how far (F,) the sole of a foot that has turned is below the ground; negative: above it."""
-    away = quat.mul(turn, quat.conjugate(body.rotation[body.bones[sole.foot]]))
-    heights = quat.to_matrix(away)[:, 1, :]
-    lowest = np.full(len(ankle), np.inf)
-    for arm in sole.arms:
-        np.minimum(lowest, vector.dot(heights, arm), out=lowest)
-    below: Floats = sole.ground - (ankle[:, 1] + lowest)
-    return below
-
-
-def _flattened(body: Body, turn: Floats, ankle: Floats, sole: Sole) -> Floats:
-    """Returns the foot's turn (F, 4), nearer to level where its tilt would lift the ankle too far: a long
-    foot on a short leg.
+def _flattened(body: Body, turns: dict[str, Floats], height: Floats, sole: Sole) -> Floats:
+    """Returns the foot's turn (F, 4), nearer to level where its tilt would lift the ankle, which is so high
+    (F,) above the ground, too far: a long foot on a short leg.
     """
-    most = MOST_LIFT * body.leg()
-    too_low = _below(body, turn, ankle, sole) > most
+    most, turn = MOST_LIFT * body.leg() + height, turns[sole.foot]
+    too_low = sole.under(body, turn, turns) > most
     if not too_low.any():
         return turn
     rest = body.rotation[body.bones[sole.foot]]
@@ -175,7 +140,7 @@ def _flattened(body: Body, turn: Floats, ankle: Floats, sole: Sole) -> Floats:
     least, most_tilt = np.zeros(len(turn)), np.ones(len(turn))
     for _ in range(HALVINGS):
         part = (least + most_tilt) / 2
-        is_low = _below(body, quat.nlerp(level, turn, part), ankle, sole) > most
+        is_low = sole.under(body, quat.nlerp(level, turn, part), turns) > most
         least, most_tilt = np.where(is_low, least, part), np.where(is_low, part, most_tilt)
     return np.where(too_low[:, None], quat.nlerp(level, turn, least), turn)
 

@@ -88,7 +88,8 @@ def pull_back(scratch: Any, count: int, goal: Any, drawn: Any) -> Any:
 @inlined
 def pull_forth(scratch: Any, count: int, active: Any, all_move: bool, drawn: Any) -> Any:
     """Puts each joint, from the start to the end, at its bone's length; writes the points of active lanes, or
-    of all lanes, to POINT. `drawn`: the second joint; returns the place of the end, and the last joint but one as drawn.
+    of all lanes, to POINT. `drawn`: the second joint; returns the place of the end, and the last joint but
+    one as drawn.
     """
     start = load3(scratch, POINT)
     before, drawn = fixed(start), _drawn_back(drawn, start, load(scratch, JOINT + LENGTH))

@@ -15,8 +15,8 @@ const machine = {
   name: "toy",
   parameters: [
     { vector: "", kind: "number", name: "pace", minimum: 0, maximum: 2, default: 1 },
-    ...[..."xyz"].map((name) => component("side", "direction", name, 0.5)),
-    ...[..."xyzw"].map((name) => component("turn", "rotation", name, name === "w" ? 1 : 0)),
+    ...["x", "y", "z"].map((name) => component("side", "direction", name, 0.5)),
+    ...["x", "y", "z", "w"].map((name) => component("turn", "rotation", name, name === "w" ? 1 : 0)),
   ],
 } as unknown as MachineInfo;
 

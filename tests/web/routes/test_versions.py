@@ -36,6 +36,14 @@ async def test_several_operations_are_one_version(client: httpx.AsyncClient) -> 
     assert made.json()["table"]["WALK"]["JUMP"]["to"] == "RUN"
 
 
+async def test_the_foot_lock_is_shown_as_it_is_set(client: httpx.AsyncClient) -> None:
+    assert (await client.get(WALKER)).json()["foot_lock"] == 1
+    made = await operate(client, 1, {"kind": "set_machine", "fields": {"foot_lock": 0.5}})
+    assert made.json()["foot_lock"] == 0.5
+    made = await operate(client, 2, {"kind": "set_machine", "fields": {"foot_lock": None}})
+    assert made.json()["foot_lock"] == 0
+
+
 async def test_the_second_is_refused_and_the_first_is_not_made(client: httpx.AsyncClient) -> None:
     refused = await operate(client, 1, {"kind": "add_state", "state": "RUN"}, cell("WALK", "JMUP", "RUN"))
     assert (refused.status_code, "did you mean JUMP" in refused.json()["detail"]) == (422, True)

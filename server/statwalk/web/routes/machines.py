@@ -107,6 +107,7 @@ def machine_members(entry: Entry, role: Role, version: MachineVersion) -> dict[s
         "initial": definition.initial,
         "idle": definition.idle,
         "fallback": definition.fallback,
+        "foot_lock": definition.foot_lock,
         "defaults": _defaults_view(definition.defaults),
         "properties": [question.text for question in definition.properties],
         "keys": {key: KeyView.model_validate(events) for key, events in definition.keys.items()},

@@ -163,6 +163,8 @@ class MachineView(ResponseModel):
     idle: str | None
     fallback: str
     """the state of an actor whose own state is gone; empty: the initial state"""
+    foot_lock: float | str
+    """how much planted feet stay where they stand, 0…1, or the parameter that says so"""
     defaults: DefaultsView
     properties: list[str]
     """what must be true of the table; the findings say what is proved"""

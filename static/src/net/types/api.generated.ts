@@ -2088,6 +2088,8 @@ export interface components {
             idle: string | null;
             /** @description the state of an actor whose own state is gone; empty: the initial state */
             fallback: string;
+            /** @description how much planted feet stay where they stand, 0…1, or the parameter that says so */
+            foot_lock: number | string;
             defaults: components["schemas"]["DefaultsView"];
             /** @description what must be true of the table; the findings say what is proved */
             properties: string[];
@@ -2575,6 +2577,8 @@ export interface components {
             idle: string | null;
             /** @description the state of an actor whose own state is gone; empty: the initial state */
             fallback: string;
+            /** @description how much planted feet stay where they stand, 0…1, or the parameter that says so */
+            foot_lock: number | string;
             defaults: components["schemas"]["DefaultsView"];
             /** @description what must be true of the table; the findings say what is proved */
             properties: string[];

@@ -115,6 +115,7 @@ export function machine(members: Partial<MachineInfo>): MachineInfo {
     initial: "",
     idle: null,
     fallback: "",
+    foot_lock: 0,
     properties: [],
     states: [],
     table: {},

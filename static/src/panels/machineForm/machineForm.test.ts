@@ -10,7 +10,7 @@ import { layerSection } from "./layers";
 import { machineFormPanel } from "./machineForm";
 import { parameterSection } from "./parameters";
 import { newSense, senseSection } from "./senses";
-import { defaultsSection } from "./settings";
+import { aboutSection, defaultsSection } from "./settings";
 import { numberOrName } from "../../state/fieldTexts";
 
 /** Returns the operations of a text in the field `label` of an entry. */
@@ -123,6 +123,30 @@ test("the base is no entry of the layers", () => {
 
 test("a weight is a number or a parameter", () =>
   expect(["0.5", "look", ""].map(numberOrName)).toEqual([0.5, "look", null]));
+
+describe("feet that hold", () => {
+  const about = (foot_lock: number | string) => aboutSection(machine({ foot_lock, parameters: PARAMETERS }));
+  const shown = (foot_lock: number | string) =>
+    about(foot_lock).entries[0]!.fields.find(({ label }) => label === "feet hold")!;
+
+  it.each([
+    [0, ""],
+    [1, "1"],
+    ["pace", "pace"],
+  ])("are shown as %s", (lock, text) => expect(shown(lock).value).toBe(text));
+
+  it("propose numbers, not points", () => expect(shown(0).proposals).toEqual(["1", "pace"]));
+
+  it.each([
+    ["0.5", 0.5],
+    ["pace", "pace"],
+    ["", null],
+  ])("are set by %s", (text, foot_lock) =>
+    expect(typed(about(0), "machine", "feet hold", text)).toEqual([
+      { kind: "set_machine", fields: { foot_lock } },
+    ]),
+  );
+});
 
 test("another curve keeps the default blend's time", () =>
   expect(typed(defaultsSection(machine({})), "defaults", "curve", "quintic")).toEqual([

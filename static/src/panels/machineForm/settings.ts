@@ -2,7 +2,7 @@
 
 import type { MachineInfo, Operation } from "../../net/protocol";
 import type { Section } from "./entries";
-import { numberOrNone, numberText } from "../../state/fieldTexts";
+import { numberOrName, numberOrNone, numberText } from "../../state/fieldTexts";
 
 const CURVES = [
   ["cubic", "cubic"],
@@ -13,7 +13,8 @@ const MOMENTS = [
   ["end", "at the end of the motion"],
 ] as const;
 
-export function aboutSection({ title, description, idle, fallback, events, states }: MachineInfo): Section {
+export function aboutSection(machine: MachineInfo): Section {
+  const { title, description, idle, fallback, foot_lock, events, states } = machine;
   const set = (fields: Extract<Operation, { kind: "set_machine" }>["fields"]): Operation[] => [
     { kind: "set_machine", fields },
   ];
@@ -48,6 +49,16 @@ export function aboutSection({ title, description, idle, fallback, events, state
               "the first state",
             ),
             means: (text) => set({ fallback: orNone(text) }),
+          },
+          {
+            label: "feet hold",
+            value: typeof foot_lock === "number" ? (foot_lock ? numberText(foot_lock) : "") : foot_lock,
+            hint: "0…1, or a parameter: planted feet stay",
+            proposals: [
+              "1",
+              ...machine.parameters.filter(({ kind }) => kind === "number").map(({ name }) => name),
+            ],
+            means: (text) => set({ foot_lock: numberOrName(text) }),
           },
         ],
       },
