@@ -11,9 +11,12 @@ ANGLES = np.array([[0.0, 0, 0], [70, 20, -50], [10, -80, 30], [-60, 10, 20]])
 TIMES = [0.0, 0.5, 1.0, 1.5]
 
 
-def turns(tmp_path, interpolation: str, moments: np.ndarray) -> Rotation:
+UNEVEN = [0.0, 0.6, 1.2, 3.0]
+
+
+def turns(tmp_path, interpolation: str, moments: np.ndarray, times: list[float] = TIMES) -> Rotation:
     arm = from_text(
-        tmp_path, BONE, swing=(keyed(TIMES, "#rotate", "Arm", ANGLES), f"interpolation: {interpolation}")
+        tmp_path, BONE, swing=(keyed(times, "#rotate", "Arm", ANGLES), f"interpolation: {interpolation}")
     )
     return Rotation.from_quat(arm.clip("swing").sample(moments).rotation[:, 1])
 
@@ -46,3 +49,18 @@ def test_squad_turns_the_corner_that_slerp_takes_sharply(tmp_path):
         for name in ("slerp", "squad")
     }
     assert corner["squad"] < 0.15 * corner["slerp"]
+
+
+def test_squad_passes_a_key_between_uneven_times_at_one_speed(tmp_path):
+    moments = 1.2 + np.array([-1, 0, 1]) / 60
+    before, after = speeds(turns(tmp_path, "squad", moments, UNEVEN), 1 / 60)
+    assert np.linalg.norm(after - before) < 0.1 * np.linalg.norm(before)
+
+
+def test_squad_passes_a_key_at_the_speed_of_the_parabola_about_one_axis(tmp_path):
+    angles = [[0.0, 0, 0], [0, 30, 0], [0, 90, 0], [0, 100, 0]]
+    arm = from_text(tmp_path, BONE, swing=(keyed(UNEVEN, "#rotate", "Arm", angles), "interpolation: squad"))
+    moments = 1.2 + np.array([-1, 0, 1]) / 1024
+    at = Rotation.from_quat(arm.clip("swing").sample(moments).rotation[:, 1]).as_rotvec(degrees=True)[:, 1]
+    slope = np.polyfit(UNEVEN[1:], [30, 90, 100], 2) @ [2 * 1.2, 1, 0]  # degrees a second: 75.4
+    np.testing.assert_allclose(np.diff(at) * 1024, slope, rtol=0.03)

@@ -82,7 +82,7 @@ def rotation_channel(joint: int, keys: TimedKeys, angles: Floats, interpolation:
     elif interpolation == "linear":
         values = quat.nlerp(keys.values[before], keys.values[before + 1], part)
     else:
-        values = _squad(keys.values, before, part)
+        values = _squad(keys, before, part)
     return channel_of(joint, "rotation", TimedKeys(times, values), interpolation)
 
 
@@ -95,18 +95,19 @@ def _dense(times: Floats) -> tuple[Ints, Floats, Floats]:
     return key_before, part, times[key_before] * (1 - part) + times[key_before + 1] * part
 
 
-def _squad(keys: Floats, key_before: Ints, part: Floats) -> Floats:
+def _squad(keys: TimedKeys, key_before: Ints, part: Floats) -> Floats:
     """The spherical cubic through the keys; at the first and the last key, the key itself stands in for the
-    missing neighbour.
+    missing neighbour, as far away as the other.
     """
-    aligned = keys.copy()
-    for row in range(1, len(keys)):
+    aligned, steps = keys.values.copy(), np.diff(keys.times).astype(keys.values.dtype)
+    for row in range(1, len(aligned)):
         aligned[row] = quat.align(aligned[row - 1], aligned[row])
     before, after = (
-        aligned[np.maximum(np.arange(len(keys)) - 1, 0)],
-        aligned[np.minimum(np.arange(len(keys)) + 1, len(keys) - 1)],
+        aligned[np.maximum(np.arange(len(aligned)) - 1, 0)],
+        aligned[np.minimum(np.arange(len(aligned)) + 1, len(aligned) - 1)],
     )
-    tangents = quat.squad_tangent(before, aligned, after)
+    since, until = np.append(steps[0], steps), np.append(steps, steps[-1])
+    into, out_of = quat.squad_tangents(before, aligned, after, since, until)
     return quat.squad(
-        aligned[key_before], tangents[key_before], tangents[key_before + 1], aligned[key_before + 1], part
+        aligned[key_before], out_of[key_before], into[key_before + 1], aligned[key_before + 1], part
     )
