@@ -15,6 +15,7 @@ from paths import MACHINES
 from statwalk.character.feet import feet_of
 from statwalk.character.role import Role
 from statwalk.services.library.load import load_role
+from statwalk.stage.measure import measure
 from statwalk.stage.measure.measure import Measured, measure_cells
 from statwalk.stage.measure.subject import Subject
 from statwalk.stage.stage import Stage
@@ -55,6 +56,11 @@ def test_feet_hold_the_ground_through_a_transition(cell: str) -> None:
     assert figures["slide"].worst <= HELD[cell]
     assert figures["sink"].worst <= SINK
     assert figures["knee"].worst <= KNEE
+
+
+def test_a_turn_is_not_half_on_the_spot_and_half_round_a_curve(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(measure, "LATER", (57,))  # he is slow then: 92 mm where both turns were mixed
+    assert measured(WALKER, "WALK/RIGHT").figures["slide"].worst <= 0.015
 
 
 @pytest.mark.parametrize("cell", ON_STAIRS)
