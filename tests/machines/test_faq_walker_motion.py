@@ -34,6 +34,7 @@ HIP = (30, 25, 11, -3, -10, 0, 23, 32)
 KNEE = (5, 18, 12, 6, 10, 38, 60, 28)
 SHOULDER = (-22, -18, -6, 6, 12, 10, 0, -14)
 ELBOW = (12, 14, 20, 28, 32, 28, 20, 14)
+ANKLE = (0, -5, 3, 8, 8, -17, -3, 1)
 
 
 @cache
@@ -152,12 +153,24 @@ def test_walk_has_the_speed_and_the_rise_of_a_grown_up() -> None:
 def test_walk_keeps_to_clinical_averages(
     side: str, bone: str, sign: int, keys: tuple[int, ...], within: float
 ) -> None:
+    assert sign * pitches(side, bone) == pytest.approx(np.array(keys), abs=within)
+
+
+@pytest.mark.parametrize("side", SIDES)
+def test_ankles_keep_to_clinical_averages(side: str) -> None:
+    """From the foot at rest, toes up."""
+    at_rest = WALKER.bind_pose.rotation[JOINT[f"{side}.foot"]].astype(float)
+    level = np.degrees(2 * np.arctan2(at_rest[0], at_rest[3]))
+    assert level - pitches(side, "foot") == pytest.approx(np.array(ANKLE), abs=9)
+
+
+def pitches(side: str, bone: str) -> np.ndarray:
+    """Degrees about X of a bone at eight phases of the walk, from the contact of its side on."""
     phase = np.arange(8) / 8 + (0.0 if side == "Left" else 0.5)
-    clip = WALKER.clips["walk"]
-    q = np.array(
-        [clip.sample(float(p % 1.0) * clip.duration).rotation[JOINT[f"{side}.{bone}"]] for p in phase], float
-    )
-    assert sign * np.degrees(2 * np.arctan2(q[:, 0], q[:, 3])) == pytest.approx(np.array(keys), abs=within)
+    clip, joint = WALKER.clips["walk"], JOINT[f"{side}.{bone}"]
+    q = np.array([clip.sample(float(p % 1.0) * clip.duration).rotation[joint] for p in phase], float)
+    angles: np.ndarray = np.degrees(2 * np.arctan2(q[:, 0], q[:, 3]))
+    return angles
 
 
 @pytest.mark.parametrize(

@@ -8,11 +8,19 @@ from pathlib import Path
 
 import captures
 import httpx
+import numpy as np
 import pytest
+from bone_places import places
 from hostile_captures import HOSTILE_CAPTURES
+from statwalk.files.bvh import read_bvh
 from uploads import make, names, opened, put
 
 pytestmark = pytest.mark.anyio
+MARKERS = {
+    **{"Hips": "Hips", "LeftUpLeg": "LHip", "RightUpLeg": "RHip", "LeftLeg": "LKNE", "RightLeg": "RKNE"},
+    **{"LeftFoot": "LANK", "RightFoot": "RANK", "Neck": "Neck", "Head": "Head"},
+}
+"""of the joints of a walk"""
 
 
 @pytest.fixture
@@ -44,6 +52,22 @@ async def test_a_dropped_walk_plays_on_the_shipped_walker(client: httpx.AsyncCli
     await client.post(f"{url}/step", json={"ticks": 60})
     pose = (await client.get(f"{url}/actors/1/pose")).json()
     assert pose["root"]["position"][2] > 0.5
+
+
+async def test_tracks_of_markers_play_on_the_shipped_walker(client: httpx.AsyncClient) -> None:
+    seen = read_bvh(captures.walk().encode(), "walk")
+    at = places(seen, seen.clips["walk"], np.arange(30) / 30)
+    tracks = np.stack([at[joint] for joint in MARKERS], 1)
+    taken = await put(client, "walk", captures.trc(list(MARKERS.values()), tracks).encode())
+    assert taken.status_code == 201, taken.text
+    answer = await carried(client)
+    assert answer.status_code == 201, answer.text
+    made = await make(client, "hero", character="hero", mapping={answer.json()["clip"]: "WALK"}, root="Root")
+    assert made.status_code == 201, made.text
+    stage = {"clock": "manual", "actors": [{"machine": "hero"}]}
+    url = (await client.post("/api/stages", json=stage)).headers["Location"]
+    await client.post(f"{url}/step", json={"ticks": 50})
+    assert (await client.get(f"{url}/actors/1/pose")).json()["root"]["position"][2] > 0.5
 
 
 async def test_an_uploaded_character_gets_the_clip_itself(client: httpx.AsyncClient) -> None:
