@@ -1,8 +1,8 @@
-"""Measures two-bone with limits: how many targets that the limits allow it reaches, and how far its joints
-turn when a target moves by two millimetres: `python benchmarks/limbs.py`.
+"""Measures two-bone with limits: how many targets that the limits allow it reaches, how near it comes to any
+target, and how far its joints turn when a target moves by two millimetres: `python benchmarks/limbs.py`.
 
-Limbs of two bones, a metre each, bent by 0.3 radians; the targets are the ends of 2,000 limbs in random poses
-within the limits of their two joints.
+Limbs of two bones, a metre each, bent by 0.3 radians. The targets are the ends of 2,000 limbs in random poses
+within the limits of their two joints, and then 2,000 random places within two metres of the start.
 """
 
 from __future__ import annotations
@@ -78,16 +78,29 @@ def show(start: str, middle: str) -> None:
         {0: STARTS[start], 1: MIDDLES[middle]},
     )
     once, often = (np.mean(solved(target, limits, count)[1] < REACHED) for count in (1, 16))
-    way = chance.normal(size=target.shape)
-    way *= STEP / np.linalg.norm(way, axis=1, keepdims=True)
-    path = np.stack([solved(target + way * step, limits, 16)[0] for step in range(STEPS)])
-    alike = np.abs((path[1:] * path[:-1]).sum(-1)).min(-1)
-    turns = np.degrees(2 * np.arccos(np.minimum(alike, 1)))
-    most, rare = np.quantile(turns, (0.99, 0.999))
     print(
         f"{start:14} {middle:14} reached after 1 iteration {once:6.1%}, after 16 {often:6.1%};"
-        f" turns in degrees: 99 % < {most:.2f}, 99.9 % < {rare:.2f}, over 30: {np.mean(turns > 30):.3%}"
+        f" {turns(target, limits, chance)}"
     )
+    anywhere = ways(chance) * 2 * np.cbrt(chance.uniform(size=(LIMBS, 1)))
+    missed = solved(anywhere, limits, 16)[1].mean()
+    print(f"{'any target':29} missed by {missed:.3f} m on average; {turns(anywhere, limits, chance)}")
+
+
+def ways(chance: np.random.Generator) -> Floats:
+    """Returns random unit vectors (LIMBS, 3)."""
+    way: Floats = chance.normal(size=(LIMBS, 3))
+    return way / np.linalg.norm(way, axis=1, keepdims=True)
+
+
+def turns(target: Floats, limits: dict[int, JointLimit], chance: np.random.Generator) -> str:
+    """Returns how far the joints turn in each step of targets that move straight."""
+    way = ways(chance) * STEP
+    path = np.stack([solved(target + way * step, limits, 16)[0] for step in range(STEPS)])
+    alike = np.abs((path[1:] * path[:-1]).sum(-1)).min(-1)
+    angles = np.degrees(2 * np.arccos(np.minimum(alike, 1)))
+    most, rare = np.quantile(angles, (0.99, 0.999))
+    return f"turns in degrees: 99 % < {most:.2f}, 99.9 % < {rare:.2f}, over 30: {np.mean(angles > 30):.3%}"
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""faq-walker keeps the budgets that its file names in every cell, from ten phases and through interruptions."""
+"""faq-walker keeps the budgets that its file names, in every cell."""
 
 from paths import MACHINES
 from statwalk.services.library.load import load_role
