@@ -9,7 +9,7 @@ const WORDS: Readonly<Record<string, string>> = {
   keys: "keys of the machine: which key sends which event",
   layers: "layers: motions over a part of the body",
   defaults: "defaults: moment, blend, curve and wait of cells that name none",
-  about: "about the machine: title, description, idle event, fallback",
+  about: "about the machine: title, description, idle event, fallback, feet that hold",
   "rows and columns": "default rows and columns of the table",
   properties: "properties: what must always be true of the table, and its proof",
 };
