@@ -66,6 +66,8 @@ class BoneValues:
     data: dict[tuple[int, str], Floats] = field(default_factory=dict)
     parts: dict[tuple[int, str, int], BoneValue] = field(default_factory=dict)
     """components that expressions have set"""
+    changed: set[int] = field(default_factory=set)
+    """bones with new values, until somebody has noted them"""
 
     def get(self, bone: int, name: str) -> Floats | None:
         """Returns the value of a quantity, of the parent's with a `P` in front; None: not known. The parent
@@ -85,6 +87,7 @@ class BoneValues:
         if name.startswith("P"):
             bone, name = int(self.bones.parent[bone]), name[1:]
         self.values[bone, name] = BoneValue(value, source)
+        self.changed.add(bone)
 
     def component(self, bone: int, channel: str) -> Floats | None:
         """Returns a number of a bone as expressions read it, angles in degrees; None: not known."""
@@ -100,6 +103,7 @@ class BoneValues:
     def put_component(self, bone: int, channel: str, value: Floats, source: str) -> None:
         """Makes a number known; a vector is known when its three components are."""
         quantity, column = CHANNELS[channel]
+        self.changed.add(bone)
         self.parts[bone, quantity, column] = BoneValue(
             np.radians(value) if quantity == "RA" else value, source
         )

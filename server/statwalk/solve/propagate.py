@@ -14,6 +14,7 @@ from statwalk.maths.formula.assignments import Assignment
 from statwalk.solve import rules
 from statwalk.solve.bone_expressions import assign, check_expressions
 from statwalk.solve.bone_values import DEFAULT, BoneValue, BoneValues
+from statwalk.solve.due_bones import DueBones
 
 TOLERANCE = 1e-4
 """how far apart two values may be that should be one, as a part of the longest length"""
@@ -63,16 +64,20 @@ def propagate(
     """
     variables: dict[str, BoneValue] = {}
     slack = tolerance * _size(state)
-    order = range(len(state.bones.names))
+    order, due = range(len(state.bones.names)), DueBones(state, variables, expressions)
     progress = True
     while progress:
         progress = False
-        for assignment in expressions:
+        for assignment in due.take_expressions():
             progress |= assign(state, variables, assignment)
         for bone in order:
-            for rule in RULES:
-                progress |= _apply(state, bone, rule, slack)
+            if bone in due.bones:
+                due.bones.remove(bone)
+                for rule in RULES:
+                    progress |= _apply(state, bone, rule, slack)
+                due.note_changes()
         progress = progress or _assume(state)
+        due.note_changes()
         order = order[::-1]  # what is known of children comes to their parents in one round, too
     _check(state, slack)
     check_expressions(state, variables, expressions, tolerance)
