@@ -12,6 +12,7 @@ import numpy as np
 
 from statwalk.maths import curves, quat
 from statwalk.maths.arrays import Floats, Ints
+from statwalk.maths.squad import squad, squad_tangents
 from statwalk.motion.keys.channel import Channel, Interpolation, Path
 
 _DENSE_PER_SECOND, _DENSE_MOST = 60, 64
@@ -107,7 +108,5 @@ def _squad(keys: TimedKeys, key_before: Ints, part: Floats) -> Floats:
         aligned[np.minimum(np.arange(len(aligned)) + 1, len(aligned) - 1)],
     )
     since, until = np.append(steps[0], steps), np.append(steps, steps[-1])
-    into, out_of = quat.squad_tangents(before, aligned, after, since, until)
-    return quat.squad(
-        aligned[key_before], out_of[key_before], into[key_before + 1], aligned[key_before + 1], part
-    )
+    into, out_of = squad_tangents(before, aligned, after, since, until)
+    return squad(aligned[key_before], out_of[key_before], into[key_before + 1], aligned[key_before + 1], part)
