@@ -11,10 +11,19 @@ import numpy as np
 from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.lane_elementary import of
-from statwalk.maths.simd.lane_functions import any_above, either, fused, most, root, where_below
-from statwalk.maths.simd.lane_quat import minus, mul, plus, renormalized, rotated, rotated_back, vector_square
+from statwalk.maths.simd.lane_functions import any_above, either, fused, most, root, size, where_below
+from statwalk.maths.simd.lane_quat import (
+    minus,
+    mul,
+    plus,
+    renormalized,
+    rotated,
+    rotated_back,
+    scaled,
+    vector_square,
+)
 from statwalk.maths.simd.lane_turns import half_way
-from statwalk.maths.simd.lane_vector import added, dot, length, per_root
+from statwalk.maths.simd.lane_vector import added, dot, length, per_root, where3_below
 from statwalk.maths.simd.lanes import broadcast, load, spread
 from statwalk.maths.simd.pose_lanes import either3, load3, load4, store3, store4
 from statwalk.solve.chain_lanes import AIM, JOINT, LENGTH, LOCAL, OFFSET, POINT
@@ -23,6 +32,8 @@ from statwalk.solve.iterate import FAR, aimed, goes_on, keep_better, note_cuts, 
 ZERO, ONE = np.float32(0), np.float32(1)
 CANCELLED, TINY = 1e-6, 1e-36
 """of a sum of squares: a difference of squares below it is rounding; the square of a length that is none"""
+UNLIKE = 1e-5
+"""of the square of a bone: by how much that of the way between its points may differ"""
 
 
 @called
@@ -171,8 +182,13 @@ def turn_along(scratch: Any, count: int) -> Any:
         at = place * JOINT
         q, offset = load4(scratch, at + LOCAL), load3(scratch, at + JOINT + OFFSET)
         way, bone = minus(load3(scratch, at + JOINT + POINT), load3(scratch, at + POINT)), rotated(q, offset)
-        length_of_bone = load(scratch, at + JOINT + LENGTH)
-        turn, square = half_way(bone, rotated_back(above, way), length_of_bone * length_of_bone)
+        length_of_bone, square_of_way = load(scratch, at + JOINT + LENGTH), vector_square(way)
+        square_of_bone = length_of_bone * length_of_bone
+        apart, unlike = size(square_of_way - square_of_bone), square_of_bone * of(UNLIKE)
+        if any_above(apart, unlike):
+            factor = length_of_bone / root(most(square_of_way, of(TINY)))
+            way = where3_below(unlike, apart, scaled(way, factor), way)
+        turn, square = half_way(bone, rotated_back(above, way), square_of_bone)
         q, factor = mul(turn, renormalized(q)), per_root(square)
         q = q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor
         store4(scratch, at + LOCAL, q)
