@@ -4,7 +4,7 @@ import httpx
 import pytest
 from browser.conftest import Server, until
 from browser.edit.conftest import CELL, edited, inspect, machine
-from playwright.sync_api import Page
+from playwright.sync_api import Page, Route
 from serving import wait_for
 
 
@@ -71,6 +71,19 @@ def test_a_state_tells_how_alike_left_and_right_move(table: Page) -> None:
     table.locator("#cell summary").filter(has_text="left and right").click()
     legs = table.locator("#cell .twins tr").filter(has_text="Left.upperleg").first
     assert float(legs.locator("td").first.inner_text()) < 0
+
+
+def test_a_film_strip_that_comes_late_moves_nothing(table: Page) -> None:
+    late: list[Route] = []
+    table.route("**/skeleton.svg*", lambda route: late.append(route))
+    inspect(table, "th[data-state=WALK]")
+    below = table.locator("#cell summary").filter(has_text="left and right")
+    before = below.bounding_box()
+    strip = table.locator("#cell .strip").first
+    assert not strip.evaluate("image => image.complete")
+    late[0].continue_()
+    strip.evaluate("image => image.decode()")
+    assert below.bounding_box() == before
 
 
 def test_a_state_has_another_clip_and_name(own: Server, table: Page) -> None:
