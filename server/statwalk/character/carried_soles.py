@@ -1,4 +1,4 @@
-"""The soles of a body that moves as another body does: how far they are below the ground."""
+"""Finds how far soles reach below their ankles while a body moves as another body does."""
 
 from __future__ import annotations
 

@@ -67,7 +67,7 @@ class BoneValues:
     parts: dict[tuple[int, str, int], BoneValue] = field(default_factory=dict)
     """components that expressions have set"""
     changed: set[int] = field(default_factory=set)
-    """bones with new values, until somebody has noted them"""
+    """bones with values that `DueBones` has not noted yet"""
 
     def get(self, bone: int, name: str) -> Floats | None:
         """Returns the value of a quantity, of the parent's with a `P` in front; None: not known. The parent

@@ -1,4 +1,6 @@
-"""Which bones and expressions may find something new: the others have seen all that is known (FAQ Q26)."""
+"""Keeps the bones and the expressions that may find something new. All other bones and expressions have seen
+every known value (FAQ Q26).
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,7 @@ class DueBones:
     def __init__(
         self, state: BoneValues, variables: Mapping[str, BoneValue], expressions: Sequence[Assignment]
     ) -> None:
-        """Begins with all bones due, and with all expressions."""
+        """Marks all bones and all expressions as due."""
         count = len(state.bones.names)
         self.state, self.variables, self.bones = state, variables, set(range(count))
         self.children: list[list[int]] = [[] for _ in range(count)]
@@ -34,7 +36,7 @@ class DueBones:
         return frozenset(name if place is None else place[0] for name, place in places)
 
     def note_changes(self) -> None:
-        """Makes due what new values reach."""
+        """Marks the bones and the expressions that new values reach as due."""
         for bone in self.state.changed:
             self.bones.add(bone)
             self.bones.update(self.children[bone])

@@ -10,7 +10,7 @@ NAME = re.compile(rf"\w[\w.-]{{0,{MOST_LETTERS - 1}}}")
 
 
 def refused_name(text: str, kind: str) -> str:
-    """Returns a sentence: why a text is no name for the `kind`. The text does not match `NAME`."""
+    """Returns the sentence that refuses a text as a name for the `kind`; the text must not match `NAME`."""
     return (
         f"{text[:40]!r} is no name for the {kind}: {_fault(text)}; use letters, digits, _, and later . or -"
     )
