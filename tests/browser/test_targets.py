@@ -48,8 +48,8 @@ def test_he_looks_at_the_pointer_on_request(server: Server, opened: Callable[[st
     wait_for(lambda: reached(server, viewer)["weight"] == 0)
 
 
-def drag(page: Page, handle: str, right: float, down: float) -> None:
-    """Drags a handle by pixels; returns when it was drawn there."""
+def pull(page: Page, handle: str, right: float, down: float) -> tuple[float, float]:
+    """Moves the pointer by pixels while it holds a handle; returns where the handle was."""
     until(page, "arg in __viewer.handles()", handle)
     x, y = page.evaluate("arg => __viewer.handles()[arg]", handle)
     page.mouse.move(x, y)
@@ -57,6 +57,12 @@ def drag(page: Page, handle: str, right: float, down: float) -> None:
     for part in (0.2, 0.4, 0.6, 0.8, 1):
         page.mouse.move(x + right * part, y + down * part)
     page.mouse.up()
+    return x, y
+
+
+def drag(page: Page, handle: str, right: float, down: float) -> None:
+    """Drags a handle by pixels; returns when it was drawn there."""
+    x, y = pull(page, handle, right, down)
     until(
         page,
         "__viewer.handles()[arg.handle].every((at, i) => Math.abs(at - arg.place[i]) < 2)",
@@ -85,6 +91,24 @@ def test_a_moved_point_is_put_back(server: Server, opened: Callable[[str], Page]
     back.click()
     until(page, "__viewer.handles().right.every((at, i) => Math.abs(at - arg[i]) < 2)", place)
     back.wait_for(state="hidden")
+
+
+def face_of(server: Server, page: Page) -> list[float]:
+    """The direction in which the watched actor is asked to look."""
+    stage = page.evaluate("__viewer.stage()")
+    (actor,) = httpx.get(f"{server.url}/api/stages/{stage}").json()["actors"]
+    asked: list[float] = actor["parameters"]["face"]
+    return asked
+
+
+def test_the_handle_of_a_direction_turns_the_head(server: Server, opened: Callable[[str], Page]) -> None:
+    page = opened(f"{server.url}?machine=reach")
+    page.keyboard.press("r")
+    until(page, "__viewer.state() === 'REACH'")
+    x, _ = pull(page, "face", 90, -20)
+    wait_for(lambda: face_of(server, page)[0] > 0.3)  # the camera stands before him: to its right is +X
+    assert sum(number**2 for number in face_of(server, page)) == pytest.approx(1)
+    until(page, "__viewer.handles().face[0] > arg + 60", x)
 
 
 def test_a_hand_follows_its_ball_as_far_as_the_arm_may(server: Server, opened: Callable[[str], Page]) -> None:

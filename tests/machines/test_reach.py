@@ -52,6 +52,24 @@ def test_elbows_bend_one_way_wherever_the_hands_shall_go(points):
     assert turned[:, 0].max() < 8.1
 
 
+FACES = {
+    "aside": ((0.6, 0, 0.8), (0.6, 0, 0.8)),
+    "down": ((0, -0.6, 0.8), (0, -0.6, 0.8)),
+    "beyond the cone of 80 degrees": ((1, 0, 0), (0.985, 0, 0.174)),
+}
+
+
+@pytest.mark.parametrize(("face", "wanted"), FACES.values(), ids=FACES)
+def test_the_head_turns_where_the_face_shall_look(face, wanted):
+    stage = statwalk.Stage(seed=1)
+    actor = stage.add(ROLE)
+    stage.send(actor, "REACH")
+    stage.set(actor, "face", face)
+    stage.step(120)
+    sight = ROLE.character.world(actor.pose)[NAMES.index("Head"), :3, 2]
+    np.testing.assert_allclose(sight, wanted, atol=2e-3)
+
+
 def test_arms_come_down_again():
     stage = statwalk.Stage(seed=1)
     actor = stage.add(ROLE)

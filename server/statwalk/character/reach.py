@@ -33,11 +33,12 @@ from statwalk.solve.chains import (
     POLE_POINT,
     Chain,
 )
-from statwalk.solve.reach_tables import OF_SOLVER, ReachTables
+from statwalk.solve.reach_tables import FAR, OF_SOLVER, ReachTables
 
-NONE = (-1, -1, -1)
 WHOLE_TURN = 180.0
 FORCE_TRAVEL = 0.3
+Vector = str | tuple[float, ...] | None
+"""a parameter, or the numbers of a vector; None: neither"""
 
 
 def reach_names(definition: MachineDefinition, chains: Sequence[Chain]) -> dict[str, tuple[float, ...]]:
@@ -73,10 +74,11 @@ def _chain(character: Character, machine: Machine, written: SolverDefinition) ->
         sensitivity=sensitivities(skeleton, written.chain, joints, written.solver, written.sensitivity),
         middle=middle,
         softening=written.softening,
-        tolerance=written.tolerance,
+        tolerance=written.tolerance * (FAR if _is_direction(machine, written) else 1.0),
         iterations=written.iterations or _iterations_in_a_tick(written.solver),
         pole_kind=_pole_kind(machine, written),
         forward=(x, y, z),
+        turns_end=written.rotation is not None,
         is_moored=is_moored,
         is_carried=written.solver == "force",
     )
@@ -94,9 +96,16 @@ def _pole_kind(machine: Machine, written: SolverDefinition) -> int:
     if written.pole is None:
         return NO_POLE
     if isinstance(written.pole, str):
-        parameter = machine.parameters[parameter_indices(machine, written.pole)[0]]
-        return POLE_POINT if parameter.kind == "point" else POLE_DIRECTION
+        return POLE_POINT if _kind(machine, written.pole) == "point" else POLE_DIRECTION
     return POLE_DIRECTION
+
+
+def _is_direction(machine: Machine, written: SolverDefinition) -> bool:
+    return _kind(machine, written.target) == "direction"
+
+
+def _kind(machine: Machine, parameter: str) -> str:
+    return machine.parameters[parameter_indices(machine, parameter)[0]].kind
 
 
 def reach_tables(
@@ -110,11 +119,16 @@ def reach_tables(
     """Returns the tables of the solvers with these chains; `first_chain`: the number of the first."""
     solvers = list(definition.solvers.values())
     rest = world_from_local(character.skeleton, character.bind_pose).astype(np.float64)
-    is_measured = [_is_measured(definition, solver) for solver in solvers]
+    is_direction = [_is_direction(machine, solver) for solver in solvers]
+    is_measured = [
+        is_far or _is_measured(definition, solver)
+        for is_far, solver in zip(is_direction, solvers, strict=True)
+    ]
     measured = [chain for chain, wanted in zip(chains, is_measured, strict=True) if wanted]
     ends = {joint for chain in measured for joint in (chain.joints[0], chain.joints[-1])}
     joints = JointList.of(character.skeleton, sorted(ends))
     poles = [solver.pole for solver in solvers]
+    rotations = [solver.rotation for solver in solvers]
     masks = masks_of(character, definition)
     weights = [solver_weights(character, machine, definition, name) for name in definition.solvers]
 
@@ -124,12 +138,13 @@ def reach_tables(
     return locked(
         ReachTables(
             first_chain=np.array([first_chain], np.int32),
-            target=_triples([parameter_indices(machine, each.target) for each in solvers]).astype(np.int32),
+            target=_rows([parameter_indices(machine, each.target) for each in solvers], 3).astype(np.int32),
             in_stage=np.array([solver.space == "stage" for solver in solvers], bool),
-            pole=_triples([pole if isinstance(pole, tuple) else (0, 0, 0) for pole in poles]),
-            pole_parameter=_triples(
-                [parameter_indices(machine, pole) if isinstance(pole, str) else NONE for pole in poles]
-            ).astype(np.int32),
+            is_direction=np.array(is_direction, bool),
+            pole=_written(poles, (0, 0, 0)),
+            pole_parameter=_parameters(machine, poles, 3),
+            rotation=_written(rotations, (0, 0, 0, 1)),
+            rotation_parameter=_parameters(machine, rotations, 4),
             weight_parameter=by_state([[each.parameter for each in row] for row in weights], np.int32),
             weight_channel=by_state([[each.channel for each in row] for row in weights], np.int32),
             weight=by_state([[each.number for each in row] for row in weights], np.float64),
@@ -157,8 +172,20 @@ def _memory_name(solver: str) -> str:
     return f"solver {solver}"
 
 
-def _triples(rows: Sequence[Sequence[float]]) -> NDArray[np.float64]:
-    return np.array(rows, np.float64).reshape(-1, 3)
+def _rows(rows: Sequence[Sequence[float]], width: int) -> NDArray[np.float64]:
+    return np.array(rows, np.float64).reshape(-1, width)
+
+
+def _written(values: Sequence[Vector], none: tuple[float, ...]) -> NDArray[np.float64]:
+    """The numbers of vectors that the file gives; `none` where it names a parameter, or has nothing."""
+    return _rows([value if isinstance(value, tuple) else none for value in values], len(none))
+
+
+def _parameters(machine: Machine, values: Sequence[Vector], width: int) -> NDArray[np.int32]:
+    """The parameters of vectors that the file names; -1 where it names none."""
+    none = (-1,) * width
+    indices = [parameter_indices(machine, name) if isinstance(name, str) else none for name in values]
+    return _rows(indices, width).astype(np.int32)
 
 
 def _is_measured(definition: MachineDefinition, solver: SolverDefinition) -> bool:

@@ -33,13 +33,16 @@ def values_of(machine: Machine, numbers: Sequence[float]) -> dict[str, float | t
     return values
 
 
-def settings(machine: Machine, name: str, value: float | Sequence[float]) -> list[tuple[str, float]]:
-    """Returns name and value of each number that stores a parameter.
+def settings(
+    machine: Machine, name: str, value: float | Sequence[float], now: Sequence[float]
+) -> list[tuple[str, float]]:
+    """Returns name and value of each number that stores a parameter; `now` (P,) are those of all parameters.
 
     :raises UnknownNameError: when the machine has no parameter of that name.
     :raises StageError: when the value is out of range, or does not fit the kind of the parameter.
     """
-    parts = [machine.parameters[index] for index in parameter_indices(machine, name)]
+    indices = parameter_indices(machine, name)
+    parts = [machine.parameters[index] for index in indices]
     kind = "number" if parts[0].vector not in ("", name) else parts[0].kind
     try:
         numbers = fitting(name, kind, value)
@@ -48,4 +51,12 @@ def settings(machine: Machine, name: str, value: float | Sequence[float]) -> lis
     for part, number in zip(parts, numbers, strict=True):
         if not part.minimum <= number <= part.maximum:
             raise StageError(f"{part.name} must lie in {part.minimum} … {part.maximum}, not at {number}")
+    if kind == "rotation" and parts[0].smooth:
+        numbers = _nearer_sign(numbers, [now[index] for index in indices])
     return [(part.name, number) for part, number in zip(parts, numbers, strict=True)]
+
+
+def _nearer_sign(rotation: Sequence[float], now: Sequence[float]) -> tuple[float, ...]:
+    """A rotation x y z w, or the same one with the other sign: a spring leads from `now` the short way."""
+    is_far = sum(new * old for new, old in zip(rotation, now, strict=True)) < 0
+    return tuple(-number if is_far else number for number in rotation)

@@ -18,10 +18,15 @@ class ReachTables(NamedTuple):
     target: Annotated[NDArray[np.int32], "solver, xyz"]
     """parameters"""
     in_stage: Annotated[NDArray[np.bool_], "solver"]
-    """whether target and pole parameters are in stage space, else in model space"""
+    """whether target, pole and rotation parameters are in stage space, else in model space"""
+    is_direction: Annotated[NDArray[np.bool_], "solver"]
+    """whether the target is a direction from the end, else a point"""
     pole: Annotated[NDArray[np.float64], "solver, xyz"]
     """a direction in model space, if `pole_parameter` is -1"""
     pole_parameter: Annotated[NDArray[np.int32], "solver, xyz"]
+    rotation: Annotated[NDArray[np.float64], "solver, xyzw"]
+    """of the end, in model space, if `rotation_parameter` is -1; chains with `turns_end` read it"""
+    rotation_parameter: Annotated[NDArray[np.int32], "solver, xyzw"]
     weight_parameter: Annotated[NDArray[np.int32], "solver, state"]
     """the parameter that gives the weight in a state; -1: a channel or `weight` gives it"""
     weight_channel: Annotated[NDArray[np.int32], "solver, state"]
@@ -34,15 +39,13 @@ class ReachTables(NamedTuple):
     cone: Annotated[NDArray[np.float64], "solver, 2"]
     """cosine and sine of the angle from +Z within which a look-at solver looks; -1, 0: everywhere"""
     is_measured: Annotated[NDArray[np.bool_], "solver"]
-    """whether the distance from its target is measured at last: its chain aims elsewhere, on the way or at
-    the edge of a cone, or there are chains that hang
+    """whether the distance from its target is measured at last: its chain aims elsewhere, on the way, at the
+    edge of a cone or far away, or there are chains that hang
     """
     length: Annotated[NDArray[np.float64], "solver"]
     """metres: of the chain at rest"""
     joints: Annotated[NDArray[np.int32], "joint"]
-    """the starts and ends of the chains that travel, the ends of look-at solvers with a cone, and all above
-    them, parents first
-    """
+    """the starts and ends of the chains whose distance is measured, and all above them, parents first"""
     parents: Annotated[NDArray[np.int32], "joint"]
     """the index of each joint's parent in `joints`, -1 a root"""
     start: Annotated[NDArray[np.int32], "solver"]
@@ -59,6 +62,8 @@ class ReachTables(NamedTuple):
 
 REACH = columns(ReachTables, readonly=True)
 """the numba type of ReachTables"""
+FAR = 1e5
+"""metres from the end at which a direction is aimed: what moves the end turns the direction by nothing"""
 OF_SOLVER = 13
 """numbers of a solver in the solvers' memory"""
 (

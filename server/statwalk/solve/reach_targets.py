@@ -13,9 +13,12 @@ from statwalk.maths.compiling import inlined
 from statwalk.maths.reference import called
 from statwalk.maths.simd.pose_layout import place_of
 from statwalk.maths.springs import settled
-from statwalk.solve.chains import POLE, POLE_POINT, TARGET
+from statwalk.solve.chains import LOOK_AT, POLE, POLE_POINT, ROTATION, TARGET
 from statwalk.solve.foot_points import on_stage
-from statwalk.solve.reach_tables import X_RATE, X
+from statwalk.solve.reach_tables import FAR, X_RATE, X
+
+SHORTEST = 1e-6
+"""length of a smoothed direction or rotation that has none: its old value and its new one are opposite"""
 
 
 @called
@@ -23,9 +26,9 @@ def write_inputs(
     r: Any, chains: Any, smoothed: Any, joints: Any, keep: Any, rows: Any, row: int, k: int, root: Any,
     weight: float, dt: float,
 ) -> None:  # fmt: skip
-    """Writes target and pole of a solver's chain for one actor; an end that travels goes on."""
+    """Writes target, pole and rotation of a solver's chain for one actor; an end that travels goes on."""
     _, lane = place_of(row)
-    x, y, z = _target(r, smoothed, row, k, root)
+    x, y, z = _target(r, smoothed, joints, row, k, root, FAR)
     if r.travel[k] >= 0.0:
         x, y, z = _travelled(r, joints, keep, row, k, root, (x, y, z), weight, dt)
     if r.cone[k, 0] > -1.0:
@@ -33,18 +36,23 @@ def write_inputs(
     rows[TARGET, lane], rows[TARGET + 1, lane], rows[TARGET + 2, lane] = x, y, z
     x, y, z = _pole(r, chains, smoothed, row, k, root)
     rows[POLE, lane], rows[POLE + 1, lane], rows[POLE + 2, lane] = x, y, z
+    if chains.turns_end[r.first_chain[0] + k]:
+        x, y, z, w = _rotation(r, smoothed, row, k, root)
+        rows[ROTATION, lane], rows[ROTATION + 1, lane], rows[ROTATION + 2, lane] = x, y, z
+        rows[ROTATION + 3, lane] = w
 
 
 @called
 def distance_left(r: Any, chains: Any, smoothed: Any, joints: Any, row: int, k: int, root: Any) -> Any:
     """Returns the metres from the end of a solver's chain to its target; look-at: by which the line of sight
-    passes it, or from the eye if the target is behind.
+    passes it, or from the eye if the target is behind. A direction is a target one metre away.
     """
-    x, y, z = _target(r, smoothed, row, k, root)
+    x, y, z = _target(r, smoothed, joints, row, k, root, 1.0)
     a, b, c = _joint(joints, row, r.end[k])
     x, y, z = x - a, y - b, z - c
-    if r.cone[k, 0] > -1.0:
-        a, b, c = _sight(chains, joints, row, r.end[k], r.first_chain[0] + k)
+    number = r.first_chain[0] + k
+    if chains.solver[number] == LOOK_AT:
+        a, b, c = _sight(chains, joints, row, r.end[k], number)
         if x * a + y * b + z * c > 0.0:  # else the target is behind
             size = math.sqrt(max(a * a + b * b + c * c, 1e-12))
             x, y, z = (y * c - z * b) / size, (z * a - x * c) / size, (x * b - y * a) / size
@@ -66,15 +74,26 @@ def _sight(chains: Any, joints: Any, row: int, place: int, number: int) -> Any:
 @inlined
 def _in_model(x: float, y: float, z: float, root: Any) -> Any:
     """A point of the stage in model space."""
-    x, z = x - root[0], z - root[2]
-    return x * root[4] - z * root[3], y - root[1], z * root[4] + x * root[3]
+    return _turned_back(x - root[0], y - root[1], z - root[2], root)
 
 
 @inlined
-def _target(r: Any, smoothed: Any, row: int, k: int, root: Any) -> Any:
-    """The target in model space."""
+def _turned_back(x: float, y: float, z: float, root: Any) -> Any:
+    """A direction of the stage in model space."""
+    return x * root[4] - z * root[3], y, z * root[4] + x * root[3]
+
+
+@inlined
+def _target(r: Any, smoothed: Any, joints: Any, row: int, k: int, root: Any, away: float) -> Any:
+    """The target in model space; of a direction: the point that is `away` metres from the chain's end."""
     x, y = smoothed[row, r.target[k, 0]], smoothed[row, r.target[k, 1]]
     z = smoothed[row, r.target[k, 2]]
+    if r.is_direction[k]:
+        if r.in_stage[k]:
+            x, y, z = _turned_back(x, y, z, root)
+        a, b, c = _joint(joints, row, r.end[k])
+        part = away / max(math.sqrt(x * x + y * y + z * z), SHORTEST)
+        return a + part * x, b + part * y, c + part * z
     if r.in_stage[k]:
         return _in_model(x, y, z, root)
     return x, y, z
@@ -91,7 +110,31 @@ def _pole(r: Any, chains: Any, smoothed: Any, row: int, k: int, root: Any) -> An
         return x, y, z
     if chains.pole_kind[r.first_chain[0] + k] == POLE_POINT:
         return _in_model(x, y, z, root)
-    return x * root[4] - z * root[3], y, z * root[4] + x * root[3]
+    return _turned_back(x, y, z, root)
+
+
+@inlined
+def _rotation(r: Any, smoothed: Any, row: int, k: int, root: Any) -> Any:
+    """The rotation x y z w of the end in model space, unit length."""
+    if r.rotation_parameter[k, 0] < 0:
+        return r.rotation[k, 0], r.rotation[k, 1], r.rotation[k, 2], r.rotation[k, 3]
+    x, y = smoothed[row, r.rotation_parameter[k, 0]], smoothed[row, r.rotation_parameter[k, 1]]
+    z, w = smoothed[row, r.rotation_parameter[k, 2]], smoothed[row, r.rotation_parameter[k, 3]]
+    size = math.sqrt(x * x + y * y + z * z + w * w)
+    if size < SHORTEST:
+        return 0.0, 0.0, 0.0, 1.0
+    x, y, z, w = x / size, y / size, z / size, w / size
+    if not r.in_stage[k]:
+        return x, y, z, w
+    sine, cosine = _half(root[3], root[4])
+    return cosine * x - sine * z, cosine * y - sine * w, cosine * z + sine * x, cosine * w + sine * y
+
+
+@inlined
+def _half(sine: float, cosine: float) -> Any:
+    """Sine and cosine of half an angle within half a turn."""
+    half = math.sqrt(max(0.5 - 0.5 * cosine, 0.0))
+    return (-half if sine < 0.0 else half), math.sqrt(max(0.5 + 0.5 * cosine, 0.0))
 
 
 @inlined

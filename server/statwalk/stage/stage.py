@@ -173,7 +173,8 @@ class Stage(Timeline):
         :raises StageError: when the value is out of range, or does not fit the kind of the parameter.
         """
         actor_id = self._id_of(actor)
-        numbers = settings(self._find(actor_id).cast.role.machine, parameter, value)
+        cast, row, *_ = self._find(actor_id)
+        numbers = settings(cast.role.machine, parameter, value, cast.machine.parameters[row])
         return [self.keep(self.tick + 1, Set(actor_id, name, number)) for name, number in numbers][-1]
 
     def travel(self, actor: Actor | int, state: str) -> Plan:

@@ -1,4 +1,4 @@
-/** The point parameters of a machine. */
+/** The points and directions among the parameters of a machine. */
 
 import type { MachineInfo } from "../net/protocol";
 
@@ -6,16 +6,32 @@ export type Point = [number, number, number];
 /** The parameters of a character that looks at the pointer. */
 export const [GAZE, LOOK] = ["gaze", "look"] as const;
 
-/** The point parameters of a machine with their default places. */
-export function pointsOf(machine: MachineInfo | null): Map<string, Point> {
-  const points = new Map<string, Point>();
+/** A parameter that a handle in the scene can set. */
+export interface Aim {
+  kind: "point" | "direction";
+  start: Point;
+  /** Whether the numbers are in model space, else on the stage. */
+  isModel: boolean;
+  /** The joint from which the page draws a direction; empty: the middle of the actor. */
+  joint: string;
+}
+
+/** The points and directions of a machine with their defaults; the first solver that reads one gives its space. */
+export function aimsOf(machine: MachineInfo | null): Map<string, Aim> {
+  const aims = new Map<string, Aim>();
   for (const { name, kind, vector, default: standard } of machine?.parameters ?? []) {
-    if (kind !== "point") continue;
-    const point = points.get(vector) ?? [0, 0, 0];
-    point["xyz".indexOf(name.slice(-1))] = standard;
-    points.set(vector, point);
+    if (kind !== "point" && kind !== "direction") continue;
+    const aim = aims.get(vector) ?? { kind, start: [0, 0, 0], ...readBy(machine!, vector) };
+    aim.start["xyz".indexOf(name.slice(-1))] = standard;
+    aims.set(vector, aim);
   }
-  return points;
+  return aims;
+}
+
+function readBy({ solvers }: MachineInfo, name: string): Pick<Aim, "isModel" | "joint"> {
+  const solver = solvers.find(({ target, pole }) => name === target || name === pole);
+  const joint = solver?.target === name ? solver.end : solver?.start;
+  return { isModel: solver?.space === "model", joint: joint ?? "" };
 }
 
 /** Where the handle of a point waits: at the free end of the chain that takes hold when you drag it. */
@@ -49,5 +65,5 @@ export function reachedIn(machine: MachineInfo | null, state: string): Set<strin
 
 /** Whether a machine's character can look at the pointer: it has a point `gaze` and a weight `look`. */
 export function canLook(machine: MachineInfo | null): boolean {
-  return pointsOf(machine).has(GAZE) && machine!.parameters.some(({ name }) => name === LOOK);
+  return aimsOf(machine).get(GAZE)?.kind === "point" && machine!.parameters.some(({ name }) => name === LOOK);
 }

@@ -1,4 +1,4 @@
-/** Balls in the scene that you drag: each is the value of a point parameter of the watched machine. */
+/** Balls in the scene that you drag: each is the value of a point or a direction of the watched machine. */
 
 import * as THREE from "three";
 import type { Point } from "../state/points";
@@ -20,6 +20,8 @@ export function onFacingPlane(
 
 export class PointHandles {
   private readonly balls = new Map<string, THREE.Mesh>();
+  /** From where the directions begin to their balls. */
+  private readonly lines = new Map<string, THREE.Line>();
   private readonly shape = new THREE.SphereGeometry(1, 24, 16);
   private readonly look = new THREE.MeshBasicMaterial({
     color: "#e9803a",
@@ -27,6 +29,7 @@ export class PointHandles {
     opacity: 0.75,
     depthTest: false,
   });
+  private readonly lineLook = new THREE.LineBasicMaterial({ color: "#e9803a", depthTest: false });
   private readonly caster = new THREE.Raycaster();
   private dragged: string | null = null;
 
@@ -43,8 +46,8 @@ export class PointHandles {
       canvas.addEventListener(end, () => this.drop());
   }
 
-  /** Shows a handle of `size` metres at a point. */
-  show(name: string, point: Point, size: number): void {
+  /** Shows a handle of `size` metres at a point; of a direction: with a line to it from where it begins. */
+  show(name: string, point: Point, size: number, from: Point | null = null): void {
     let ball = this.balls.get(name);
     if (!ball) {
       ball = new THREE.Mesh(this.shape, this.look);
@@ -54,6 +57,7 @@ export class PointHandles {
     }
     ball.position.set(...point);
     ball.scale.setScalar(size);
+    if (from) this.line(name).setFromPoints([new THREE.Vector3(...from), ball.position]);
     this.scene.invalidate();
   }
 
@@ -65,6 +69,9 @@ export class PointHandles {
   hide(name: string): void {
     this.balls.get(name)?.removeFromParent();
     this.balls.delete(name);
+    this.lines.get(name)?.removeFromParent();
+    this.lines.get(name)?.geometry.dispose();
+    this.lines.delete(name);
     this.scene.invalidate();
   }
 
@@ -85,6 +92,18 @@ export class PointHandles {
     const y = 1 - ((event.clientY - box.top) / box.height) * 2;
     this.caster.setFromCamera(new THREE.Vector2(x, y), this.scene.view.camera);
     return this.caster.ray;
+  }
+
+  private line(name: string): THREE.BufferGeometry {
+    let line = this.lines.get(name);
+    if (!line) {
+      line = new THREE.Line(new THREE.BufferGeometry(), this.lineLook);
+      line.renderOrder = 20;
+      line.frustumCulled = false;
+      this.lines.set(name, line);
+      this.scene.world.add(line);
+    }
+    return line.geometry;
   }
 
   private discs(): ReturnType<typeof drawnDiscs> {

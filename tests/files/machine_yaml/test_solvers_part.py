@@ -17,7 +17,7 @@ def test_all_fields():
     written = read(
         "reach: {solver: force, chain: {from: A, to: B}, target: grip, space: model, pole: [0, 0, -1], "
         "weight: {STAT: 1, WALK: 0.25}, ease: 0.5, travel: 0.1, softening: 0.01, tolerance: 0.001, "
-        "iterations: 9, sensitivity: {A: 0.5}}"
+        "iterations: 9, sensitivity: {A: 0.5}, rotation: [0, 0, 0.6, 0.8]}"
     )["reach"]
     assert (written.solver, written.chain, written.target, written.space) == (
         "force",
@@ -28,6 +28,7 @@ def test_all_fields():
     assert (written.pole, written.weight) == ((0, 0, -1), {"STAT": 1, "WALK": 0.25})
     assert (written.ease, written.travel, written.softening) == (0.5, 0.1, 0.01)
     assert (written.tolerance, written.iterations, written.sensitivity) == (0.001, 9, {"A": 0.5})
+    assert written.rotation == (0, 0, 0.6, 0.8)
     assert written.line == 12
 
 
@@ -57,6 +58,12 @@ def test_the_order_is_that_of_the_file():
         ("solver: ccd, chain: [A, B], target: grib", "grip"),
         ("solver: ccd, chain: [A, B], target: part", "part is a number"),
         ("solver: ccd, chain: [A, B], target: grip.x", "grip"),
+        ("solver: ccd, chain: [A, B], target: side", "side is a direction; a parameter of kind point"),
+        ("solver: look-at, chain: [A], target: part", "kind point or direction"),
+        ("solver: look-at, chain: [A], target: grip, rotation: [0, 0, 0, 1]", "for two-bone, ccd"),
+        ("solver: ccd, chain: [A, B], target: grip, rotation: side", "of kind rotation"),
+        ("solver: ccd, chain: [A, B], target: grip, rotation: [0, 0, 1]", "list of 4 numbers"),
+        ("solver: ccd, chain: [A, B], target: grip, rotation: [0, 0, 0, 0]", "length"),
         ("solver: ccd, chain: [A, B], target: grip, weight: 2", "2"),
         ("solver: ccd, chain: [A, B], target: grip, weight: side", "side"),
         ("solver: ccd, chain: [A, B], target: grip, weight: {STAY: 1}", "STAT"),

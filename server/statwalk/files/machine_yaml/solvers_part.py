@@ -4,8 +4,9 @@ solvers:
   reach:
     solver: two-bone                 # or ccd, fabrik, force, look-at
     chain: [Arm, Forearm, Hand]      # or {from: Arm, to: Hand}
-    target: grip                     # a parameter of kind point
+    target: grip                     # a parameter of kind point; look-at: or direction
     pole: [0, 0, -1]                 # or a parameter of kind point or direction
+    rotation: palm                   # of the end: a parameter of kind rotation, or [x, y, z, w]
     weight: {STAT: 1, WALK: part}    # by state; or a number 0…1, a parameter or a channel for all states
     ease: 0.3
 """
@@ -17,7 +18,7 @@ from collections.abc import Collection, Mapping
 from statwalk.files.machine_yaml import fields
 from statwalk.files.yaml.yaml_text import Node
 from statwalk.machine.definition.expression_definition import ANGLES, LENGTH, channel_of_name
-from statwalk.machine.definition.parameter_definition import ParameterDefinition
+from statwalk.machine.definition.parameter_definition import ParameterDefinition, fitting
 from statwalk.machine.definition.solver_definition import SolverDefinition
 
 SOLVERS = ("two-bone", "ccd", "fabrik", "force", "look-at")
@@ -25,10 +26,11 @@ ONLY: Mapping[str, tuple[str, ...]] = {
     "forward": ("look-at",),
     "cone_deg": ("look-at",),
     "travel": ("force", "two-bone", "ccd", "fabrik"),
+    "rotation": ("two-bone", "ccd", "fabrik", "force"),
 }
 KEYS = (
-    *("solver", "chain", "target", "space", "pole", "weight", "ease", "travel", "softening", "tolerance"),
-    *("iterations", "sensitivity", "forward", "cone_deg", "anchor", "grab"),
+    *("solver", "chain", "target", "space", "pole", "rotation", "weight", "ease", "travel", "softening"),
+    *("tolerance", "iterations", "sensitivity", "forward", "cone_deg", "anchor", "grab"),
 )
 MOST_JOINTS, MOST_ITERATIONS, MOST_SOLVERS = 256, 1_000, 32
 SMALLEST, LARGEST = 1e-9, 1e6
@@ -63,9 +65,14 @@ def _solver(
         line=node.line,
         solver=kind,
         chain=joints_of_chain(fields.required(node, "chain")),
-        target=_vector(fields.required(node, "target"), parameters, ("point",)),
+        target=_vector(
+            fields.required(node, "target"),
+            parameters,
+            ("point", "direction") if kind == "look-at" else ("point",),
+        ),
         space="model" if "space" in entries and _space(entries["space"]) == "model" else "stage",
         pole=_pole(entries["pole"], parameters) if "pole" in entries else None,
+        rotation=_rotation(entries["rotation"], parameters) if "rotation" in entries else None,
         weight=weight,
         ease=fields.seconds(entries["ease"]) if "ease" in entries else SolverDefinition.ease,
         travel=fields.seconds(entries["travel"]) if "travel" in entries else None,
@@ -124,6 +131,19 @@ def _pole(node: Node, parameters: Mapping[str, ParameterDefinition]) -> str | tu
     if isinstance(node.value, list):
         return _direction(node)
     return _vector(node, parameters, ("point", "direction"))
+
+
+def _rotation(
+    node: Node, parameters: Mapping[str, ParameterDefinition]
+) -> str | tuple[float, float, float, float]:
+    if not isinstance(node.value, list):
+        return _vector(node, parameters, ("rotation",))
+    numbers = [part.number(-1, 1) for part in node.items()]
+    try:
+        x, y, z, w = fitting("rotation", "rotation", numbers)
+    except ValueError as error:
+        raise node.refuse(str(error)) from None
+    return x, y, z, w
 
 
 def _direction(node: Node) -> tuple[float, float, float]:

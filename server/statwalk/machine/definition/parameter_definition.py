@@ -9,6 +9,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, get_args
 
+import numpy as np
+
 Kind = Literal["number", "flag", "point", "direction", "rotation"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 COMPONENTS: Mapping[Kind, str] = {"point": "xyz", "direction": "xyz", "rotation": "xyzw"}
@@ -47,9 +49,10 @@ def fitting(name: str, kind: Kind, value: float | Sequence[float]) -> tuple[floa
     :raises ValueError: when the value has another number of components, a flag is neither 0 nor 1, or a
         direction or rotation has no length.
     """
-    numbers = tuple(map(float, value)) if isinstance(value, Sequence) else (float(value),)
+    given = np.asarray(value, np.float64)
+    numbers = tuple(given.ravel().tolist())
     wanted = component_names(name, kind)
-    if len(numbers) != len(wanted) or isinstance(value, Sequence) != (kind in COMPONENTS):
+    if len(numbers) != len(wanted) or given.ndim != (kind in COMPONENTS):
         form = f"a list of {len(wanted)} numbers" if kind in COMPONENTS else "one number"
         raise ValueError(f"{name} is a {kind}: it needs {form}")
     if kind == "flag" and numbers[0] not in (0.0, 1.0):

@@ -19,11 +19,15 @@ class SolverDefinition:
     chain: tuple[str, ...]
     """joints from start to end"""
     target: str
-    """a parameter of kind point"""
+    """a parameter of kind point; look-at: or direction"""
     space: Literal["stage", "model"] = "stage"
-    """of target and pole parameters"""
+    """of target, pole and rotation parameters"""
     pole: str | tuple[float, float, float] | None = None
     """a parameter of kind point or direction, or a direction in model space"""
+    rotation: str | tuple[float, float, float, float] | None = None
+    """of the end: a parameter of kind rotation, or x y z w in model space; None: the end keeps its rotation
+    from its parent
+    """
     weight: float | str | Mapping[str, float | str] = 1.0
     """0…1, a parameter, or a channel of the pose (`grip.weight`, `Prop.trans_x`); or one of them for each
     state of the base; states left out: 0
@@ -48,5 +52,5 @@ class SolverDefinition:
     def parameters(self) -> tuple[str, ...]:
         """Returns the parameters that the solver reads."""
         weights = self.weight.values() if isinstance(self.weight, Mapping) else (self.weight,)
-        names = [name for name in (self.target, self.pole, *weights) if isinstance(name, str)]
+        names = [name for name in (self.target, self.pole, self.rotation, *weights) if isinstance(name, str)]
         return tuple(name for name in names if not channel_of_name(name))

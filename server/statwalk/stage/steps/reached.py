@@ -16,7 +16,9 @@ class ReachedTarget(NamedTuple):
     weight: float
     """0…1 that was shown; by state: eased"""
     distance: float
-    """metres from the end to the target; look-at: from the line of sight; 0 without weight"""
+    """metres from the end to the target; look-at: from the line of sight, a direction is a target one
+    metre away; 0 without weight
+    """
     reached: bool
     """whether the distance is within the tolerance; never without weight"""
 
@@ -25,8 +27,7 @@ def reached_targets(role: Role, memory: Floats) -> list[tuple[ReachedTarget, ...
     """Returns, for each row of solver memory (n, K), what each solver did, in the order of the file."""
     solvers, names = role.solvers, tuple(role.definition.solvers)
     columns = solvers.reach.memory
-    first = int(solvers.reach.first_chain[0])
-    tolerances = solvers.chains.tolerance[first : first + len(names)].tolist()
+    tolerances = [solver.tolerance for solver in role.definition.solvers.values()]
     weights = memory[:, columns + SHOWN].tolist()
     distances = memory[:, columns + DISTANCE].tolist()
     return [

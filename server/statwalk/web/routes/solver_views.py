@@ -16,6 +16,8 @@ def solver_views(definition: MachineDefinition) -> list[SolverView]:
             end=solver.chain[-1],
             anchor=solver.anchor or solver.chain[0],
             target=solver.target,
+            pole=solver.pole if isinstance(solver.pole, str) else None,
+            space=solver.space,
             weight=solver.weight if isinstance(solver.weight, float | str) else dict(solver.weight),
             grab=solver.grab,
         )

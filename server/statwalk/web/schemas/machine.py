@@ -124,8 +124,9 @@ class ExpressionView(ResponseModel):
 
 class SolverView(ResponseModel):
     """A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
-    parameter of its target, and its weight: a number 0…1, a parameter or a channel, or one of them by state
-    of the base; `grab`: while the page drags its handle, the weight is 1.
+    parameters of its target and its pole (null: none), the `space` of both, and its weight: a number 0…1, a
+    parameter or a channel, or one of them by state of the base; `grab`: while the page drags its handle, the
+    weight is 1.
     """
 
     name: str
@@ -134,6 +135,8 @@ class SolverView(ResponseModel):
     end: str
     anchor: str
     target: str
+    pole: str | None
+    space: Literal["stage", "model"]
     weight: float | str | dict[str, float | str]
     grab: bool
 

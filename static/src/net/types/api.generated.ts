@@ -3628,8 +3628,9 @@ export interface components {
         };
         /**
          * @description A solver of the machine file: its chain from `start` to `end`, the joint that stays (`anchor`), the
-         *     parameter of its target, and its weight: a number 0…1, a parameter or a channel, or one of them by state
-         *     of the base; `grab`: while the page drags its handle, the weight is 1.
+         *     parameters of its target and its pole (null: none), the `space` of both, and its weight: a number 0…1, a
+         *     parameter or a channel, or one of them by state of the base; `grab`: while the page drags its handle, the
+         *     weight is 1.
          */
         SolverView: {
             name: string;
@@ -3638,6 +3639,9 @@ export interface components {
             end: string;
             anchor: string;
             target: string;
+            pole: string | null;
+            /** @enum {string} */
+            space: "stage" | "model";
             weight: number | string | {
                 [key: string]: number | string;
             };

@@ -1,5 +1,5 @@
 /**
- * Buttons for the point parameters of the watched machine: a handle to drag in the scene for each, and, for a
+ * Buttons for the points and directions of the watched machine: a handle to drag in the scene for each, and, for a
  * machine with `gaze` and `look`, a character that looks at the pointer. The handle of a target shows by itself in
  * states in which a solver reaches for it; the handle of a chain that you take hold of is at the chain's free end.
  */
@@ -7,15 +7,18 @@
 import "./targets.css";
 import * as THREE from "three";
 import type { MachineInfo } from "../../net/protocol";
-import { canLook, GAZE, type Grip, gripsOf, LOOK, type Point, pointsOf, reachedIn } from "../../state/points";
+import type { Aim, Grip, Point } from "../../state/points";
+import { aimsOf, canLook, GAZE, gripsOf, LOOK, reachedIn } from "../../state/points";
 import type { App } from "../../view/app";
 import { el } from "../../ui/dom";
+import type { PosedModel } from "../../view/posedModel";
 import { onFacingPlane, PointHandles } from "../../view/pointHandles";
+import { type Frame, placeOf, valueAt } from "./handlePlace";
 
 /** Metres in front of the character at which the pointer's plane stands. */
 const IN_FRONT = 1.2;
-/** Metres: the size of a handle, as a part of the character's height. */
-const SIZE = 0.035;
+/** The size of a handle, and how far from its beginning a direction's handle is, in heights of the character. */
+const [SIZE, AWAY] = [0.035, 0.35];
 /** Metres: a point that is nearer to its first place counts as being there. */
 const MOVED = 1e-5;
 
@@ -24,12 +27,15 @@ class TargetsPanel {
   private readonly buttons = new Map<string, HTMLButtonElement>();
   /** Where each point was first, and the button that puts it back there. */
   private readonly backs = new Map<string, { start: Point; button: HTMLButtonElement }>();
+  private aims = new Map<string, Aim>();
   private shown = new Set<string>();
   private reached = new Set<string>();
   private grips = new Map<string, Grip>();
-  /** The free ends of the grips' chains, as they are drawn. */
-  private readonly ends = new Map<string, Point>();
+  /** Where the handles are drawn. */
+  private readonly drawn = new Map<string, Point>();
   private looks = false;
+  private measured: PosedModel | null = null;
+  private tall = 1.8;
 
   constructor(
     private readonly host: HTMLElement,
@@ -38,7 +44,7 @@ class TargetsPanel {
     const { scene } = app.view;
     this.handles = new PointHandles(
       scene,
-      (name, point) => app.parameters.setPoint(name, point),
+      (name, place) => this.move(name, place),
       (name, isHeld) => this.hold(name, isHeld),
     );
     const begin = (): void => this.begin(app.machine.info.value);
@@ -50,34 +56,70 @@ class TargetsPanel {
     app.frame.on(() => this.update());
   }
 
-  /** Lets the handles of chains that nobody holds follow the chains' ends. */
+  /**
+   * Lets handles follow: those of chains that nobody holds the chains' ends, those of directions and of points in model
+   * space their actor.
+   */
   private update(): void {
-    const actor = this.grips.size ? this.app.view.watched.model : null;
-    if (!actor || !this.app.view.watched.ready.value) return;
-    const places = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
-    for (const [name, { joint }] of this.grips) {
-      const row = actor.cast.names.indexOf(joint);
-      if (row < 0 || !this.shown.has(name) || this.handles.dragging === name) continue;
-      const end: Point = [places[3 * row]!, places[3 * row + 1]!, places[3 * row + 2]!];
-      const before = this.ends.get(name);
-      this.ends.set(name, end);
-      if (!before || before.some((value, k) => value !== end[k])) this.handles.show(name, end, this.size());
-    }
+    if (this.app.view.watched.ready.value) for (const name of this.shown) this.put(name);
+  }
+
+  /** Where a handle belongs in the scene; null: its chain is not drawn yet. */
+  private placeNow(name: string, frame: Frame): Point | null {
+    const grip = this.handles.dragging === name ? undefined : this.grips.get(name);
+    return grip ? this.placeOfJoint(grip.joint) : placeOf(this.app.parameters.point(name), frame);
+  }
+
+  /** Draws a handle, if its place is another than before. */
+  private put(name: string): void {
+    const frame = this.frame(name);
+    const [place, before] = [this.placeNow(name, frame), this.drawn.get(name)];
+    if (!place || before?.every((value, k) => value === place[k])) return;
+    this.drawn.set(name, place);
+    this.handles.show(name, place, SIZE * this.height, frame.from);
+  }
+
+  /** The frame of a handle's numbers; before the actor is drawn: the stage. */
+  private frame(name: string): Frame {
+    const [aim, actor] = [this.aims.get(name), this.app.view.watched.model];
+    const root = actor && aim?.isModel ? actor.rootWorld() : null;
+    const isDirection = actor && aim?.kind === "direction";
+    const from = isDirection ? (this.placeOfJoint(aim.joint) ?? this.middle(actor)) : null;
+    return { root, from, away: AWAY * this.height };
+  }
+
+  private middle(actor: PosedModel): Point {
+    return actor.position.add(new THREE.Vector3(0, this.height / 2, 0)).toArray();
+  }
+
+  private placeOfJoint(name: string): Point | null {
+    const actor = this.app.view.watched.model;
+    const row = actor?.cast.names.indexOf(name) ?? -1;
+    if (!actor || row < 0) return null;
+    const { 12: x, 13: y, 14: z } = actor.jointWorld(row);
+    return [x!, y!, z!];
+  }
+
+  /** Sets the parameter of a handle that is dragged to a place in the scene. */
+  private move(name: string, place: Point): void {
+    const value = valueAt(place, this.frame(name));
+    if (value) this.app.parameters.setPoint(name, value);
   }
 
   /** Takes hold of a chain, or lets it go. */
   private hold(name: string, isHeld: boolean): void {
     const grip = this.grips.get(name);
     if (!grip) return;
-    const end = this.ends.get(name);
-    if (isHeld && end) this.app.parameters.setPoint(name, end);
+    const end = this.drawn.get(name);
+    if (isHeld && end) this.move(name, end);
     this.app.parameters.set(grip.weight, isHeld ? 1 : 0);
   }
 
   private begin(machine: MachineInfo | null): void {
     this.handles.clear();
     this.grips = gripsOf(machine);
-    this.ends.clear();
+    this.aims = aimsOf(machine);
+    this.drawn.clear();
     this.shown = new Set(this.grips.keys());
     this.reached = new Set();
     this.looks = false;
@@ -89,8 +131,8 @@ class TargetsPanel {
     this.buttons.clear();
     this.backs.clear();
     const buttons: HTMLElement[] = [];
-    for (const [name, start] of pointsOf(machine)) {
-      const title = `shows a handle that moves the point ${name}`;
+    for (const [name, { kind, start }] of this.aims) {
+      const title = `shows a handle that ${kind === "point" ? "moves the point" : "turns the direction"} ${name}`;
       const drag = this.button(`drag ${name}`, title, () => this.show(name, !this.shown.has(name)));
       drag.setAttribute("aria-pressed", String(this.shown.has(name)));
       this.buttons.set(name, drag);
@@ -136,27 +178,30 @@ class TargetsPanel {
     if (isShown) this.shown.add(name);
     else {
       this.shown.delete(name);
-      this.ends.delete(name);
+      this.drawn.delete(name);
       this.handles.hide(name);
     }
     this.place();
     return isShown;
   }
 
-  /** Puts each handle where its point is, but for chains that nobody holds; shows the buttons that put points back. */
+  /** Puts each handle where its value is; shows the buttons that put values back. */
   private place(): void {
-    for (const name of this.shown)
-      if (!this.grips.has(name) || this.handles.dragging === name)
-        this.handles.show(name, this.app.parameters.point(name), this.size());
+    for (const name of this.shown) this.put(name);
     for (const [name, { start, button }] of this.backs) {
       const point = this.app.parameters.point(name);
       button.hidden = point.every((value, k) => Math.abs(value - start[k]!) < MOVED);
     }
   }
 
-  private size(): number {
-    const box = this.app.view.watched.model?.box();
-    return SIZE * (box ? Math.max(box.max.y - box.min.y, 0.1) : 1.8);
+  /** Metres, of the character as it stood when it was drawn first. */
+  private get height(): number {
+    const actor = this.app.view.watched.model;
+    if (actor && actor !== this.measured) {
+      const { min, max } = actor.box();
+      [this.measured, this.tall] = [actor, Math.max(max.y - min.y, 0.1)];
+    }
+    return this.tall;
   }
 
   /** Makes the character look at the pointer, or no more; returns whether it does. */
@@ -171,8 +216,8 @@ class TargetsPanel {
     const actor = this.looks ? this.app.view.watched.model : null;
     if (!actor) return;
     const { camera } = this.app.view.scene.view;
-    const centre = actor.box().getCenter(new THREE.Vector3());
-    const before = camera.getWorldDirection(new THREE.Vector3()).multiplyScalar(-IN_FRONT).add(centre);
+    const middle = new THREE.Vector3(...this.middle(actor));
+    const before = camera.getWorldDirection(new THREE.Vector3()).multiplyScalar(-IN_FRONT).add(middle);
     const place = onFacingPlane(this.handles.ray(event), camera, before);
     if (place) this.app.parameters.setPoint(GAZE, place.toArray());
   }

@@ -104,7 +104,7 @@ def _names(root: Node) -> Iterator[Node]:
             yield from _values(find(state, ("motion", "over")))
         yield from _values(level.entry("weight"))
     for solver in entries_at(root, "solvers").values():
-        for key in ("target", "pole", "weight"):
+        for key in ("target", "pole", "rotation", "weight"):
             yield from _values(find(solver, (key,)))
     yield from _values(root.entries().get("foot_lock"))
     for key, node in entries_at(root, "flock").items():
