@@ -82,7 +82,7 @@ def clip_of(name: str, form: ClipForm, frames: Sequence[KeyFrame], how: Interpol
     channels: list[Channel] = []
     for bone, bone_name in enumerate(form.bones.skeleton.names):
         keys = [(frame.time, frame.bones[bone_name]) for frame in frames if bone_name in frame.bones]
-        channels += _rotation(bone, keys, how.of(bone_name, "rotation"))
+        channels += _rotation(bone, keys, how.of(bone_name, "rotation"), loop)
         parent = int(form.bones.skeleton.parent[bone])
         channels += _translation(form, bone, _offsets(form, keys), _lengths(form, parent, frames), how)
         channels += _scale(bone, keys, how.of(bone_name, "scale"))
@@ -91,7 +91,9 @@ def clip_of(name: str, form: ClipForm, frames: Sequence[KeyFrame], how: Interpol
     return Clip(name, tuple(channels), frames[-1].time, form.rest, loop=loop)
 
 
-def _rotation(bone: int, keys: Sequence[tuple[float, BoneKey]], interpolation: str) -> list[Channel]:
+def _rotation(
+    bone: int, keys: Sequence[tuple[float, BoneKey]], interpolation: str, loop: bool
+) -> list[Channel]:
     """Builds the rotation channel of a bone, from the angles or matrices of its keys."""
     rotation_keys = [
         (time, key) for time, key in keys if key.rotate_deg is not None or key.matrix is not None
@@ -102,7 +104,7 @@ def _rotation(bone: int, keys: Sequence[tuple[float, BoneKey]], interpolation: s
     angles = np.stack([_angles(key, turn) for (_, key), turn in zip(rotation_keys, quaternions, strict=True)])
     times = np.array([time for time, _ in rotation_keys])
     weights = np.array([key.weight for _, key in rotation_keys])
-    return [rotation_channel(bone, TimedKeys(times, quaternions, weights), angles, interpolation)]
+    return [rotation_channel(bone, TimedKeys(times, quaternions, weights), angles, interpolation, loop)]
 
 
 def _angles(key: BoneKey, rotation: Floats) -> Floats:

@@ -28,6 +28,8 @@ INTERPOLATIONS: Mapping[str, Interpolation] = {
     "nurbs": "NURBS",
     "nurbs through": "NURBS_THROUGH",
 }
+_MEETS = 1 - 1e-9
+"""cosine of half the angle up to which the first and the last rotation of a loop are the same"""
 _DENSE = ("linear", "squad", "euler linear")
 
 
@@ -65,9 +67,11 @@ def half_way(times: Floats, values: Floats) -> tuple[Floats, Floats]:
     )
 
 
-def rotation_channel(joint: int, keys: TimedKeys, angles: Floats, interpolation: str) -> Channel:
+def rotation_channel(
+    joint: int, keys: TimedKeys, angles: Floats, interpolation: str, loop: bool = False
+) -> Channel:
     """Returns the rotation channel of key quaternions (K, 4); `angles` (K, 3) are the same keys as Euler XYZ
-    angles in radians, for `euler linear`.
+    angles in radians, for `euler linear`. `loop`: squad goes on into the next lap, if its ends meet.
 
     Clips have no channel for nlerp, squad and angles: keys close together stand for their curve.
 
@@ -83,7 +87,7 @@ def rotation_channel(joint: int, keys: TimedKeys, angles: Floats, interpolation:
     elif interpolation == "linear":
         values = quat.nlerp(keys.values[before], keys.values[before + 1], part)
     else:
-        values = _squad(keys, before, part)
+        values = _squad(keys, before, part, loop)
     return channel_of(joint, "rotation", TimedKeys(times, values), interpolation)
 
 
@@ -96,17 +100,19 @@ def _dense(times: Floats) -> tuple[Ints, Floats, Floats]:
     return key_before, part, times[key_before] * (1 - part) + times[key_before + 1] * part
 
 
-def _squad(keys: TimedKeys, key_before: Ints, part: Floats) -> Floats:
-    """The spherical cubic through the keys; at the first and the last key, the key itself stands in for the
-    missing neighbour, as far away as the other.
+def _squad(keys: TimedKeys, key_before: Ints, part: Floats, loop: bool) -> Floats:
+    """The spherical cubic through the keys. The first key has no neighbour before it, and the last none after
+    it: in a loop whose ends meet that is the neighbour of the other, else the key itself, as far away as the
+    one that it has.
     """
     aligned, steps = keys.values.copy(), np.diff(keys.times).astype(keys.values.dtype)
     for row in range(1, len(aligned)):
         aligned[row] = quat.align(aligned[row - 1], aligned[row])
-    before, after = (
-        aligned[np.maximum(np.arange(len(aligned)) - 1, 0)],
-        aligned[np.minimum(np.arange(len(aligned)) + 1, len(aligned) - 1)],
-    )
+    first, last = aligned[0], aligned[-1]
     since, until = np.append(steps[0], steps), np.append(steps, steps[-1])
+    if loop and abs(first @ last) > _MEETS:
+        first, last = quat.align(first, aligned[-2]), quat.align(last, aligned[1])
+        since[0], until[-1] = steps[-1], steps[0]
+    before, after = np.vstack([first, aligned[:-1]]), np.vstack([aligned[1:], last])
     into, out_of = squad_tangents(before, aligned, after, since, until)
     return squad(aligned[key_before], out_of[key_before], into[key_before + 1], aligned[key_before + 1], part)
