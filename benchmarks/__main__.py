@@ -1,5 +1,6 @@
 """Prints all tables: `python benchmarks`."""
 
+import captures
 import crowd
 import detail
 import feet
@@ -30,6 +31,7 @@ for table in (
     muscles,
     detail,
     load,
+    captures,
     frame,
     ik,
     limbs,
