@@ -36,13 +36,23 @@ def pitched(degrees: float) -> np.ndarray:
     ],
 )
 def test_the_lowest_point_of_heel_and_toes(foot: float, toes: float, lowest: float) -> None:
-    under = SOLE.under(BODY, pitched(foot), {"LeftToes": pitched(toes)})
+    under = SOLE.under(BODY, {"LeftFoot": pitched(foot), "LeftToes": pitched(toes)})
     assert under == pytest.approx([lowest])
 
 
 def test_toes_without_a_turn_of_their_own_turn_with_the_foot() -> None:
     rigid = Sole("LeftFoot", "", np.add([HEEL, BALL], 0), np.zeros((0, 3)), np.zeros(3), 0.0)
-    assert rigid.under(BODY, pitched(90), {}) == pytest.approx([0.15])
+    assert rigid.under(BODY, {"LeftFoot": pitched(90)}) == pytest.approx([0.15])
+
+
+def test_a_foot_that_rolls_over_its_ball_leaves_the_ball_where_it_is() -> None:
+    """The ball is 0.15 ahead and 0.08 down; the toes stay level while the heel rises by 30°."""
+    foot = quat.from_axis_angle((1, 0, 0), np.radians(np.linspace(0, 30, 31)))
+    way = SOLE.rolled(BODY, {"LeftFoot": foot, "LeftToes": np.tile(STILL, (31, 1))}).sum(0)
+    angle = np.radians(30)  # the tip of the level toes goes along with the ball, which turns about the ankle
+    down = 0.08 * np.cos(angle) + 0.15 * np.sin(angle) - 0.08
+    back = 0.15 * (np.cos(angle) - 1) - 0.08 * np.sin(angle)
+    assert way == pytest.approx([0, -down, back], abs=1e-6)
 
 
 @needs_assets

@@ -7,7 +7,9 @@ import pytest
 import statwalk
 from bone_places import directions, places
 from paths import ASSETS, GLTF, MACHINES, needs_assets
+from sole_points import slides
 from statwalk.character.character import Character
+from statwalk.character.feet import feet_of
 from statwalk.errors import ContentError
 from statwalk.files.faq.skeleton_text import shipped_skeleton
 from statwalk.rig.evaluate import world_from_local
@@ -75,6 +77,23 @@ def test_a_long_foot_on_a_short_leg_is_levelled_and_not_lifted() -> None:
         for row in feet
     ]
     assert min(lowest) > -0.03
+
+
+@needs_assets
+@pytest.mark.parametrize("name", ["faq-walker/walker.glb", "RobotExpressive.glb", "KayKit_Knight.glb"])
+def test_soles_do_not_slide_where_the_captured_feet_stand(name: str) -> None:
+    """RobotExpressive dragged a foot through its whole step: 1.9 m."""
+    walk, target = statwalk.load(WALK), statwalk.load(BODIES[name] / name)
+    assert isinstance(walk, Character)
+    assert isinstance(target, Character)
+    clip, _ = statwalk.retarget(next(iter(walk.clips.values())), walk, target)
+    frames = world_from_local(target.skeleton, clip.sample(np.linspace(0, clip.duration, 500))).astype(float)
+    rest = world_from_local(target.skeleton, target.bind_pose).astype(float)
+    feet = feet_of(target)
+    ground = np.array([0, min(foot.skin.heights(rest).min() for foot in feet), 0])
+    contacts = [slides(foot.skin.at(frames) - ground) for foot in feet]
+    assert max(map(max, contacts)) < 0.02  # metres; 0.06, 0.17 and 0.13 with the ankles as captured
+    assert min(map(len, contacts)) >= 3
 
 
 @needs_assets

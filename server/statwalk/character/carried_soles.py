@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Container, Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -14,6 +14,11 @@ from statwalk.character.feet import SIDES as SIDE_OF
 from statwalk.maths import quat, vector
 from statwalk.maths.arrays import Floats
 from statwalk.rig.evaluate import world_from_local
+
+SHARED = 0.005
+"""in legs: points of a sole that are so much higher than the lowest one carry the foot by a third as much"""
+THINNEST, LEAST_SHARE = 1e-4, 1e-300
+"""metres: SHARED is no less; the sum of what all points carry: of a foot that turns too fast to roll"""
 
 
 class Sole(NamedTuple):
@@ -34,16 +39,34 @@ class Sole(NamedTuple):
     ball: Floats
     lowest: float
 
-    def under(self, body: Body, turn: Floats, turns: Mapping[str, Floats]) -> Floats:
-        """Returns how far (F,) the lowest point is under the ankle, with the foot turned by `turn` (F, 4) and
-        the toes as in `turns`.
-        """
-        foot = _heights_of(body, self.foot, turn)
+    def under(self, body: Body, turns: Mapping[str, Floats]) -> Floats:
+        """Returns how far (F,) the lowest point is under the ankle, with foot and toes turned (F, 4)."""
+        foot = _heights_of(body, self.foot, turns[self.foot])
         lowest = _lowest(foot, self.arms)
         if self.toes:
             toes = _heights_of(body, self.toes, turns[self.toes])
             lowest = np.minimum(lowest, vector.dot(foot, self.ball) + _lowest(toes, self.toe_arms))
         return -lowest
+
+    def rolled(self, body: Body, turns: Mapping[str, Floats]) -> Floats:
+        """Returns (F - 1, 3) how far the lowest points go in each frame, as seen from the ankle."""
+        lowest, band = -self.under(body, turns), max(SHARED * body.leg(), THINNEST)
+        way, whole = np.zeros((len(lowest) - 1, 3)), np.zeros(len(lowest) - 1)
+        for arm in self._arms(body, turns):
+            above = (arm[1:, 1] - lowest[1:]) + (arm[:-1, 1] - lowest[:-1])
+            weight = np.exp(-above / band)
+            way += np.diff(arm, axis=0) * weight[:, None]
+            whole += weight
+        rolled: Floats = way / np.maximum(whole, LEAST_SHARE)[:, None]
+        return rolled
+
+    def _arms(self, body: Body, turns: Mapping[str, Floats]) -> Iterator[Floats]:
+        """The points (F, 3) from the ankle, one after the other."""
+        foot = _away(body, self.foot, turns[self.foot])
+        yield from (quat.rotate(foot, arm) for arm in self.arms)
+        if self.toes:
+            ball, toes = quat.rotate(foot, self.ball), _away(body, self.toes, turns[self.toes])
+            yield from (ball + quat.rotate(toes, arm) for arm in self.toe_arms)
 
 
 def soles_of(body: Body, turning: Container[str]) -> dict[str, Sole]:
@@ -78,9 +101,13 @@ def _sole(body: Body, foot: Foot, points: Floats, side: str, turning: Container[
 
 def _heights_of(body: Body, bone: str, turn: Floats) -> Floats:
     """What (F, 3) vectors fixed to a bone, given at rest, are multiplied with for their heights."""
-    away = quat.mul(turn, quat.conjugate(body.rotation[body.bones[bone]]))
-    heights: Floats = quat.to_matrix(away)[:, 1, :]
+    heights: Floats = quat.to_matrix(_away(body, bone, turn))[:, 1, :]
     return heights
+
+
+def _away(body: Body, bone: str, turn: Floats) -> Floats:
+    """The turn (F, 4) of a bone from its rest."""
+    return quat.mul(turn, quat.conjugate(body.rotation[body.bones[bone]]))
 
 
 def _lowest(heights: Floats, arms: Floats) -> Floats:

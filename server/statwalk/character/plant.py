@@ -4,24 +4,29 @@ captured ankles go, no sole below the ground. Rule 12 finds the knees, bent forw
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
 
 from statwalk.character.body import Body
 from statwalk.character.body_bones import PARENTS, SIDES
+from statwalk.character.captured_steps import CapturedSteps, standing_height, steps_of
 from statwalk.character.carried_soles import Sole, soles_of
+from statwalk.character.held_soles import held
 from statwalk.maths import quat, vector
 from statwalk.maths.arrays import Floats
+from statwalk.maths.filters import low_pass_rotations
 from statwalk.solve.rules import joint_between
 
-STANDING_SHARE = 5.0
-"""percent: the ankle stands when it is as low as in so much of the clip"""
 LONGEST_REACH = 0.998
 """of a leg's length: a knee that is fully straight has no side to bend to"""
 MOST_LIFT = 0.1
 """of the leg's length, by which a tilted foot may lift its ankle"""
-HALVINGS = 12
+ROUNDS = 4
+"""in which the part of a tilt is found that does not lift the ankle too far"""
+CALM = 8.0
+"""Hz: feet do not turn faster to and fro"""
 Y = np.array([0.0, 1.0, 0.0])
 
 
@@ -30,12 +35,16 @@ class CapturedPath(NamedTuple):
 
     hips   (F, 3)
     feet   by foot bone, (F, 3) of the ankle
+    toes   by foot bone, (F, 3) of the toes, where they are known
     drop   metres that the source's hip joints are below its hips
+    times  (F,) seconds
     """
 
     hips: Floats
     feet: dict[str, Floats]
+    toes: dict[str, Floats]
     drop: float
+    times: Floats
 
 
 class BodyKeys(NamedTuple):
@@ -53,45 +62,54 @@ def planted(body: Body, turns: dict[str, Floats], path: CapturedPath) -> BodyKey
     """Returns the turns of the bones with the legs on the ground, and where the hips are."""
     soles = soles_of(body, turns)
     ground = min((sole.lowest for sole in soles.values()), default=0.0)
-    hips = _hips(body, path, soles)
+    steps = {foot: _steps(path, foot, body.leg()) for foot in path.feet}
+    hips = _hips(body, path, soles, steps)
     solved, places = dict(turns), {"Hips": hips}
     for side in SIDES:
         leg = [side + bone for bone in ("UpperLeg", "LowerLeg", "Foot")]
         if all(bone in turns for bone in leg) and leg[2] in path.feet:
-            target = _ankle(body, turns, hips, path, leg[2])
-            sole, height = soles[leg[2]], target[:, 1] - ground
-            solved[leg[2]] = _flattened(body, turns, height, sole)
-            below = sole.under(body, solved[leg[2]], turns) - height
-            target = target + Y * np.maximum(below, 0)[:, None]
-            solved |= _leg(body, turns, hips, target, leg)
+            sole, target = soles[leg[2]], _ankle(body, turns, hips, path, leg[2])
+            height, (stands, above, _) = target[:, 1] - ground, steps[leg[2]]
+            above = above if leg[2] in path.toes else np.zeros(len(above))
+            feet = _flattened(body, _calmed(turns, sole, path.times), height - above, sole)
+            under = sole.under(body, feet)
+            above = above if leg[2] in path.toes else np.maximum(height - under, 0)
+            target = target + Y * (ground + under + above - target[:, 1])[:, None]
+            target = held(body, sole, feet, target, stands)
+            solved |= feet | _leg(body, turns, hips, target, leg)
     return BodyKeys(solved, places | _detached(body, solved, places))
 
 
-def _hips(body: Body, path: CapturedPath, soles: dict[str, Sole]) -> Floats:
+def _steps(path: CapturedPath, foot: str, leg: float) -> CapturedSteps:
+    toes = [path.toes[foot]] if foot in path.toes else []
+    return steps_of([path.feet[foot], *toes], leg, path.times)
+
+
+def _hips(body: Body, path: CapturedPath, soles: dict[str, Sole], steps: dict[str, CapturedSteps]) -> Floats:
     """Returns the hips (F, 3): the hip joints as high above the standing ankle as the captured ones,
     in scale.
     """
     if not path.feet or not soles:
-        rest = body.at("Hips")[1] - path.hips[0, 1]
-        raised: Floats = path.hips + Y * rest
-        return raised
-    standing = min(float(np.percentile(ankle[:, 1], STANDING_SHARE)) for ankle in path.feet.values())
+        upright: Floats = path.hips + Y * (body.at("Hips")[1] - path.hips[0, 1])
+        return upright
+    standing = min(map(standing_height, path.feet.values()))
     ankle = min(float(body.at(foot)[1]) for foot in soles)
     legs = [bone for bone in ("LeftUpperLeg", "RightUpperLeg") if bone in body.bones]
     drop = float(np.mean([body.at("Hips")[1] - body.at(bone)[1] for bone in legs])) if legs else path.drop
-    return path.hips + Y * (ankle - standing + drop - path.drop)
+    floor = np.min([step.floor for step in steps.values()], axis=0)
+    raised: Floats = path.hips + Y * (ankle - standing + drop - path.drop - floor)[:, None]
+    return raised
 
 
 def _ankle(body: Body, turns: dict[str, Floats], hips: Floats, path: CapturedPath, foot: str) -> Floats:
     """Returns where an ankle goes (F, 3): as the captured one, further aside by as much as hips are wider."""
     captured = path.feet[foot]
-    standing = float(np.percentile(captured[:, 1], STANDING_SHARE))
     free = _freely(body, turns, hips, foot)
     aside = (free - captured) * np.array([1.0, 0.0, 1.0])
     heading = _heading(body, turns)
     left = quat.rotate(heading, quat.rotate(body.axes, np.array([1.0, 0.0, 0.0])))
     wider = np.median(vector.dot(aside, left))
-    return captured + left * wider + Y * (float(body.at(foot)[1]) - standing)
+    return captured + left * wider + Y * (float(body.at(foot)[1]) - standing_height(captured))
 
 
 def _heading(body: Body, turns: dict[str, Floats]) -> Floats:
@@ -126,23 +144,39 @@ def _turned(body: Body, turns: dict[str, Floats], bone: str, at_rest: Floats) ->
     return quat.rotate(turn, np.broadcast_to(at_rest, (*turn.shape[:-1], 3)))
 
 
-def _flattened(body: Body, turns: dict[str, Floats], height: Floats, sole: Sole) -> Floats:
-    """Returns the foot's turn (F, 4), nearer to level where its tilt would lift the ankle, which is so high
-    (F,) above the ground, too far: a long foot on a short leg.
+def _calmed(turns: Mapping[str, Floats], sole: Sole, times: Floats) -> dict[str, Floats]:
+    """Returns the turns (F, 4) of the foot, and of toes that turn by themselves, without what shakes them: on
+    a long foot it would lift the ankle.
     """
-    most, turn = MOST_LIFT * body.leg() + height, turns[sole.foot]
-    too_low = sole.under(body, turn, turns) > most
-    if not too_low.any():
-        return turn
-    rest = body.rotation[body.bones[sole.foot]]
+    bones = [bone for bone in (sole.foot, sole.toes) if bone]
+    if len(times) < 2:
+        return {bone: turns[bone] for bone in bones}
+    rate = 1 / float(np.median(np.diff(times)))
+    return {bone: low_pass_rotations(turns[bone], rate, CALM) for bone in bones}
+
+
+def _flattened(body: Body, tilted: Mapping[str, Floats], height: Floats, sole: Sole) -> dict[str, Floats]:
+    """Returns the turns (F, 4) of foot and toes, nearer to level where their tilt would lift the ankle, which
+    is so high (F,) above the ground, too far: a long foot on a short leg.
+    """
+    level = {bone: _level(body, bone, turn) for bone, turn in tilted.items()}
+    least, part = sole.under(body, level), np.ones(len(height))
+    allowed = np.maximum(MOST_LIFT * body.leg() + height - least, 0)
+    for _ in range(ROUNDS):
+        under = sole.under(body, _between(level, tilted, part))
+        part = part * np.minimum(allowed / np.maximum(under - least, 1e-9), 1)
+    return _between(level, tilted, part)
+
+
+def _between(level: Mapping[str, Floats], tilted: Mapping[str, Floats], part: Floats) -> dict[str, Floats]:
+    return {bone: quat.nlerp(level[bone], turn, part) for bone, turn in tilted.items()}
+
+
+def _level(body: Body, bone: str, turn: Floats) -> Floats:
+    """Returns the turn (F, 4) of a bone with what it turns about the vertical alone."""
+    rest = body.rotation[body.bones[bone]]
     away = quat.mul(turn, quat.conjugate(rest))
-    level = quat.mul(quat.normalize(away * np.array([0.0, 1.0, 0.0, 1.0])), rest)
-    least, most_tilt = np.zeros(len(turn)), np.ones(len(turn))
-    for _ in range(HALVINGS):
-        part = (least + most_tilt) / 2
-        is_low = sole.under(body, quat.nlerp(level, turn, part), turns) > most
-        least, most_tilt = np.where(is_low, least, part), np.where(is_low, part, most_tilt)
-    return np.where(too_low[:, None], quat.nlerp(level, turn, least), turn)
+    return quat.mul(quat.normalize(away * np.array([0.0, 1.0, 0.0, 1.0])), rest)
 
 
 def _leg(

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from statwalk.character.body import Body
-from statwalk.character.body_bones import BODY_BONES, NEEDED, body_bones
+from statwalk.character.body_bones import BODY_BONES, NEEDED, SIDES, body_bones
 from statwalk.character.carry import CapturedMotion, motion_of, rotations, to_world
 from statwalk.character.character import Character
 from statwalk.character.joint_keys import channels_of, travelling_joint
@@ -181,8 +181,9 @@ def _path(source: Body, target: Body, motion: CapturedMotion, world: Floats) -> 
         place: Floats = (turned - start) * scale
         return place
 
-    feet = {bone: placed(bone) for bone in ("LeftFoot", "RightFoot") if bone in source.bones}
-    return CapturedPath(placed("Hips"), feet, _drop(source, source.up) * scale), scale
+    feet = {f"{side}Foot": placed(f"{side}Foot") for side in SIDES if f"{side}Foot" in source.bones}
+    toes = {f"{side}Foot": placed(f"{side}Toes") for side in SIDES if f"{side}Toes" in source.bones}
+    return CapturedPath(placed("Hips"), feet, toes, _drop(source, source.up) * scale, motion.times), scale
 
 
 def _height(body: Body) -> float:
