@@ -3,6 +3,7 @@
 import { Commands } from "./commands";
 import { Editing } from "./editing";
 import { Event } from "./event";
+import { FootContacts } from "./footContacts";
 import { Folds } from "./folds";
 import { Frames } from "./frames";
 import { Ghost } from "./ghost";
@@ -45,6 +46,7 @@ export function makeState() {
   const stage = new WatchedStage();
   const selection = new Selection(stage);
   const machine = new WatchedMachine(selection, notices);
+  const contacts = new FootContacts(machine);
   const folds = new Folds(machine);
   const nameFilter = new NameFilter(machine);
   const past = new Past(stage, selection, machine);
@@ -75,6 +77,7 @@ export function makeState() {
     stage,
     selection,
     machine,
+    contacts,
     folds,
     nameFilter,
     past,

@@ -161,3 +161,40 @@ def test_a_marker_is_added_moved_and_deleted(own: Server, table: Page) -> None:
         table.keyboard.press("Enter")
         edited(table, times)
         assert kept() == left
+
+
+def test_when_a_foot_stands_is_corrected_and_found_again(own: Server, table: Page) -> None:
+    inspect(table, "th[data-state=WALK]")
+    feet = table.locator("#cell details", has_text="when feet stand in walk")
+    feet.locator("summary").click()
+    left = feet.get_by_label("left")
+    found = left.input_value()
+    assert "–" in found
+
+    def stands() -> list[list[float]]:
+        clips = httpx.get(f"{own.url}/api/machines/{machine(own)['name']}/feet").json()["clips"]
+        walk = next(clip for clip in clips if clip["clip"] == "walk")
+        spans: list[list[float]] = walk["feet"][0]["planted"]
+        return spans
+
+    left.fill("0.6")
+    table.keyboard.press("Enter")
+    feet.locator(".field-error").filter(has_text="blank: as found").wait_for()
+    left.fill("0–0.5, 0.75–0.8")
+    table.keyboard.press("Enter")
+    edited(table)
+    assert stands() == [[0, 0.5], [0.75, 0.8]]
+    left.fill("")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    wait_for(lambda: left.input_value() == found)
+    assert stands() != [[0, 0.5], [0.75, 0.8]]
+
+
+def test_each_clip_of_a_blend_has_the_contacts_of_its_feet(table: Page) -> None:
+    inspect(table, "th[data-state=TLFT]")
+    summaries = table.locator("#cell details summary", has_text="when feet stand in")
+    assert summaries.all_inner_texts() == [
+        "when feet stand in turn-left",
+        "when feet stand in walk-turn-left",
+    ]

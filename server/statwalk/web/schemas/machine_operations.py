@@ -95,6 +95,7 @@ AnyOperation = Annotated[
     | operations.SetBlendClipOperation
     | operations.DeleteBlendClipOperation
     | operations.SetMarkerOperation
+    | operations.SetContactsOperation
     | operations.AddEventOperation
     | operations.SetEventOperation
     | operations.RenameEventOperation

@@ -12,11 +12,13 @@ from pydantic import Field, StringConstraints
 
 from statwalk.files.machine_yaml.edit import operations as edit
 from statwalk.files.machine_yaml.edit.cell_edits import LONGEST_CELL
+from statwalk.files.machine_yaml.feet import MOST_SPANS
 from statwalk.machine.definition.machine_definition import BASE
 from statwalk.web.schemas.base import Name, RequestModel
 from statwalk.web.schemas.operation_fields import CellFields, Fields, Point, StateFields, Words
 
 Buffer = Annotated[float, Field(ge=0, le=60)]
+ContactSpan = Annotated[list[Annotated[float, Field(ge=0, le=2)]], Field(min_length=2, max_length=2)]
 Composite = Annotated[str, StringConstraints(max_length=80)]
 
 
@@ -151,6 +153,18 @@ class SetMarkerOperation(OfState):
     marker: Name
     phase: Annotated[float, Field(ge=0, le=1)] | None
     clip: Words = ""
+
+
+class SetContactsOperation(OperationModel):
+    """Says in which spans of phase a foot stands in a clip: first 0…1, last up to a lap later; null: as found
+    from the clip.
+    """
+
+    of = edit.SetContacts
+    kind: Literal["set_contacts"]
+    clip: Words
+    foot: Words
+    spans: Annotated[list[ContactSpan], Field(max_length=MOST_SPANS)] | None
 
 
 # --- events

@@ -2994,7 +2994,7 @@ export interface components {
         };
         /** @description Operations on a machine, applied in their order; together they make one version. */
         NewOperations: {
-            operations: (components["schemas"]["SetCellOperation"] | components["schemas"]["AddStateOperation"] | components["schemas"]["SetStateOperation"] | components["schemas"]["RenameStateOperation"] | components["schemas"]["DeleteStateOperation"] | components["schemas"]["MoveStateOperation"] | components["schemas"]["NestStateOperation"] | components["schemas"]["UnnestStateOperation"] | components["schemas"]["SetInitialOperation"] | components["schemas"]["SetBlendClipOperation"] | components["schemas"]["DeleteBlendClipOperation"] | components["schemas"]["SetMarkerOperation"] | components["schemas"]["AddEventOperation"] | components["schemas"]["SetEventOperation"] | components["schemas"]["RenameEventOperation"] | components["schemas"]["DeleteEventOperation"] | components["schemas"]["MoveEventOperation"] | components["schemas"]["AddParameterOperation"] | components["schemas"]["SetParameterOperation"] | components["schemas"]["RenameParameterOperation"] | components["schemas"]["AddSenseOperation"] | components["schemas"]["SetSenseOperation"] | components["schemas"]["AddKeyOperation"] | components["schemas"]["SetKeyOperation"] | components["schemas"]["AddColliderOperation"] | components["schemas"]["SetColliderOperation"] | components["schemas"]["RenameColliderOperation"] | components["schemas"]["DeleteEntryOperation"] | components["schemas"]["MoveEntryOperation"] | components["schemas"]["AddLayerOperation"] | components["schemas"]["SetLayerOperation"] | components["schemas"]["RenameLayerOperation"] | components["schemas"]["DeleteLayerOperation"] | components["schemas"]["MoveLayerOperation"] | components["schemas"]["SetMachineOperation"] | components["schemas"]["SetDefaultsOperation"] | components["schemas"]["AddPropertyOperation"] | components["schemas"]["SetPropertyOperation"] | components["schemas"]["MovePropertyOperation"] | components["schemas"]["SetExpressionsOperation"] | components["schemas"]["SetViewOperation"])[];
+            operations: (components["schemas"]["SetCellOperation"] | components["schemas"]["AddStateOperation"] | components["schemas"]["SetStateOperation"] | components["schemas"]["RenameStateOperation"] | components["schemas"]["DeleteStateOperation"] | components["schemas"]["MoveStateOperation"] | components["schemas"]["NestStateOperation"] | components["schemas"]["UnnestStateOperation"] | components["schemas"]["SetInitialOperation"] | components["schemas"]["SetBlendClipOperation"] | components["schemas"]["DeleteBlendClipOperation"] | components["schemas"]["SetMarkerOperation"] | components["schemas"]["SetContactsOperation"] | components["schemas"]["AddEventOperation"] | components["schemas"]["SetEventOperation"] | components["schemas"]["RenameEventOperation"] | components["schemas"]["DeleteEventOperation"] | components["schemas"]["MoveEventOperation"] | components["schemas"]["AddParameterOperation"] | components["schemas"]["SetParameterOperation"] | components["schemas"]["RenameParameterOperation"] | components["schemas"]["AddSenseOperation"] | components["schemas"]["SetSenseOperation"] | components["schemas"]["AddKeyOperation"] | components["schemas"]["SetKeyOperation"] | components["schemas"]["AddColliderOperation"] | components["schemas"]["SetColliderOperation"] | components["schemas"]["RenameColliderOperation"] | components["schemas"]["DeleteEntryOperation"] | components["schemas"]["MoveEntryOperation"] | components["schemas"]["AddLayerOperation"] | components["schemas"]["SetLayerOperation"] | components["schemas"]["RenameLayerOperation"] | components["schemas"]["DeleteLayerOperation"] | components["schemas"]["MoveLayerOperation"] | components["schemas"]["SetMachineOperation"] | components["schemas"]["SetDefaultsOperation"] | components["schemas"]["AddPropertyOperation"] | components["schemas"]["SetPropertyOperation"] | components["schemas"]["MovePropertyOperation"] | components["schemas"]["SetExpressionsOperation"] | components["schemas"]["SetViewOperation"])[];
         };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
@@ -3443,6 +3443,20 @@ export interface components {
             kind: "set_collider";
             name: string;
             fields: components["schemas"]["ColliderFields"];
+        };
+        /**
+         * @description Says in which spans of phase a foot stands in a clip: first 0…1, last up to a lap later; null: as found
+         *     from the clip.
+         */
+        SetContactsOperation: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "set_contacts";
+            clip: string;
+            foot: string;
+            spans: number[][] | null;
         };
         /** @description Changes what cells take that say nothing. */
         SetDefaultsOperation: {
@@ -4733,6 +4747,7 @@ export type SetBlendClipOperation = components['schemas']['SetBlendClipOperation
 export type SetCellOperation = components['schemas']['SetCellOperation'];
 export type SetChange = components['schemas']['SetChange'];
 export type SetColliderOperation = components['schemas']['SetColliderOperation'];
+export type SetContactsOperation = components['schemas']['SetContactsOperation'];
 export type SetDefaultsOperation = components['schemas']['SetDefaultsOperation'];
 export type SetEventOperation = components['schemas']['SetEventOperation'];
 export type SetExpressionsOperation = components['schemas']['SetExpressionsOperation'];

@@ -11,6 +11,7 @@ import { FRAMINGS } from "../../view/camera/framing";
 import { blendForm, newBlend } from "./blendForm";
 import type { Drag } from "./blendPad";
 import { clipChoice } from "./clipChoice";
+import { contactFields } from "./contactFields";
 import { markerFields } from "./markerFields";
 
 const YES_NO = [
@@ -50,7 +51,8 @@ export function stateForm(
     ${info ? framingField(fields, info, set) : nothing}
     ${composite ? flag("resume", composite.resume, "resumes where it was left") : nothing}
     ${outer ? flag("final", isFinal, `ends ${outer}`) : nothing}
-    ${info ? initialButton(app, layer, info) : nothing} ${info ? markers(fields, state, info) : nothing}`;
+    ${info ? initialButton(app, layer, info) : nothing} ${info ? markers(fields, state, info) : nothing}
+    ${info ? contactFields(fields, app.contacts, info) : nothing}`;
 }
 
 function speedField(

@@ -1,8 +1,6 @@
 /** Shows when each foot stands on the ground in the motion that plays: a bar for each foot, and the phase. */
 
 import "./feet.css";
-import * as api from "../../net/api";
-import type { FeetView } from "../../net/types/api.generated";
 import type { App } from "../../view/app";
 import { el } from "../../ui/dom";
 
@@ -20,8 +18,6 @@ class FeetStrip {
   private readonly rows = el("div", { class: "feet-rows" });
   private readonly cursor = el("i", { class: "feet-cursor" });
   private readonly box = el("div", { class: "feet", title: "when each foot stands on the ground" });
-  private feet: FeetView | null = null;
-  private machine = "";
 
   constructor(
     host: HTMLElement,
@@ -30,27 +26,14 @@ class FeetStrip {
     this.box.hidden = true;
     this.box.append(this.rows, this.cursor);
     host.append(this.box);
-    app.machine.info.subscribe((machine) => {
-      if (machine) void this.read(machine.name, machine.version);
-    });
+    app.contacts.view.subscribe(() => this.show());
     app.selection.state.subscribe(() => this.show());
     app.frame.on(() => this.point(app.frames.phase()));
   }
 
-  private async read(name: string, version: number): Promise<void> {
-    const wanted = `${name} ${version}`;
-    if (wanted === this.machine) return;
-    this.machine = wanted;
-    const feet = await api.feet(name).catch(() => null);
-    if (wanted !== this.machine) return;
-    this.feet = feet;
-    this.show();
-  }
-
   private show(): void {
     const state = this.app.machine.info.value?.states[this.app.selection.state.value ?? -1];
-    const clip =
-      state && !state.over.length ? this.feet?.clips.find((one) => one.clip === state.motion) : null;
+    const clip = state && !state.over.length ? this.app.contacts.of(state.motion) : null;
     this.box.hidden = !clip?.feet.length;
     const rows = (clip?.feet ?? []).map(({ foot, planted }) =>
       el(

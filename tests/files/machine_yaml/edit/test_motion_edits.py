@@ -4,7 +4,10 @@ import pytest
 from edit_texts import DOOR, came, lines
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.edited import edited
-from statwalk.files.machine_yaml.edit.operations import DeleteBlendClip, SetBlendClip, SetMarker
+from statwalk.files.machine_yaml.edit.operations import DeleteBlendClip, SetBlendClip, SetContacts, SetMarker
+from statwalk.files.machine_yaml.edit.parts import parts_of
+from statwalk.files.machine_yaml.machine_file import read_machine
+from statwalk.files.machine_yaml.machine_text import MachineText
 
 
 def test_a_clip_moves_on_the_pad_and_another_comes():
@@ -31,6 +34,28 @@ def test_a_marker_comes_moves_and_goes():
 def test_the_only_marker_takes_the_member_along():
     text = edited(DOOR, [SetMarker("SHUT", "click", 0.1)])
     assert lines(SetMarker("SHUT", "click", None), text=text)[1] == "+   SHUT:    {motion: shut, loop: true}"
+
+
+LEFT = SetContacts("swing", "left", [(0, 0.6), (0.9, 1.1)])
+
+
+def test_contacts_come_change_and_go():
+    assert came(LEFT) == ["", "contacts:", "  swing: {left: [[0, 0.6], [0.9, 1.1]]}"]
+    other = edited(
+        DOOR, [LEFT, SetContacts("swing", "right", []), SetContacts("swing", "left", [(0.2, 0.3)])]
+    )
+    contacts = {name: spans.spans for name, spans in read_machine(other).contacts["swing"].items()}
+    assert contacts == {"left": ((0.2, 0.3),), "right": ()}
+    assert edited(DOOR, [LEFT, SetContacts("swing", "left", None)]) == DOOR
+
+
+def test_contacts_of_two_feet_are_two_parts():
+    assert set(LEFT.touched()) == {("contacts", "swing", "left")}
+    parts = parts_of(MachineText(edited(DOOR, [LEFT, SetContacts("swing", "right", [])]), {}))
+    assert {part for part in parts if part[0] == "contacts"} == {
+        ("contacts", "swing", "left"),
+        ("contacts", "swing", "right"),
+    }
 
 
 @pytest.mark.parametrize(

@@ -1,8 +1,8 @@
-"""Changes the motion of a state: the clips of its blend, and markers."""
+"""Changes motions: the clips of a state's blend, markers, and when feet stand in a clip."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
@@ -110,3 +110,26 @@ class SetMarker(EditOperation):
         yield "name", "state", self.layer, self.state
         clip = ("motion", "markers", self.clip) if self.clip else ("markers",)
         yield ("state", self.layer, self.state, *clip, self.marker)
+
+
+@dataclass(frozen=True)
+class SetContacts(EditOperation):
+    """Says in which spans of phase a foot stands in a clip; None: as found from the clip."""
+
+    clip: str
+    foot: str
+    spans: Sequence[Sequence[float]] | None
+
+    def __str__(self) -> str:
+        return f"{self.clip}: contacts of {self.foot}"
+
+    def apply(self, text: MachineText) -> MachineText:
+        """Returns the text with the spans, or without."""
+        path = "contacts", self.clip, self.foot
+        if self.spans is None:
+            return text._replace(yaml=without(text.yaml, path))
+        return text._replace(yaml=with_value(text.yaml, path, [list(span) for span in self.spans]))
+
+    def touched(self) -> Iterable[Part]:
+        """The foot in the clip."""
+        yield "contacts", self.clip, self.foot

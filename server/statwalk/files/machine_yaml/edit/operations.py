@@ -12,7 +12,12 @@ from statwalk.files.machine_yaml.edit.layer_edits import (
     RenameLayer,
     SetLayer,
 )
-from statwalk.files.machine_yaml.edit.motion_edits import DeleteBlendClip, SetBlendClip, SetMarker
+from statwalk.files.machine_yaml.edit.motion_edits import (
+    DeleteBlendClip,
+    SetBlendClip,
+    SetContacts,
+    SetMarker,
+)
 from statwalk.files.machine_yaml.edit.nested_state import NestState, UnnestState
 from statwalk.files.machine_yaml.edit.operation import EditOperation
 from statwalk.files.machine_yaml.edit.parameter_names import RenameCollider, RenameParameter
@@ -53,6 +58,7 @@ __all__ = [
     "RenameState",
     "SetBlendClip",
     "SetCell",
+    "SetContacts",
     "SetDefaults",
     "SetEntry",
     "SetEvent",

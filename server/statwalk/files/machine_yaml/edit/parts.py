@@ -77,10 +77,8 @@ def _parts_of_file(root: Node) -> Iterator[tuple[Part, str]]:
     for key, node in root.entries().items():
         if key in SETTINGS:
             yield ("machine", key), _said(node)
-        elif key == "defaults":
-            yield from _flat(node, ("defaults",)).items()
-        elif key == "view":
-            yield from _flat(node, ("view",)).items()
+        elif key in ("defaults", "contacts", "view"):
+            yield from _flat(node, (key,)).items()
         elif key == "properties":
             for sentence in node.items() if node.value else ():
                 yield ("property", _said(sentence)), ""
