@@ -23,8 +23,8 @@ from statwalk.stage.stage import Stage
 WALKER, TERRAIN = load_role(MACHINES / "faq-walker"), load_role(MACHINES / "terrain")
 LAYERS = load_role(MACHINES / "walker-layers")
 FREE = Role.build("free", WALKER.character, replace(WALKER.definition, foot_lock=0.0), "Root")
-HELD = {"WALK/STOP": 0.005, "WALK/JUMP": 0.005, "STAT/LEFT": 0.005, "STAT/CROUCH": 0.002}
-HELD |= {"WALK/LEFT": 0.015, "WALK/RIGHT": 0.015, "STWK/STOP": 0.01, "TLFT/STOP": 0.005, "TRGT/LEFT": 0.01}
+HELD = {"WALK/STOP": 0.003, "WALK/JUMP": 0.001, "STAT/LEFT": 0.001, "STAT/CROUCH": 0.001}
+HELD |= {"WALK/LEFT": 0.005, "WALK/RIGHT": 0.004, "STWK/STOP": 0.007, "TLFT/STOP": 0.001, "TRGT/LEFT": 0.004}
 """metres: the farthest slide in any contact, from ten phases and through interruptions"""
 ON_STAIRS = {
     "JUMP/END": {"slide": 0.003, "sink": 0.001, "jump": 1.0, "joint": 1.2},
@@ -38,7 +38,7 @@ ON_STAIRS = {
     "WALK/STOP": {"slide": 0.005, "sink": 0.004, "jump": 1.0, "joint": 1.1},
     "WALK/LEFT": {"slide": 0.011, "sink": 0.005, "jump": 1.1, "joint": 2.0},
 }
-RUNNER = {"STAND/GO": 0.006, "MOVE/STOP": 0.004, "MOVE/HURRY": 0.005, "RUN/STOP": 0.004, "RUN/EASE": 0.006}
+RUNNER = {"STAND/GO": 0.006, "MOVE/STOP": 0.004, "MOVE/HURRY": 0.004, "RUN/STOP": 0.003, "RUN/EASE": 0.005}
 """metres: slides of walker-layers; without the foot lock up to 807 mm"""
 SINK, KNEE = 0.005, 0.002
 

@@ -44,18 +44,21 @@ from statwalk.solve.ground import ground_at
 
 LOW, SLOW = 0.012, 0.35
 """a foot is planted when its lowest point is this near to the ground (metres), and slower than this (m/s)"""
-NOT_FAST, TOUCHING = 1.0, 0.005
-"""a foot that touches the ground in a blend, or touches uneven ground, is planted when it is slower than
-NOT_FAST (m/s), and nearer to the ground than TOUCHING (metres): otherwise the foot would drag
+NOT_FAST, TOUCHING = 1.0, 0.008
+"""a foot that touches the ground in a blend or where its motion plants it, or touches uneven ground, is
+planted when it is slower than NOT_FAST (m/s), and nearer to the ground than TOUCHING (metres): otherwise the
+foot would drag
 """
 KEPT_OFF, DRAGS, IN_BLEND = 0.007, 1.5, 0.3
-"""metres by which a foot on its way is kept off uneven ground if it is as fast as DRAGS (m/s); at NOT_FAST it
+"""metres by which a foot on its way is kept off the ground if it is as fast as DRAGS (m/s); at NOT_FAST it
 is not kept off, and between the two speeds the metres grow evenly; in a blend, this part of them
 """
 LANDING = 2.0
 """m/s: a foot that its motion plants, while the other is in the air, comes down unless it is faster"""
-LIFTED = 0.003
-"""metres by which its motion, if that is not slow, must have lifted a planted foot for it to go along"""
+LIFTED, LIFTED_IN_BLEND = 0.003, 0.005
+"""metres by which its motion, if that is not slow, must have lifted a planted foot for it to go along; in a
+blend, which may lower the foot again
+"""
 STEP, FAR, FARTHEST = 0.03, 0.14, 0.25
 """metres from its motion at which a planted foot takes a step: if the other foot has stood for a moment; if
 the other foot stands; in any case
@@ -63,7 +66,7 @@ the other foot stands; in any case
 TWIST, FAR_TWIST = 0.15, 0.5
 """radians: if the other foot has stood for a moment; in any case"""
 SHORTEST_STAND, SHORTEST_STEP = 0.05, 0.1
-"""seconds"""
+"""seconds; a step that touches the ground, and would drag, may end after SHORTEST_STAND"""
 CLEAR, LONGEST_LEAVE = 0.007, 0.1
 """a released foot keeps its place until it is so high (metres), for so long at most (seconds)"""
 ROLL = 0.001
@@ -82,18 +85,9 @@ def begin_blend(keep: Any, row: int, at: int) -> None:
 
 @called
 def step_foot(
-    f: Any,
-    legs: Any,
-    keep: Any,
-    row: int,
-    foot: int,
-    at: int,
-    other: int,
-    root: Any,
-    is_down: bool,
-    blends: bool,
-    dt: float,
-) -> None:
+    f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, other: int, root: Any, is_down: bool,
+    blends: bool, dt: float,
+) -> None:  # fmt: skip
     """Moves the numbers of one foot on by a tick; `is_down`: its motion plants it now; `blends`: it goes over
     from one motion into another; `other`: -1 if it is the only foot.
     """
@@ -109,7 +103,7 @@ def step_foot(
     if goes_along or keep[row, at + PLANTED] == LEAVING:
         floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, shown, dt)
         if goes_along:
-            _perhaps_go_along(f, keep, row, at, floor, speed)
+            _perhaps_go_along(f, keep, row, at, floor, blends, speed)
         else:
             _perhaps_leave(keep, row, at, floor, speed)
     if keep[row, at + PLANTED] >= LEAVING:
@@ -122,7 +116,7 @@ def step_foot(
     ahead = fall * LOOK_AHEAD if blends else 0.0
     lands = is_down and _must_land(keep, row, at, other, speed)
     floor = floor_of(f, legs, keep, row, foot, at, ankle, low, root, shown, dt)
-    floor += _kept_off(f, keep, row, at, blends, lands, speed)
+    floor += _kept_off(f, keep, row, at, blends, lands, speed, sank)
     rate = keep[row, at + Y_RATE]
     raise_foot(keep, row, at, floor, is_down or blends, speed, ahead, lands, dt)
     if f.fit[0] >= 0 and lands:
@@ -144,14 +138,16 @@ def _begin(f: Any, keep: Any, row: int, at: int, low: Any, ankle: Any, root: Any
 
 
 @inlined
-def _perhaps_go_along(f: Any, keep: Any, row: int, at: int, floor: float, speed: float) -> None:
+def _perhaps_go_along(
+    f: Any, keep: Any, row: int, at: int, floor: float, blends: bool, speed: float
+) -> None:  # fmt: skip
     """Releases a planted foot that its motion has lifted, before it is held back: a foot that sets off late
     would still be behind when it lands. On uneven ground a foot comes down before its motion does, and then
     stands for a moment at least.
     """
     may_go = f.fit[0] < 0 or keep[row, at + SINCE] > SHORTEST_STAND
     height = -floor  # of the animated foot above the ground
-    if may_go and height > LIFTED:
+    if may_go and height > (LIFTED_IN_BLEND if blends else LIFTED):
         keep[row, at + PLANTED], keep[row, at + SINCE] = 0.0, 0.0
         keep[row, at + EAGER] = eagerness(keep, row, at, speed)
 
@@ -208,11 +204,17 @@ def _must_land(keep: Any, row: int, at: int, other: int, speed: float) -> Any:
 
 
 @inlined
-def _kept_off(f: Any, keep: Any, row: int, at: int, blends: bool, lands: bool, speed: float) -> Any:
-    """Metres by which a foot in the air is kept off uneven ground; 0 if it comes down."""
-    if f.fit[0] < 0 or keep[row, at + PLANTED] != 0.0 or lands:
+def _kept_off(
+    f: Any, keep: Any, row: int, at: int, blends: bool, lands: bool, speed: float, sank: float
+) -> Any:  # fmt: skip
+    """Metres by which a foot in the air is kept off the ground; 0 if it comes down. Over a level floor no
+    more than its motion has just lowered it: clips that walk on the spot drag their feet, and do not hover.
+    """
+    if keep[row, at + PLANTED] != 0.0 or lands:
         return 0.0
     most = KEPT_OFF * IN_BLEND if blends else KEPT_OFF
+    if f.fit[0] < 0:
+        most = min(most, max(sank, 0.0))
     return most * min(max((speed - NOT_FAST) / (DRAGS - NOT_FAST), 0.0), 1.0)
 
 
@@ -221,15 +223,16 @@ def _perhaps_plant(
     f: Any, keep: Any, row: int, at: int, low: Any, root: Any, is_down: bool, blends: bool, lands: bool,
     speed: float,
 ) -> None:  # fmt: skip
-    """Plants a foot that has come down where its motion plants it, or that touches the ground in a blend, or
-    uneven ground: its motion knows nothing of that.
+    """Plants a foot that has come down where its motion plants it, or that touches the ground and would drag:
+    where its motion plants it, in a blend, or on uneven ground, of which its motion knows nothing.
     """
-    if keep[row, at + PLANTED] != 0.0 or keep[row, at + SINCE] < SHORTEST_STEP:
+    since = keep[row, at + SINCE]
+    if keep[row, at + PLANTED] != 0.0 or since < SHORTEST_STAND:
         return
     x, z = keep[row, at + X], keep[row, at + Z]
     height = low[2] + keep[row, at + Y] - ground_at(f.ground, low[1] + x, low[3] + z, root[1])
-    comes_down = is_down and (lands or speed <= SLOW) and height < LOW
-    touches = (blends or f.fit[0] >= 0) and speed <= NOT_FAST
+    comes_down = is_down and (lands or speed <= SLOW) and height < LOW and since >= SHORTEST_STEP
+    touches = (blends or is_down or f.fit[0] >= 0) and speed <= NOT_FAST
     if comes_down or (touches and height < TOUCHING):
         keep[row, at + PLANTED], keep[row, at + SINCE], keep[row, at + PIVOT] = STANDING, 0.0, low[0]
         keep[row, at + EAGER] = keep[row, at + TOO_SHORT] = 0.0
