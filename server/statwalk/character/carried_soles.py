@@ -41,32 +41,39 @@ class Sole(NamedTuple):
 
     def under(self, body: Body, turns: Mapping[str, Floats]) -> Floats:
         """Returns how far (F,) the lowest point is under the ankle, with foot and toes turned (F, 4)."""
-        foot = _heights_of(body, self.foot, turns[self.foot])
-        lowest = _lowest(foot, self.arms)
-        if self.toes:
-            toes = _heights_of(body, self.toes, turns[self.toes])
-            lowest = np.minimum(lowest, vector.dot(foot, self.ball) + _lowest(toes, self.toe_arms))
+        lowest = np.full(len(turns[self.foot]), np.inf)
+        for height, _ in self._points(body, turns):
+            np.minimum(lowest, height, out=lowest)
         return -lowest
 
     def rolled(self, body: Body, turns: Mapping[str, Floats]) -> Floats:
         """Returns (F - 1, 3) how far the lowest points go in each frame, as seen from the ankle."""
         lowest, band = -self.under(body, turns), max(SHARED * body.leg(), THINNEST)
-        way, whole = np.zeros((len(lowest) - 1, 3)), np.zeros(len(lowest) - 1)
-        for arm in self._arms(body, turns):
-            above = (arm[1:, 1] - lowest[1:]) + (arm[:-1, 1] - lowest[:-1])
-            weight = np.exp(-above / band)
-            way += np.diff(arm, axis=0) * weight[:, None]
-            whole += weight
-        rolled: Floats = way / np.maximum(whole, LEAST_SHARE)[:, None]
-        return rolled
+        frames = len(lowest) - 1
+        share, carried = np.full(frames, LEAST_SHARE), {bone: np.zeros((frames, 3)) for bone in turns}
+        for height, arms in self._points(body, turns):
+            above = height - lowest
+            weight = np.exp(-(above[1:] + above[:-1]) / band)
+            share += weight
+            for bone, arm in arms.items():
+                carried[bone] += weight[:, None] * arm
+        way: Floats = np.zeros((frames, 3))
+        for bone, arm in carried.items():
+            turned = np.diff(quat.to_matrix(_away(body, bone, turns[bone])), axis=0)
+            way = way + (turned @ (arm / share[:, None])[..., None])[..., 0]
+        return way
 
-    def _arms(self, body: Body, turns: Mapping[str, Floats]) -> Iterator[Floats]:
-        """The points (F, 3) from the ankle, one after the other."""
-        foot = _away(body, self.foot, turns[self.foot])
-        yield from (quat.rotate(foot, arm) for arm in self.arms)
+    def _points(self, body: Body, turns: Mapping[str, Floats]) -> Iterator[tuple[Floats, dict[str, Floats]]]:
+        """Yields of each point its height (F,) above the ankle, and the vectors (3,) that lead to it, by the
+        bone to which each is fixed.
+        """
+        foot = _heights_of(body, self.foot, turns[self.foot])
+        for arm in self.arms:
+            yield vector.dot(foot, arm), {self.foot: arm}
         if self.toes:
-            ball, toes = quat.rotate(foot, self.ball), _away(body, self.toes, turns[self.toes])
-            yield from (ball + quat.rotate(toes, arm) for arm in self.toe_arms)
+            toes, ball = _heights_of(body, self.toes, turns[self.toes]), vector.dot(foot, self.ball)
+            for arm in self.toe_arms:
+                yield ball + vector.dot(toes, arm), {self.foot: self.ball, self.toes: arm}
 
 
 def soles_of(body: Body, turning: Container[str]) -> dict[str, Sole]:
@@ -108,10 +115,3 @@ def _heights_of(body: Body, bone: str, turn: Floats) -> Floats:
 def _away(body: Body, bone: str, turn: Floats) -> Floats:
     """The turn (F, 4) of a bone from its rest."""
     return quat.mul(turn, quat.conjugate(body.rotation[body.bones[bone]]))
-
-
-def _lowest(heights: Floats, arms: Floats) -> Floats:
-    lowest = np.full(len(heights), np.inf)
-    for arm in arms:
-        np.minimum(lowest, vector.dot(heights, arm), out=lowest)
-    return lowest

@@ -68,14 +68,14 @@ def planted(body: Body, turns: dict[str, Floats], path: CapturedPath) -> BodyKey
     for side in SIDES:
         leg = [side + bone for bone in ("UpperLeg", "LowerLeg", "Foot")]
         if all(bone in turns for bone in leg) and leg[2] in path.feet:
-            sole, target = soles[leg[2]], _ankle(body, turns, hips, path, leg[2])
-            height, (stands, above, _) = target[:, 1] - ground, steps[leg[2]]
-            above = above if leg[2] in path.toes else np.zeros(len(above))
-            feet = _flattened(body, _calmed(turns, sole, path.times), height - above, sole)
+            sole, foot_steps = soles[leg[2]], steps[leg[2]]
+            captured = _ankle(body, turns, hips, path, leg[2])
+            height = captured[:, 1] - ground - foot_steps.floor
+            feet = _flattened(body, _calmed(turns, sole, path.times), height - foot_steps.above, sole)
             under = sole.under(body, feet)
-            above = above if leg[2] in path.toes else np.maximum(height - under, 0)
-            target = target + Y * (ground + under + above - target[:, 1])[:, None]
-            target = held(body, sole, feet, target, stands)
+            above = foot_steps.above if leg[2] in path.toes else np.maximum(height - under, 0)
+            raised = captured + Y * (ground + under + above - captured[:, 1])[:, None]
+            target = held(body, sole, feet, raised, foot_steps.stands)
             solved |= feet | _leg(body, turns, hips, target, leg)
     return BodyKeys(solved, places | _detached(body, solved, places))
 
