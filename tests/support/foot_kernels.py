@@ -12,6 +12,7 @@ from statwalk.solve.foot_height import come_down_gently, floor_of
 from statwalk.solve.foot_lock import step_foot
 from statwalk.solve.foot_path import along_path, choose_landing, stretch_path
 from statwalk.solve.foot_points import ankle_of
+from statwalk.solve.foot_stretch import beyond_softening
 from statwalk.solve.foot_tables import FEET, TO_X, TO_Z
 from statwalk.solve.footing import height_over, points_supported, slope_under
 
@@ -45,6 +46,20 @@ def land(feet: Any, foot: int, x: float, z: float, keep: Any, place: Any, path: 
 def aside(feet: Any, legs: Any, out: Any) -> None:
     """Writes the way out of steps, x and z, of foot 0 of an actor at the origin."""
     out[0], out[1] = way_out(by_reference(feet), legs, 0, 0, (0.0, 0.0, 0.0, 0.0, 1.0), 0.0, 0.0, 0.0)
+
+
+@late_kernel(
+    FEET, types.Array(types.float32, 4, "C", readonly=True), DOUBLE, DOUBLE, DOUBLE, DOUBLE, returns=DOUBLE
+)
+def stretched(feet: Any, legs: Any, animated: float, drop: float, left: float, wanted: float) -> Any:
+    """Returns how far below its hip the target of foot 0 is put that shall come `wanted` below it; it is
+    `animated` below it in its motion, before the pelvis is lowered by `drop`, and the part `left` of the
+    pose offset is left.
+    """
+    f, root = by_reference(feet), (0.0, 0.0, 0.0, 0.0, 1.0)
+    ankle = (0.0, -animated, 0.0, 0.0)
+    _, y, _ = beyond_softening(f, legs, 0, 0, root, ankle, drop, left, (0.0, -drop - wanted, 0.0))
+    return -drop - y
 
 
 @late_kernel(

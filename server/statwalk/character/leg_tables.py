@@ -30,10 +30,8 @@ from statwalk.motion.blend_space import Motion
 from statwalk.rig.evaluate import world_from_local
 from statwalk.rig.model_buffer import JointList
 from statwalk.solve.chains import POLE_DIRECTION, Chain
+from statwalk.solve.foot_stretch import SOFTENING
 from statwalk.solve.foot_tables import OF_ACTOR, OF_FOOT, SINCE, FootTables
-
-SOFTENING = 0.02
-"""of the length of a leg"""
 
 
 def leg_chain(character: Character, foot: Foot) -> Chain:

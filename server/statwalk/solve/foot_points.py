@@ -139,6 +139,15 @@ def ankle_of(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
 
 
 @inlined
+def hip_of(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
+    """Returns x, y, z on the stage of an animated hip."""
+    block, lane = place_of(row)
+    place = f.hip[foot]
+    x, y, z = legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane]
+    return in_units(f, x, y, z, root)
+
+
+@inlined
 def shown_point(point: Any, ankle: Any, turn: float, x: float, z: float) -> Any:
     """Returns x, z of a point of the foot, turned about its ankle by `turn` and moved by x and z."""
     sine, cosine = sincos(turn)

@@ -14,7 +14,8 @@ from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.pose_layout import joint_channel, place_of
 from statwalk.maths.springs import settled
 from statwalk.solve.chains import POLE, ROTATION, TARGET, WEIGHT
-from statwalk.solve.foot_points import ankle_of, in_units
+from statwalk.solve.foot_points import ankle_of, hip_of
+from statwalk.solve.foot_stretch import beyond_softening
 from statwalk.solve.foot_tables import (
     BENT,
     DROP,
@@ -97,7 +98,7 @@ def _room(f: Any, legs: Any, keep: Any, row: int, root: Any) -> Any:
     room = MOST_DROP_ON_GROUND
     for foot in range(f.hip.shape[0]):
         ground = keep[row, f.fit[0] + OF_GROUND + foot * OF_FIT + HEIGHT]
-        x, y, z = _hip_of(f, legs, row, foot, root)
+        x, y, z = hip_of(f, legs, row, foot, root)
         ankle_x, _, ankle_z, _ = ankle_of(f, legs, row, foot, root)
         ahead = (ankle_x - x) * root[3] + (ankle_z - z) * root[4]
         room = min(room, y - ground - UPRIGHT * f.length[foot] + max(ahead, 0.0))
@@ -120,18 +121,9 @@ def begin_pelvis(f: Any, keep: Any, row: int) -> None:
 
 
 @inlined
-def _hip_of(f: Any, legs: Any, row: int, foot: int, root: Any) -> Any:
-    """x, y, z of an animated hip on the stage."""
-    block, lane = place_of(row)
-    place = f.hip[foot]
-    x, y, z = legs[block, place, 3, lane], legs[block, place, 7, lane], legs[block, place, 11, lane]
-    return in_units(f, x, y, z, root)
-
-
-@inlined
 def _missing(f: Any, legs: Any, keep: Any, row: int, foot: int, at: int, root: Any, reach: float) -> Any:
     """How much lower a hip must be for its leg to reach the shown ankle from `reach` units."""
-    x, y, z = _hip_of(f, legs, row, foot, root)
+    x, y, z = hip_of(f, legs, row, foot, root)
     ankle = ankle_of(f, legs, row, foot, root)
     x, z = x - ankle[0] - keep[row, at + X], z - ankle[2] - keep[row, at + Z]
     y -= ankle[1] + keep[row, at + Y]
@@ -155,22 +147,25 @@ def move_pelvis(f: Any, legs: Any, values: Any, row: int, drop: float) -> None:
 
 @called
 def aim_leg(
-    f: Any, legs: Any, keep: Any, rows: Any, row: int, foot: int, root: Any, drop: float, weight: float
-) -> None:
+    f: Any, legs: Any, keep: Any, rows: Any, row: int, foot: int, root: Any, drop: float, left: float,
+    weight: float,
+) -> None:  # fmt: skip
     """Writes the inputs of a leg's chain: the shown ankle, its rotation, and where the knee bends to; `drop`:
-    units by which the pelvis is lowered.
+    units by which the pelvis is lowered; `left`: how much of the pose offset of a transition is left.
     """
     block, lane = place_of(row)
     at, inputs = f.memory[0] + OF_ACTOR + foot * OF_FOOT, rows[foot]
     ankle = ankle_of(f, legs, row, foot, root)
-    x, z = ankle[0] + keep[row, at + X] - root[0], ankle[2] + keep[row, at + Z] - root[2]
-    inputs[TARGET, lane] = (x * root[4] - z * root[3]) * f.unit[0]
-    y = ankle[1] + keep[row, at + Y] - root[1]
+    x, y, z = ankle[0] + keep[row, at + X], ankle[1] + keep[row, at + Y], ankle[2] + keep[row, at + Z]
     if f.fit[0] >= 0:  # a foot that is out of reach stays above its place: beside it there may be a step
         missing = _missing(f, legs, keep, row, foot, at, root, f.length[foot])
         y += min(max(missing - drop, 0.0), MOST_OVER)
-        _note_bend(f, legs, keep, row, foot, root, x, y + drop, z)
-    inputs[TARGET + 1, lane] = y * f.unit[0]
+        _note_bend(f, legs, keep, row, foot, root, x - root[0], y - root[1] + drop, z - root[2])
+    else:
+        x, y, z = beyond_softening(f, legs, row, foot, root, ankle, drop, left, (x, y, z))
+    x, z = x - root[0], z - root[2]
+    inputs[TARGET, lane] = (x * root[4] - z * root[3]) * f.unit[0]
+    inputs[TARGET + 1, lane] = (y - root[1]) * f.unit[0]
     inputs[TARGET + 2, lane] = (z * root[4] + x * root[3]) * f.unit[0]
     for axis in range(3):
         bend = 0.0
@@ -186,7 +181,7 @@ def _note_bend(
     f: Any, legs: Any, keep: Any, row: int, foot: int, root: Any, x: float, y: float, z: float
 ) -> None:
     """Notes how much a leg is bent whose ankle is x, y, z units from the root, and from the animated hip."""
-    hip = _hip_of(f, legs, row, foot, root)
+    hip = hip_of(f, legs, row, foot, root)
     u, v, w = hip[0] - root[0] - x, hip[1] - root[1] - y, hip[2] - root[2] - z
     stretched = min((u * u + v * v + w * w) / (f.length[foot] * f.length[foot]), 1.0)
     keep[row, f.fit[0] + OF_GROUND + foot * OF_FIT + BENT] = math.sqrt(1.0 - stretched)

@@ -42,8 +42,9 @@ def plant_feet(
         weight = min(max(weight, 0.0), 1.0)
         drop = weight * lower_pelvis(f, mem.legs, keep, row, root, dt)
         move_pelvis(f, mem.legs, values, row, drop)
+        left = remaining(o, row, 0, 0.0)[0]
         for foot in range(f.hip.shape[0]):
-            aim_leg(f, mem.legs, keep, mem.leg_rows, row, foot, root, drop, weight)
+            aim_leg(f, mem.legs, keep, mem.leg_rows, row, foot, root, drop, left, weight)
     for foot in range(f.hip.shape[0]):
         at = foot * ROWS * LANES
         solve_chain_block(chains, clamps, foot, values, block, mem.leg_rows, at, mem.chain, keep)
