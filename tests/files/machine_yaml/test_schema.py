@@ -10,7 +10,15 @@ import pytest
 from paths import GLTF, MACHINES, needs_assets
 from statwalk.errors import MachineError
 from statwalk.files.character_file import load_character_file
-from statwalk.files.machine_yaml import capture_lines, cells, flock_part, layers, levels, states
+from statwalk.files.machine_yaml import (
+    capture_lines,
+    cells,
+    flock_part,
+    layers,
+    levels,
+    solvers_part,
+    states,
+)
 from statwalk.files.machine_yaml.machine_file import KEYS, SCHEMA_PATH, read_machine
 from statwalk.files.machine_yaml.new_machine import write_machine
 from statwalk.files.yaml.yaml_text import parse
@@ -223,13 +231,14 @@ def test_wrong_files_fail_in_both(old, new):
         (("definitions", "cell", "properties"), cells.CELL_KEYS),
         (("definitions", "choices", "items", "properties"), cells.CHOICE_KEYS),
         (("properties", "layers", "additionalProperties", "properties"), layers.LAYER_KEYS),
+        (("properties", "solvers", "additionalProperties", "properties"), solvers_part.KEYS),
         (("properties", "budgets", "properties"), FIGURES),
         (("properties", "captures", "additionalProperties", "properties"), capture_lines.KEYS),
         (("properties", "flock", "properties"), (*flock_part.NUMBERS, *flock_part.OTHERS)),
     ],
     ids=[
         *("machine", "state", "composite", "cell", "alternative", "layer"),
-        *("budgets", "captures", "flock"),
+        *("solvers", "budgets", "captures", "flock"),
     ],
 )
 def test_reader_and_schema_know_the_same_keys(place, keys):

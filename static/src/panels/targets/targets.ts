@@ -103,6 +103,7 @@ class TargetsPanel {
   /** Sets the parameter of a handle that is dragged to a place in the scene. */
   private move(name: string, place: Point): void {
     const value = valueAt(place, this.frame(name));
+    this.drawn.delete(name); // the ball is where the pointer is, and not where its value may be
     if (value) this.app.parameters.setPoint(name, value);
   }
 
