@@ -18,7 +18,9 @@ from statwalk.rig.evaluate import world_from_local
 SHARED = 0.005
 """in legs: points of a sole that are so much higher than the lowest one carry the foot by a third as much"""
 THINNEST, LEAST_SHARE = 1e-4, 1e-300
-"""metres: SHARED is no less; the sum of what all points carry: of a foot that turns too fast to roll"""
+"""metres that SHARED makes at least; the least sum of what all points carry: a foot may turn so fast that no
+point is near the ground in two frames
+"""
 
 
 class Sole(NamedTuple):

@@ -36,7 +36,8 @@ def values_of(machine: Machine, numbers: Sequence[float]) -> dict[str, float | t
 def settings(
     machine: Machine, name: str, value: float | Sequence[float], now: Sequence[float]
 ) -> list[tuple[str, float]]:
-    """Returns name and value of each number that stores a parameter; `now` (P,) are those of all parameters.
+    """Returns name and value of each number that stores a parameter; `now` (P,): the numbers of all
+    parameters before.
 
     :raises UnknownNameError: when the machine has no parameter of that name.
     :raises StageError: when the value is out of range, or does not fit the kind of the parameter.

@@ -26,8 +26,6 @@ def beyond_softening(
     nearer, as far as the animated `ankle` is from its hip; all on the stage, in units. The pelvis is lowered
     by `drop`; `left`: how much of the pose offset is left, 0…1.
     """
-    if left <= 0.0:
-        return target
     x, y, z = hip_of(f, legs, row, foot, root)
     length, animated = f.length[foot], _length(ankle[0] - x, ankle[1] - y, ankle[2] - z)
     y -= drop

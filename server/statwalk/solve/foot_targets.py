@@ -161,7 +161,7 @@ def aim_leg(
         missing = _missing(f, legs, keep, row, foot, at, root, f.length[foot])
         y += min(max(missing - drop, 0.0), MOST_OVER)
         _note_bend(f, legs, keep, row, foot, root, x - root[0], y - root[1] + drop, z - root[2])
-    else:
+    elif left > 0.0:
         x, y, z = beyond_softening(f, legs, row, foot, root, ankle, drop, left, (x, y, z))
     x, z = x - root[0], z - root[2]
     inputs[TARGET, lane] = (x * root[4] - z * root[3]) * f.unit[0]

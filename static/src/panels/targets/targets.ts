@@ -56,10 +56,7 @@ class TargetsPanel {
     app.frame.on(() => this.update());
   }
 
-  /**
-   * Lets handles follow: those of chains that nobody holds the chains' ends, those of directions and of points in model
-   * space their actor.
-   */
+  /** Moves handles along: a chain's handle with the chain's end, a direction or a point in model space with the actor. */
   private update(): void {
     if (this.app.view.watched.ready.value) for (const name of this.shown) this.put(name);
   }
