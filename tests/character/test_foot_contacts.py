@@ -2,17 +2,13 @@
 
 from dataclasses import replace
 
-import numpy as np
 import pytest
 from paths import GLTF, MACHINES, needs_assets
-from statwalk.character.character import Character
 from statwalk.character.feet import feet_of
 from statwalk.character.foot_contacts import contacts_of, joined
 from statwalk.files.character_file import load_character_file
-from statwalk.maths.pose import rest
-from statwalk.motion.clip import Channel, Clip
-from statwalk.rig.skeleton import Skeleton
 from statwalk.services.library.load import load_role
+from treads import tread
 
 WALKER = load_role(MACHINES / "faq-walker").character
 FOUND = contacts_of(WALKER, feet_of(WALKER))
@@ -46,24 +42,22 @@ def test_contacts_are_found_once():
     assert contacts_of(WALKER, feet) is contacts_of(WALKER, feet)
 
 
-def tread(speed, lift):
-    """A leg whose foot runs back on the ground at `speed` m/s for 0.6 s, and forward in the air for 0.4 s."""
-    skeleton, _ = Skeleton.sorted(["LeftUpLeg", "LeftLeg", "LeftFoot"], [None, "LeftUpLeg", "LeftLeg"])
-    pose = rest(3)
-    pose.translation[:] = [[0, 1, 0], [0, -0.5, 0], [0, -0.5, 0]]
-    times = np.array([0, 0.6, 0.7, 0.9, 1.0], np.float32)
-    place = np.zeros((5, 3), np.float32)
-    place[:, 1], place[:, 2] = [-0.5, -0.5, -0.5 + lift, -0.5 + lift, -0.5], [0.3, -0.3, -0.25, 0.25, 0.3]
-    place[:, 2] *= speed
-    clip = Clip("tread", (Channel(2, "translation", times, place),), 1.0, pose)
-    return Character("tread", skeleton, np.arange(3, dtype=np.int32), pose, {"tread": clip})
-
-
 def test_on_the_spot_the_ground_runs():
     character = tread(1.0, 0.2)
     contacts = contacts_of(character, feet_of(character))["tread"]
     assert contacts.drift == pytest.approx((0, -1), abs=0.02)
     assert contacts.feet[0].planted[0] == pytest.approx((0, 0.6), abs=0.03)
+
+
+def test_a_clip_that_ends_elsewhere_is_no_walk_on_the_spot():
+    """The beginning of a jump, say: its feet are pulled back, and do not come round."""
+    character = tread(4.0, 0.2, returns=False)
+    assert contacts_of(character, feet_of(character))["tread"].drift == (0, 0)
+
+
+def test_feet_are_no_condition():
+    bare = replace(WALKER, clips={"walk": WALKER.clips["walk"]})
+    assert contacts_of(bare, ())["walk"].feet == ()
 
 
 def test_a_foot_that_stands_in_place_has_no_running_ground():

@@ -35,8 +35,12 @@ SHORTEST = 0.04
 """seconds: shorter contacts and shorter gaps are none"""
 ON_THE_SPOT = 0.35
 """leg lengths a second: if low feet often run alike, at more than this, the ground runs under them"""
-ALIKE, VOTES, MOST_VOTES = 0.2, 0.3, 512
+ALIKE, VOTES, MOST_VOTES = 0.2, 0.2, 512
 """the share by which alike speeds differ, the share of ticks that have them, how many ticks are compared"""
+ROUND = 0.4
+"""of the leg's length: how far the joints at the end of a walk are from where they begin, on average; a run
+that is cut a frame short of its cycle comes to 0.3
+"""
 
 
 @dataclass(frozen=True)
@@ -70,9 +74,9 @@ def joined(spans: Sequence[Span]) -> tuple[Span, ...]:
 
 def contacts_of(character: Character, feet: tuple[Foot, ...]) -> dict[str, ClipContacts]:
     """Returns the contacts of all clips of a character, by clip; found once for the same feet."""
-    known_feet, known = _known.get(character, ((), {}))
+    known_feet, known = _known.get(character, (None, {}))
     if known_feet != feet:
-        ground, grounds = _grounds(character, feet)
+        ground, grounds = _grounds(character, feet) if feet else (0.0, [])
         known = {
             name: _contacts(character, clip, feet, ground, grounds) for name, clip in character.clips.items()
         }
@@ -80,7 +84,9 @@ def contacts_of(character: Character, feet: tuple[Foot, ...]) -> dict[str, ClipC
     return known
 
 
-_known: WeakKeyDictionary[Character, tuple[tuple[Foot, ...], dict[str, ClipContacts]]] = WeakKeyDictionary()
+_known: WeakKeyDictionary[Character, tuple[tuple[Foot, ...] | None, dict[str, ClipContacts]]] = (
+    WeakKeyDictionary()
+)
 
 
 def _grounds(character: Character, feet: tuple[Foot, ...]) -> tuple[float, list[float]]:
@@ -90,7 +96,7 @@ def _grounds(character: Character, feet: tuple[Foot, ...]) -> tuple[float, list[
     rest = world_from_local(character.skeleton, character.bind_pose)[None]
     worlds = [_worlds(character, clip) for clip in character.clips.values()] or [rest]
     lowest = np.array([[foot.skin.heights(world).min() for foot in feet] for world in worlds])
-    ground = float(np.median(lowest.min(1))) if feet else 0.0
+    ground = float(np.median(lowest.min(1)))
     return ground, np.median(lowest, 0).tolist() if len(feet) > 2 else [ground] * len(feet)
 
 
@@ -131,7 +137,7 @@ def _drift(
     world: Floats, points: Sequence[Floats], speeds: Sequence[Floats], scale: tuple[float, float, float]
 ) -> Floats:
     """(2,) how fast the ground runs under a clip that walks on the spot: as the lowest points do, if they run
-    steadily and the character as a whole stays where it is; else 0.
+    steadily, the clip comes round, and the character as a whole stays where it is; else 0.
     """
     ground, leg, step = scale
     heights, moving = (np.concatenate(tracks, 1) for tracks in ([track[..., 1] for track in points], speeds))
@@ -148,7 +154,9 @@ def _drift(
     pace = _size(drift)
     middle = world[:, :, ::2, 3].mean(1)
     travel = _size(middle[-1] - middle[0]) / (step * (len(world) - 1))
-    runs = pace > ON_THE_SPOT * leg and most.mean() > VOTES and travel < pace / 4
+    apart_at_end = float(np.linalg.norm(world[-1, ..., 3] - world[0, ..., 3], axis=-1).mean())
+    is_steady = pace > ON_THE_SPOT * leg and most.mean() > VOTES
+    runs = is_steady and apart_at_end < ROUND * leg and travel < pace / 4
     return drift if runs else np.zeros(2)
 
 

@@ -184,12 +184,14 @@ def bend_of(character: Character, foot: Foot) -> Floats:
 def _contacts(
     feet: Sequence[Foot], contacts: Mapping[str, ClipContacts], motions: Sequence[Motion | None]
 ) -> list[Contacts]:
-    """The contacts of each member of the motions and each foot; none where a clip walks on the spot."""
+    """The contacts of each member of the motions and each foot; none where a clip walks on the spot, and its
+    actor stays there.
+    """
     found: list[Contacts] = []
     for motion in motions:
         for member in motion.members if motion is not None else ():
             known = contacts.get(member.clip.name)
-            runs = known is None or any(known.drift)
-            of_foot = {} if known is None or runs else {foot.foot: foot.planted for foot in known.feet}
+            stays = known is None or (any(known.drift) and not any(member.ground_speed))
+            of_foot = {} if known is None or stays else {foot.foot: foot.planted for foot in known.feet}
             found += [(member, number, of_foot.get(foot.name, ())) for number, foot in enumerate(feet)]
     return found

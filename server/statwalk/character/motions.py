@@ -11,6 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from statwalk.character.character import Character
+from statwalk.character.ground_speed import STANDS, ground_speeds
 from statwalk.errors import ContentError, MachineError, UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine
 from statwalk.machine.compile.compile_states import MotionFacts, marks_of
@@ -27,6 +28,7 @@ from statwalk.motion.blend_space import BlendSpace, Motion, check_places
 from statwalk.motion.clip import Clip
 from statwalk.motion.layers import Mask, below
 from statwalk.motion.root import STANDING, extract
+from statwalk.motion.root_track import moving
 from statwalk.motion.single import Single
 from statwalk.motion.tables.build import tables_of
 from statwalk.motion.tables.motion_tables import MOTIONS, MotionTables
@@ -56,10 +58,13 @@ def _motion(
                 f"the state {machine.states[row]} needs a motion: there is nothing below the base", state.line
             )
         return None
+    if machine.layer_of[row] != 0 and state.ground_speed is not None:
+        raise definition.refuse("ground_speed: the states of a layer move no actor", state.line)
+    speeds = ground_speeds(stock.character, definition, state)
     if isinstance(state.motion, ExpressionMotion):
         return stock.at_rest
     if not isinstance(state.motion, BlendDefinition):
-        return stock.single(state.motion, loop)
+        return stock.single(state.motion, loop, speeds.get(state.motion, STANDS))
     blend = state.motion
     places, clips = np.array(list(blend.clips.values()), np.float64), stock.character.clips
     try:
@@ -67,7 +72,7 @@ def _motion(
     except ContentError as error:
         raise definition.refuse(str(error), blend.line) from None
     return BlendSpace(
-        motions=tuple(stock.single(clip, loop) for clip in blend.clips),
+        motions=tuple(stock.single(clip, loop, speeds.get(clip, STANDS)) for clip in blend.clips),
         places=places,
         columns=tuple(machine.axis(row, name) for name in blend.over),
         marks=(
@@ -83,6 +88,7 @@ def clip_facts(clip: Clip) -> MotionFacts:
     return MotionFacts(clip.duration, clip.loop, clip.markers)
 
 
+GroundSpeed = tuple[float, float]
 MotionKey = tuple[object, ...]
 """what the tables of a motion depend on"""
 
@@ -94,7 +100,7 @@ class Stock:
     character: Character
     root: int
     """the joint whose root motion is extracted, -1 none"""
-    made: dict[tuple[str, bool], Single] = field(default_factory=dict)
+    made: dict[tuple[str, bool, GroundSpeed], Single] = field(default_factory=dict)
     packed: dict[tuple[MotionKey, ...], PackedColumns[MotionTables]] = field(default_factory=dict)
     """at most one entry"""
 
@@ -115,9 +121,11 @@ class Stock:
         """Returns the pose at rest as a motion, which expressions then change."""
         return Single(Clip("", (), 0.0, self.character.bind_pose), STANDING)
 
-    def single(self, name: str, loop: bool) -> Single:
-        """Returns a clip without its root motion, together with that root motion."""
-        if (name, loop) not in self.made:
+    def single(self, name: str, loop: bool, ground_speed: GroundSpeed) -> Single:
+        """Returns a clip without its root motion, together with that root motion and what `ground_speed`,
+        x and z (m/s), adds to it.
+        """
+        if (name, loop, ground_speed) not in self.made:
             clip = replace(self.character.clips[name], loop=loop)
             in_place, root = (
                 (clip, STANDING)
@@ -125,8 +133,9 @@ class Stock:
                 else extract(clip, self.root, loop, frame_of(self.character, self.root))
             )
             in_place.tracks  # noqa: B018 - made now, so that no tick meets an error in the keys
-            self.made[name, loop] = Single(in_place, root)
-        return self.made[name, loop]
+            moved = moving(root, clip.duration, ground_speed) if any(ground_speed) else root
+            self.made[name, loop, ground_speed] = Single(in_place, moved, ground_speed)
+        return self.made[name, loop, ground_speed]
 
 
 def _key(motion: Motion | None) -> MotionKey:

@@ -51,3 +51,13 @@ def relative(origin: Floats, place: Floats) -> Floats:
     sine, cosine = sincos(origin[:, 2])
     x, z = way[:, 0], way[:, 1]
     return np.stack([x * cosine - z * sine, z * cosine + x * sine, way[:, 2]], -1)
+
+
+def moving(track: RootTrack, duration: float, velocity: tuple[float, float]) -> RootTrack:
+    """Returns the track of a motion of `duration` seconds with a straight way added to it: `velocity`,
+    x and z (m/s) in the frame of the track.
+    """
+    standing = track is STANDING
+    times = np.array([0.0, duration]) if standing else track.times
+    places = np.zeros((2, 3)) if standing else track.places
+    return RootTrack(times, places + times[:, None] * np.array([*velocity, 0.0]))

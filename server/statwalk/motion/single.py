@@ -24,6 +24,8 @@ class Single:
 
     clip: Clip
     root: RootTrack
+    ground_speed: tuple[float, float] = (0.0, 0.0)
+    """x, z (m/s): what the root track has besides the root motion of the clip"""
 
     places: ClassVar[Floats] = np.zeros((1, 0))
     columns: ClassVar[tuple[int, ...]] = ()

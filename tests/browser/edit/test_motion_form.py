@@ -2,9 +2,11 @@
 
 from typing import Any
 
+import httpx
 from browser.conftest import Server
 from browser.edit.conftest import edited, inspect, machine
 from playwright.sync_api import Page
+from serving import wait_for
 
 
 def state(server: Server, name: str) -> dict[str, Any]:
@@ -57,3 +59,30 @@ def test_a_marker_of_a_blended_clip_comes_and_gets_another_name(own: Server, tab
         "together": 0.455,
     }
     assert "closed:" not in machine(own)["text"]
+
+
+def test_a_ground_speed_moves_the_actor_at_once(own: Server, table: Page, allowed: list[str]) -> None:
+    allowed.append("422")  # the console says what was refused
+
+    def ahead() -> float:
+        place: float = httpx.get(f"{own.url}/api/stages/main").json()["actors"][0]["position"][2]
+        return place
+
+    inspect(table, "th[data-state=STAT]")
+    field = table.locator("#cell").get_by_label("ground speed")
+    field.fill("fast")
+    table.keyboard.press("Enter")
+    table.locator("#cell .field-error").filter(has_text="a number, or blank").wait_for()
+    field.fill("found")
+    table.keyboard.press("Enter")
+    table.locator("#cell .field-error").filter(has_text="the ground runs under no foot of stand").wait_for()
+    field.fill("0.5, 1.5")
+    table.keyboard.press("Enter")
+    edited(table)
+    assert state(own, "STAT")["ground_speed"] == [0.5, 1.5]
+    start = ahead()
+    wait_for(lambda: ahead() > start + 0.5)
+    field.fill("")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    assert state(own, "STAT")["ground_speed"] is None

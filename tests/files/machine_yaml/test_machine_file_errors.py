@@ -112,6 +112,13 @@ WRONG = {
         "framing: uper body",
         "line 8: no framing is called 'uper body'; did you mean upper body?",
     ),
+    "ground speed": ("loop: true", "ground_speed: fast", "line 8: 'fast' is no ground speed"),
+    "ground speed in space": (
+        "loop: true",
+        "ground_speed: [0, 0, 1]",
+        "line 8: two numbers are needed, [x, z]",
+    ),
+    "ground speed of a rocket": ("loop: true", "ground_speed: 101", "line 8: '101' is not a finite number"),
     "final outside": ("loop: true", "final: true", "line 8: `final` is only for states of a sub-machine"),
     "marker of a state": (
         "loop: true",

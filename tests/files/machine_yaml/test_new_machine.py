@@ -69,6 +69,12 @@ def test_a_robot_that_walks_jumps_and_stops(tmp_path):
     assert actor.state == "STAT"
 
 
+def test_clips_that_walk_on_the_spot_move_the_actor(tmp_path):
+    _, file = made("RobotExpressive", tmp_path)
+    walks = {name for name, state in file.definition.states.items() if state.ground_speed == "found"}
+    assert walks == {"WALK", "RUN"}
+
+
 def test_the_model_is_copied_or_named(tmp_path):
     _, copied = made("RobotExpressive", tmp_path)
     assert copied.character_path == tmp_path / "RobotExpressive" / "RobotExpressive.glb"

@@ -42,7 +42,7 @@ states:
     loop: true
     markers: {left: 0.1}
   LEAP: {motion: leap, speed: pace}
-  1: {motion: 2, framing: upper body}
+  1: {motion: 2, framing: upper body, ground_speed: [0, 1.4]}
   FIGHT:
     machine:
       initial: GUARD
@@ -106,6 +106,7 @@ budgets:
 WRONG = {
     "unknown key": ("title:", "titel:"),
     "unknown key of a state": ("speed: pace", "sped: pace"),
+    "ground speed": ("ground_speed: [0, 1.4]", "ground_speed: fast"),
     "unknown framing": ("framing: upper body", "framing: feet"),
     "unknown key of a cell": ("off: true}", "of: true}"),
     "no initial state": ("initial: FIGHT\n", ""),

@@ -21,6 +21,7 @@ states:
     motion: {over: pace, clips: {walk: 0.5, stand: 0}, markers: {walk: {right: 0.5, left: 0}}}
     loop: true
     speed: 1.5
+    ground_speed: [-0.5, 2]
   FIGHT:
     resume: true
     machine: {initial: GUARD, states: {GUARD: {motion: stand, loop: true}}, table: "state | GO"}
@@ -47,6 +48,7 @@ async def machine() -> dict[str, Any]:
 async def test_what_a_file_says_of_states_and_defaults_is_in_the_answer(machine: dict[str, Any]) -> None:
     calm, run, _ = machine["states"]
     assert (calm["speed"], run["speed"]) == ("pace", 1.5)
+    assert (calm["ground_speed"], run["ground_speed"]) == (None, [-0.5, 2])
     assert (calm["points"], run["points"]) == ({}, {"walk": [0.5], "stand": [0.0]})
     assert machine["layers"][0]["composites"] == [
         {"name": "FIGHT", "initial": "FIGHT.GUARD", "resume": True, "outer": "", "final": False}

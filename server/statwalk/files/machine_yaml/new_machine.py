@@ -13,6 +13,8 @@ from pathlib import Path
 import numpy as np
 
 from statwalk.character.character import Character
+from statwalk.character.feet import feet_of
+from statwalk.character.foot_contacts import contacts_of
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml import clip_names, state_names
 from statwalk.files.machine_yaml.machine_file import FILE_NAME
@@ -99,6 +101,7 @@ def named_motions(character: Character, states: Mapping[str, str]) -> list[Motio
     for clip in states:
         character.clip(clip)
     chosen = {clip: kinds[clip] for clip in states}
+    contacts = contacts_of(character, feet_of(character))
     idle = next((clip for clip, state in states.items() if state == "STAT"), "") or _idle_of(chosen)
     motions: list[Motion] = []
     for clip in sorted(states, key=lambda clip: clip != idle):
@@ -124,6 +127,7 @@ def named_motions(character: Character, states: Mapping[str, str]) -> list[Motio
                 "loop" if repeats else kind,
                 next_state,
                 state_names.entry_state(state, names),
+                any(contacts[clip].drift),
             )
         )
     return motions
@@ -193,7 +197,8 @@ def machine_text(title: str, motions: list[Motion], model: Path, inline: bool, r
 def _motion_text(motion: Motion) -> str:
     if motion == AT_REST:
         return '{motion: {expressions: ""}}'
-    return f"{{motion: {quoted(motion.clip)}, loop: {str(motion.kind == 'loop').lower()}}}"
+    ground_speed = ", ground_speed: found" if motion.is_on_the_spot and motion.kind == "loop" else ""
+    return f"{{motion: {quoted(motion.clip)}, loop: {str(motion.kind == 'loop').lower()}{ground_speed}}}"
 
 
 def keys(motions: list[Motion]) -> Iterator[tuple[str, str]]:

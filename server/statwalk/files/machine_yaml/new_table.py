@@ -17,7 +17,8 @@ class Motion:
 
     The clip is empty for the pose at rest. The idle motion has no event; a motion that only follows another
     one has none either. `after` is the state that the end of this motion leads to (empty: the idle state);
-    `entry_state` is the state that is passed on the way into this one.
+    `entry_state` is the state that is passed on the way into this one. `is_on_the_spot`: the clip is a walk
+    on the spot.
     """
 
     clip: str
@@ -26,6 +27,7 @@ class Motion:
     kind: clip_names.Kind
     after: str = ""
     entry_state: str = ""
+    is_on_the_spot: bool = False
 
 
 def table_of(motions: list[Motion]) -> list[list[str]]:

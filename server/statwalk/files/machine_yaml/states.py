@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from typing import Final, Literal
 
 from statwalk.files.expressions import motion_of_expressions
 from statwalk.files.machine_yaml import fields
@@ -18,10 +19,13 @@ from statwalk.machine.definition.machine_definition import (
 )
 from statwalk.machine.definition.parameter_definition import ParameterDefinition
 
-STATE_KEYS = ("motion", "loop", "speed", "markers", "final", "framing")
+STATE_KEYS = ("motion", "loop", "speed", "ground_speed", "markers", "final", "framing")
 NONE = "none"
 MOST_CLIPS = 64
 MOST_MARKERS = 256
+FOUND: Final = "found"
+FASTEST = 100.0
+"""metres a second over the ground"""
 
 
 def state(node: Node, composite: str, parameters: Mapping[str, ParameterDefinition]) -> StateDefinition:
@@ -42,6 +46,7 @@ def state(node: Node, composite: str, parameters: Mapping[str, ParameterDefiniti
         line=node.line,
         loop=entries["loop"].truth() if "loop" in entries else None,
         speed=speed(entries["speed"]) if "speed" in entries else 1.0,
+        ground_speed=ground_speed(entries["ground_speed"]) if "ground_speed" in entries else None,
         markers=markers(entries.get("markers")),
         composite=composite,
         final=fields.truth(entries, "final"),
@@ -125,3 +130,19 @@ def markers(node: Node | None) -> dict[str, float]:
 def speed(node: Node) -> float | str:
     """Reads a factor from 0 to 100, or a parameter's name."""
     return node.text() if node.text().isidentifier() else node.number(0, LARGEST_SPEED)
+
+
+def ground_speed(node: Node) -> tuple[float, float] | Literal["found"]:
+    """Reads `found`, metres a second forward, or `[x, z]` in metres a second.
+
+    :raises MachineError: when the value is none of these.
+    """
+    if not node.is_text:
+        parts = node.items()
+        if len(parts) != 2:
+            raise node.refuse(f"two numbers are needed, [x, z], not {len(parts)}")
+        x, z = (part.number(-FASTEST, FASTEST) for part in parts)
+        return x, z
+    if node.text()[:1].isalpha() and node.text() != FOUND:
+        raise node.refuse(f"{node.text()[:40]!r} is no ground speed: `found`, metres a second, or [x, z]")
+    return FOUND if node.text() == FOUND else (0.0, node.number(-FASTEST, FASTEST))

@@ -65,6 +65,10 @@ class StateDefinition:
     """the composite state ends when the motion of this one ends"""
     framing: Framing | None = None
     """what the viewer's camera shows while an actor is in the state; None: the viewer's own choice"""
+    ground_speed: tuple[float, float] | Literal["found"] | None = None
+    """x, z (m/s) that the motion moves the actor over the ground, besides its root motion; found: as fast as
+    the ground runs back under the feet of its clip
+    """
 
     @property
     def clips(self) -> tuple[str, ...]:

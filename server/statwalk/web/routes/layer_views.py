@@ -45,6 +45,7 @@ def _state_view(machine: Machine, character: Character, row: int, definition: St
         points={clip: list(point) for clip, point in blend.clips.items()} if blend else {},
         clip_markers=_clip_markers(character, blend) if blend else {},
         speed=definition.speed,
+        ground_speed=definition.ground_speed,
         loop=bool(machine.loop[row]),
         duration=float(machine.duration[row]) if has_motion else 0.0,
         outer=definition.composite,

@@ -83,12 +83,13 @@ class ExpressionsMotion(RequestModel):
 
 class StateFields(Fields):
     """A state: `motion` is a clip, `none` (in layers), a blend, or expressions; `speed` a factor or a
-    parameter.
+    parameter; `ground_speed` metres a second forward, `[x, z]`, or `found`.
     """
 
     motion: Words | BlendMotion | ExpressionsMotion = ""
     loop: bool | None = None
     speed: float | Name | None = None
+    ground_speed: float | Point | Literal["found"] | None = None
     final: bool | None = None
     framing: Framing | None = None
     resume: bool | None = None

@@ -79,6 +79,10 @@ class StateView(ResponseModel):
     """the markers of each clip of a blend, by phase"""
     speed: float | str
     """a factor of time, or the parameter that gives it"""
+    ground_speed: tuple[float, float] | Literal["found"] | None
+    """x, z (m/s) that the motion moves the actor over the ground, besides its root motion; found: as fast as
+    the ground runs back under the feet of its clip
+    """
     loop: bool
     duration: float
     outer: str

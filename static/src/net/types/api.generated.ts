@@ -3732,13 +3732,14 @@ export interface components {
         };
         /**
          * @description A state: `motion` is a clip, `none` (in layers), a blend, or expressions; `speed` a factor or a
-         *     parameter.
+         *     parameter; `ground_speed` metres a second forward, `[x, z]`, or `found`.
          */
         StateFields: {
             /** @default  */
             motion?: string | components["schemas"]["BlendMotion"] | components["schemas"]["ExpressionsMotion"];
             loop?: boolean | null;
             speed?: number | string | null;
+            ground_speed?: number | number[] | "found" | null;
             final?: boolean | null;
             framing?: ("whole" | "upper body" | "face" | "wide") | null;
             resume?: boolean | null;
@@ -3765,6 +3766,14 @@ export interface components {
             };
             /** @description a factor of time, or the parameter that gives it */
             speed: number | string;
+            /**
+             * @description x, z (m/s) that the motion moves the actor over the ground, besides its root motion; found: as fast as
+             *     the ground runs back under the feet of its clip
+             */
+            ground_speed: [
+                number,
+                number
+            ] | "found" | null;
             loop: boolean;
             duration: number;
             outer: string;

@@ -51,6 +51,7 @@ export function state(members: Partial<StateInfo>): StateInfo {
     points: {},
     clip_markers: {},
     speed: 1,
+    ground_speed: null,
     loop: false,
     duration: 0,
     outer: "",

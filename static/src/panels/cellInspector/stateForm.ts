@@ -12,6 +12,7 @@ import { blendForm, newBlend } from "./blendForm";
 import type { Drag } from "./blendPad";
 import { clipChoice } from "./clipChoice";
 import { contactFields } from "./contactFields";
+import { groundSpeedOf, groundSpeedText } from "./groundSpeedTexts";
 import { markerFields } from "./markerFields";
 
 const YES_NO = [
@@ -48,6 +49,7 @@ export function stateForm(
   return html`<h2 .textContent=${name}></h2>
     ${formField(own, { label: "name" })} ${info ? motionFields(app, fields, drag, layer, info) : nothing}
     ${info && info.motion !== null ? html`${flag("loop", info.loop, "loops")} ${speedField(app, fields, info, set)}` : nothing}
+    ${info?.duration && layer.name === "base" ? groundSpeedField(app, fields, info, set) : nothing}
     ${info ? framingField(fields, info, set) : nothing}
     ${composite ? flag("resume", composite.resume, "resumes where it was left") : nothing}
     ${outer ? flag("final", isFinal, `ends ${outer}`) : nothing}
@@ -68,6 +70,26 @@ function speedField(
     label: "speed",
     hint: "1, or a parameter",
     proposals: numbersOf(machine.info.value),
+  });
+}
+
+function groundSpeedField(
+  { contacts }: App,
+  fields: EditingFields,
+  { motion, clips, ground_speed: known }: StateInfo,
+  set: (members: StateFields) => Operation[],
+): TemplateResult {
+  const field = fields.bind("ground speed", groundSpeedText(known), (text) =>
+    set({ ground_speed: groundSpeedOf(text) }),
+  );
+  const drifts = (clips.length ? clips : [motion]).map((clip) =>
+    Math.hypot(...(contacts.of(clip)?.drift ?? [0])),
+  );
+  const found = drifts.filter((speed) => speed > 0).map((speed) => speed.toFixed(2));
+  return formField(field, {
+    label: "ground speed",
+    hint: found.length ? `m/s; found: ${found.join(" … ")}` : "m/s besides the clip's own way",
+    proposals: found.length ? ["found"] : [],
   });
 }
 

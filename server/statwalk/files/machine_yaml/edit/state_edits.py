@@ -69,8 +69,8 @@ class AddState(EditOperation):
 
 @dataclass(frozen=True)
 class SetState(EditOperation):
-    """Changes `motion`, `loop`, `speed`, `framing`, `final`, `resume` or `markers` of a state; None removes
-    one.
+    """Changes `motion`, `loop`, `speed`, `ground_speed`, `framing`, `final`, `resume` or `markers` of a
+    state; None removes one.
     """
 
     state: str
