@@ -7,8 +7,10 @@ from late_kernel import late_kernel
 from numba import types
 from statwalk.maths.compiling import LONG, write
 from statwalk.maths.reference import by_reference
+from statwalk.solve.chains import POLE
 from statwalk.solve.foot_aside import way_out
 from statwalk.solve.foot_height import come_down_gently, floor_of
+from statwalk.solve.foot_knee import write_pole
 from statwalk.solve.foot_lock import step_foot
 from statwalk.solve.foot_path import along_path, choose_landing, stretch_path
 from statwalk.solve.foot_points import ankle_of
@@ -90,3 +92,16 @@ def yaw(feet: Any, legs: Any) -> Any:
 def gently(keep: Any, old: float, rate: float, shown: float, floor: float) -> None:
     """Slows down the foot that `keep` has."""
     come_down_gently(keep, 0, 0, old, rate, shown, floor, 1 / 60)
+
+
+@late_kernel(
+    FEET,
+    types.Array(types.float32, 4, "C", readonly=True),
+    types.Array(types.float32, 2, "C"),
+    write(DOUBLE, 1),
+)
+def bend_knee(feet: Any, legs: Any, inputs: Any, pole: Any) -> None:
+    """Writes the direction in which the knee of foot 0 bends, whose target `inputs` has."""
+    write_pole(by_reference(feet), legs, inputs, 0, 0, 0, 0.0)
+    for axis in range(3):
+        pole[axis] = inputs[POLE + axis, 0]

@@ -94,6 +94,7 @@ def leg_tables(
         for (foot, way, size), sole in zip(of_feet, soles, strict=True)
     ]
     below = joints_below(character, feet, joints.joints)
+    bends = [bend_of(character, foot) for foot in feet]
     return locked(
         FootTables(
             joints=joints.joints,
@@ -103,7 +104,8 @@ def leg_tables(
             hip=joints.places(np.array([foot.hip for foot in feet], np.int64)).astype(np.int32),
             ankle=joints.places(np.array([foot.ankle for foot in feet], np.int64)).astype(np.int32),
             left=left,
-            bend=_rows([bend_of(character, foot) for foot in feet]),
+            bend=_rows(bends),
+            across=_rows([_across(foot, rest, bend) for foot, bend in zip(feet, bends, strict=True)]),
             length=np.array([foot.length(rest) for foot in feet], np.float64) / unit,
             unit=np.array([unit]),
             other=beside(rest, feet),
@@ -148,6 +150,14 @@ def _left(foot: Foot, rest: Floats, ahead: Floats) -> Floats:
     """The horizontal direction to the left of the foot, in the frame of its ankle."""
     x, _, z = ahead
     return _local(rest, foot.ankle, np.array([z, 0.0, -x]))
+
+
+def _across(foot: Foot, rest: Floats, bend: Floats) -> Floats:
+    """The direction at right angles to the bend of a knee on the side of the thigh, in the hip's frame."""
+    hip, knee, _ = foot.leg
+    thigh = _local(rest, hip, rest[knee, :, 3] - rest[hip, :, 3])
+    aside = thigh - float(vector.dot(thigh, bend)) * bend
+    return aside / max(float(vector.length(aside)), 1e-12)
 
 
 def _local(rest: Floats, joint: int, direction: Floats) -> Floats:

@@ -33,6 +33,8 @@ class FootTables(NamedTuple):
     """
     bend: Annotated[NDArray[np.float64], "foot, xyz"]
     """the direction in which the knee bends, in the frame of the hip"""
+    across: Annotated[NDArray[np.float64], "foot, xyz"]
+    """the direction at right angles to `bend` on the side of the thigh, in the frame of the hip"""
     length: Annotated[NDArray[np.float64], "foot"]
     """units from hip to knee to ankle"""
     other: Annotated[NDArray[np.int32], "foot"]

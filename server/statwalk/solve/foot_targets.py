@@ -13,7 +13,8 @@ from statwalk.maths.reference import called
 from statwalk.maths.scalar import sincos
 from statwalk.maths.simd.pose_layout import joint_channel, place_of
 from statwalk.maths.springs import settled
-from statwalk.solve.chains import POLE, ROTATION, TARGET, WEIGHT
+from statwalk.solve.chains import ROTATION, TARGET, WEIGHT
+from statwalk.solve.foot_knee import write_pole
 from statwalk.solve.foot_points import ankle_of, hip_of
 from statwalk.solve.foot_stretch import beyond_softening
 from statwalk.solve.foot_tables import (
@@ -167,11 +168,7 @@ def aim_leg(
     inputs[TARGET, lane] = (x * root[4] - z * root[3]) * f.unit[0]
     inputs[TARGET + 1, lane] = (y - root[1]) * f.unit[0]
     inputs[TARGET + 2, lane] = (z * root[4] + x * root[3]) * f.unit[0]
-    for axis in range(3):
-        bend = 0.0
-        for column in range(3):
-            bend += legs[block, f.hip[foot], 4 * axis + column, lane] * f.bend[foot, column]
-        inputs[POLE + axis, lane] = bend
+    write_pole(f, legs, inputs, block, lane, foot, drop)
     _write_rotation(legs, inputs, block, f.ankle[foot], lane, keep[row, at + TURN])
     inputs[WEIGHT, lane] = weight
 
