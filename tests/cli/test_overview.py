@@ -60,6 +60,13 @@ def test_the_overview_needs_no_compiler_and_no_arrays():
     assert not {"numba", "numpy", "fastapi", "statwalk.stage.stage"} & set(printed.split())
 
 
+@pytest.mark.parametrize("verb", ["serve", "measure"])
+def test_help_compiles_nothing(verb, tmp_path):
+    ended = run(COMMAND, verb, "--help", STATWALK_CACHE=str(tmp_path))
+    assert "Examples:" in ended.stdout
+    assert (ended.stderr, list(tmp_path.iterdir())) == ("", [])
+
+
 def test_without_numba_a_verb_ends_with_a_sentence():
     for verb in ("serve", "play", "verify"):
         ended = run(MISSING + COMMAND, verb)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 import sys
 from importlib import import_module
 from importlib.metadata import version as installed_version
@@ -84,7 +85,9 @@ def main() -> None:
     """Runs the verb of the command line; an error that a user's input causes prints one line, status 2."""
     verb = sys.argv[1] if sys.argv[1:2] and sys.argv[1] in VERBS else None
     try:
-        if verb and verb not in WITHOUT_KERNELS:
+        if "--help" in sys.argv:
+            os.environ["STATWALK_COMPILED"] = "0"
+        elif verb and verb not in WITHOUT_KERNELS:
             prepare() if verb == "serve" else prepare_once()
         command(verb)()
     except (StatwalkError, OSError) as error:
