@@ -85,12 +85,14 @@ function groundSpeedField(
   const drifts = (clips.length ? clips : [motion]).map((clip) =>
     Math.hypot(...(contacts.of(clip)?.drift ?? [0])),
   );
-  const found = drifts.filter((speed) => speed > 0).map((speed) => speed.toFixed(2));
-  return formField(field, {
+  const speeds = drifts.filter((speed) => speed > 0).map((speed) => speed.toFixed(2));
+  const found = speeds.length ? `found: ${speeds.join(" … ")} m/s` : "";
+  return html`${formField(field, {
     label: "ground speed",
-    hint: found.length ? `m/s; found: ${found.join(" … ")}` : "m/s besides the clip's own way",
-    proposals: found.length ? ["found"] : [],
-  });
+    hint: found || "m/s besides the clip's own way",
+    proposals: found ? ["found"] : [],
+  })}
+  ${known === "found" ? html`<p class="hint" .textContent=${found}></p>` : nothing}`;
 }
 
 function framingField(
