@@ -14,7 +14,8 @@ from statwalk.services.library.load import load_role
 from statwalk.stage.stage import Stage
 from treads import tread_clip, trodden
 
-CHARACTER = trodden(tread_clip("walk", 1.0), tread_clip("run", 2.0), tread_clip("stand", 0.0, lift=0.0))
+WALK = tread_clip("walk", 1.0)
+CHARACTER = trodden(WALK, tread_clip("run", 2.0), tread_clip("stand", 0.0, lift=0.0))
 
 
 def role_of(fields, more="", character=CHARACTER):
@@ -55,6 +56,17 @@ def test_each_clip_of_a_blend_has_its_own(pace, speed):
     motion = "motion: {over: pace, clips: {walk: 1, run: 2}}, ground_speed: found"
     more = f"parameters: {{pace: {{default: {pace}, min: 1, max: 2}}}}\n"
     assert way_of(motion, more) == pytest.approx((0, speed), abs=0.03)
+
+
+def test_a_clip_of_one_pose_in_a_blend_goes_nowhere():
+    pose = replace(tread_clip("pose", 1.0), duration=0.0, channels=())
+    motion = "motion: {over: pace, clips: {pose: 1, walk: 2}}, ground_speed: 1.5"
+    role = role_of(motion, "parameters: {pace: {default: 1, min: 1, max: 2}}\n", trodden(pose, WALK))
+    stage = Stage(seed=1)
+    actor = stage.add(role)
+    stage.step(60)
+    assert np.isfinite(actor.world).all()
+    assert actor.root.position[2] == 0
 
 
 def test_the_foot_that_treads_stands_in_the_world():

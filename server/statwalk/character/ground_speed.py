@@ -15,18 +15,19 @@ STANDS = 0.0, 0.0
 def ground_speeds(
     character: Character, definition: MachineDefinition, state: StateDefinition
 ) -> dict[str, tuple[float, float]]:
-    """Returns x, z (m/s) for each clip of a state; none if the state has no ground speed.
+    """Returns x, z (m/s) for each clip of a state that lasts; none if the state has no ground speed.
 
     :raises MachineError: when the state has no clip that lasts, or the ground runs under none of its clips.
     """
     if state.ground_speed is None:
         return {}
-    if not any(character.clips[clip].duration > 0 for clip in state.clips):
+    clips = [clip for clip in state.clips if character.clips[clip].duration > 0]
+    if not clips:
         raise definition.refuse("ground_speed: the motion needs a clip that lasts", state.line)
     if state.ground_speed != "found":
-        return dict.fromkeys(state.clips, state.ground_speed)
+        return dict.fromkeys(clips, state.ground_speed)
     contacts = contacts_of(character, feet_in(character, definition))
-    drifts = {clip: contacts[clip].drift for clip in state.clips}
+    drifts = {clip: contacts[clip].drift for clip in clips}
     if not any(map(any, drifts.values())):
         raise definition.refuse(
             f"ground_speed: the ground runs under no foot of {', '.join(drifts)}; write metres a second, "
