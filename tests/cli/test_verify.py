@@ -60,3 +60,14 @@ def test_a_root_that_is_no_joint_is_named_with_its_line(tmp_path):
     done = run(tmp_path)
     assert done.returncode == 2
     assert "machine.yaml, line 7: root: the character has no joint 'Rot'; did you mean Root?" in done.stderr
+
+
+def test_what_the_character_does_not_have_makes_status_2(tmp_path):
+    """The table has no error, and yet the machine could not be played."""
+    text = (MACHINES / "faq-walker" / "machine.yaml").read_text()
+    (tmp_path / "machine.yaml").write_text(text + 'expressions: ["Tail.rotate_z = 10"]\n')
+    (tmp_path / "walker.glb").write_bytes((MACHINES / "faq-walker" / "walker.glb").read_bytes())
+    done = run(tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert f"line {len(text.splitlines()) + 1}" in done.stderr
+    assert "Tail" in done.stderr

@@ -71,6 +71,12 @@ def test_a_negative_number_of_frames_says_what_counts_are() -> None:
         read_bvh(text.encode(), "negative")
 
 
+def test_no_frames_are_a_pose_at_rest_whatever_blank_lines_follow() -> None:
+    head, _ = captures.walk().split("Frames: 31")
+    capture = read_bvh(f"{head}Frames: 0\nFrame Time: 0.1\n\n\n".encode(), "still")
+    assert all(clip.duration == 0 for clip in capture.clips.values())
+
+
 def test_joints_are_in_file_order_and_end_sites_are_joints(tmp_path: Path) -> None:
     (tmp_path / "walk.bvh").write_text(captures.walk())
     walk = statwalk.load(tmp_path / "walk.bvh")
@@ -98,6 +104,11 @@ def test_the_model_of_a_capture_opens_again_as_gltf(tmp_path: Path) -> None:
     )
 
 
+TRACKS = captures.trc(["Hips", "LKNE", "LANK", "RHip"], np.random.default_rng(1).random((3, 4, 3)))
+CUT = "\t" + TRACKS.split("\n")[6].rpartition("\t")[2]
+"""the last number of the second row"""
+
+
 @pytest.mark.parametrize(
     ("change", "said"),
     [
@@ -106,12 +117,10 @@ def test_the_model_of_a_capture_opens_again_as_gltf(tmp_path: Path) -> None:
         (("\n1\t", "\n1\t7\t"), "line 6: a row has"),
         (("\n2\t0.033333\t", "\n2\t0.033333\tx"), "line 7: 'x"),
         (("RHip", "LHip2\tRHip"), "line 4"),
+        ((CUT, ""), "line 7: marker 4 has some of its three numbers"),
         (("Hips", "nobody"), "a body needs a pelvis"),
     ],
 )
 def test_broken_marker_files_are_refused_with_the_line(change: tuple[str, str], said: str) -> None:
-    names = ["Hips", "LKNE", "LANK", "RHip"]
-    text = captures.trc(names, np.random.default_rng(1).random((3, 4, 3)))
-    names_only = text.replace(*change, 1)
     with pytest.raises(ContentError, match=said):
-        read_trc(names_only.encode(), "broken")
+        read_trc(TRACKS.replace(*change, 1).encode(), "broken")

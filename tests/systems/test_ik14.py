@@ -184,6 +184,7 @@ def test_joints_that_a_chain_passes_over_stay():
         ({"sensitivity": {"Right.hand": "low"}}, ContentError, "Right.hand is 'low'"),
         ({"anchor": 5}, ContentError, "anchor: the name of a joint is needed, not 5"),
         ({"limits": None}, ContentError, "limits: {joint: limit} is needed, not NoneType"),
+        ({"limits": {"Right.hand": 3}}, ContentError, "limits.Right.hand: a JointLimit is needed, not 3"),
     ],
 )
 def test_a_wrong_chain_is_refused_by_name(changed, error, says):

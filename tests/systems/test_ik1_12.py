@@ -232,6 +232,7 @@ def test_wrong_expressions_are_errors(lines, what):
             {"bones": ["upper"]},
             "bones: .*direction}}, the bones of a skeleton table or a character are needed, not list",
         ),
+        ({"bones": {}}, "bones: there are no bones"),
         ({"bones": {"a": [5]}}, r"bones.a: a bone has parent, length, direction, not \[5\]"),
         ({"bones": {"a": {"long": 5}}}, "bones.a: a bone has parent, length, direction, not {'long': 5}"),
         ({"bones": {"a": {"length": "5 m"}}}, "bones.a.length: a number is needed, not '5 m'"),

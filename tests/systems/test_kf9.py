@@ -268,6 +268,20 @@ def test_an_impossible_squash_is_refused(joint, stretch, words):
         squash(clip_of(), joint, stretch)
 
 
+@pytest.mark.parametrize(
+    "changed",
+    [
+        lambda joint: exaggerate(MOVE, 1.3, [joint]),
+        lambda joint: anticipate(MOVE, 0.3, 0.2, [joint]),
+        lambda joint: squash(MOVE, joint, {0: 1}),
+    ],
+)
+@pytest.mark.parametrize("joint", ["hips", 2, -1, 0.5])
+def test_what_is_no_row_of_a_joint_is_refused(changed, joint):
+    with pytest.raises(ContentError, match=r"has 2 joints, from 0; none is .*skeleton\.index"):
+        changed(joint)
+
+
 @pytest.mark.parametrize("rate", [0, -1, np.nan])
 def test_a_rate_of_frames_is_above_0(rate):
     with pytest.raises(ContentError, match="frames a second"):

@@ -51,6 +51,8 @@ def bone_set_of(source: Source) -> BoneSet:
 
 
 def _own_bones(rows: Mapping[str, Row]) -> BoneSet:
+    if not rows:
+        raise ContentError("there are no bones", place="bones")
     places = [f"bones.{name}" for name in rows]
     for place, row in zip(places, rows.values(), strict=True):
         _check_row(place, row)

@@ -77,6 +77,9 @@ class SolverOptions:
             raise ContentError(f"the name of a joint is needed, not {self.anchor!r:.40}", place="anchor")
         _mapping("sensitivity", self.sensitivity, "{joint: 0…1}")
         _mapping("limits", self.limits, "{joint: limit}")
+        for name, limit in self.limits.items():
+            if not isinstance(limit, JointLimit):
+                raise ContentError(f"a JointLimit is needed, not {limit!r:.40}", place=f"limits.{name}")
         if not np.linalg.norm(_numbers("forward", self.forward, 3)) > 0:
             raise ContentError("a direction needs a length above 0", place="forward")
 

@@ -84,8 +84,8 @@ def _rows(body: str, first_line: int, frames: int, channels: int) -> Floats:
             f"Frames: says {frames}, but {len(filled)} rows follow",
             place=f"line {first_line + len(words) - 1}",
         )
-    if not channels:
-        return np.zeros((0, 0))
+    if not channels or not frames:
+        return np.zeros((0, channels))
     return _numbers(body, first_line, frames * channels).reshape(frames, channels)
 
 

@@ -127,7 +127,14 @@ def _places(line: str, number: int, markers: int) -> Floats:
         raise TextError(
             f"{shown.strip()[:40]!r} is no number within {LARGEST_NUMBER:g}", place=f"line {number}"
         )
-    return values.reshape(markers, 3)
+    places = values.reshape(markers, 3)
+    missing = np.isnan(places)
+    if (cut := missing.any(1) & ~missing.all(1)).any():
+        raise TextError(
+            f"marker {cut.argmax() + 1} has some of its three numbers; a marker that is not seen has none",
+            place=f"line {number}",
+        )
+    return places
 
 
 def _number(word: str) -> float:

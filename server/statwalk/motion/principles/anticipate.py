@@ -13,6 +13,7 @@ from statwalk.maths.arrays import Floats
 from statwalk.maths.easing import smoothstep
 from statwalk.motion.clip import Clip
 from statwalk.motion.keys.channel import Channel
+from statwalk.motion.principles.chosen_joints import check_joints
 from statwalk.motion.principles.resample import PER_SECOND, grid, line, values_of
 
 MOST_AMOUNT, MOST_SECONDS = 2.0, 10.0
@@ -25,8 +26,10 @@ def anticipate(clip: Clip, amount: float, seconds: float, joints: Collection[int
     Both ways start and end at rest (smoothstep). Scales, weights and held keys only wait. `joints`: rows of
     the joints that take part; None: all. The clip no longer repeats.
 
-    :raises ContentError: when `amount` is not 0 to 2, or `seconds` not above 0 and up to 10.
+    :raises ContentError: when `amount` is not 0 to 2, `seconds` not above 0 and up to 10, or there is no such
+        joint.
     """
+    check_joints(clip, joints or ())
     if not (0 <= amount <= MOST_AMOUNT and 0 < seconds <= MOST_SECONDS):
         raise ContentError(
             f"an anticipation should have an amount of 0 to {MOST_AMOUNT:g} and up to {MOST_SECONDS:g} "

@@ -12,6 +12,7 @@ from statwalk.maths import quat
 from statwalk.maths.arrays import Floats
 from statwalk.motion.clip import Clip
 from statwalk.motion.keys.channel import Channel
+from statwalk.motion.principles.chosen_joints import check_joints
 from statwalk.motion.principles.resample import PER_SECOND, grid, line, values_of
 
 MOST = 10.0
@@ -24,8 +25,9 @@ def exaggerate(clip: Clip, factor: float, joints: Collection[int] | None = None)
     Rotations q become m · exp(factor · log(m⁻¹ q)). `joints`: rows of the joints that change; None: all.
     Held keys stay held; other curves become keys close together (60 a second).
 
-    :raises ContentError: when `factor` is not 0 to 10.
+    :raises ContentError: when `factor` is not 0 to 10, or there is no such joint.
     """
+    check_joints(clip, joints or ())
     if not 0 <= factor <= MOST:
         raise ContentError(f"an exaggeration should be 0 to {MOST:g}, it is {factor:g}")
     if clip.duration <= 0:

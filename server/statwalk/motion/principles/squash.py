@@ -12,6 +12,7 @@ from statwalk.errors import ContentError
 from statwalk.maths.arrays import Floats
 from statwalk.motion.clip import Clip
 from statwalk.motion.keys.channel import Channel
+from statwalk.motion.principles.chosen_joints import check_joints
 
 AXES = ("x", "y", "z")
 _LONGEST_STEP = 0.05
@@ -48,8 +49,7 @@ def squash(clip: Clip, joint: int, stretch: Mapping[float, float], axis: str = "
 def _check(clip: Clip, joint: int, stretch: Mapping[float, float], axis: str) -> None:
     if axis not in AXES:
         raise ContentError(f"an axis is x, y or z, not {axis!r}")
-    if not 0 <= joint < len(clip.rest.scale):
-        raise ContentError(f"the clip {clip.name} has {len(clip.rest.scale)} joints, from 0; none is {joint}")
+    check_joints(clip, [joint])
     if (
         not stretch
         or not all(0 <= time < np.inf for time in stretch)
