@@ -29,8 +29,8 @@ table: |
     return Role.build("tread", character, read_machine(text, "tread"))
 
 
-def way_of(fields, more="", seconds=3):
-    """Where an actor (x, z) is after some seconds."""
+def velocity_of(fields, more="", seconds=3):
+    """The mean velocity of an actor, x and z (m/s)."""
     stage = Stage(seed=1)
     actor = stage.add(role_of(fields, more))
     stage.step(60 * seconds)
@@ -48,14 +48,14 @@ def way_of(fields, more="", seconds=3):
     ],
 )
 def test_the_actor_moves_as_fast_as_the_ground_runs(fields, velocity):
-    assert way_of(fields) == pytest.approx(velocity, abs=0.02)
+    assert velocity_of(fields) == pytest.approx(velocity, abs=0.02)
 
 
 @pytest.mark.parametrize(("pace", "speed"), [(1, 1), (1.5, 1.5), (2, 2)])
 def test_each_clip_of_a_blend_has_its_own(pace, speed):
     motion = "motion: {over: pace, clips: {walk: 1, run: 2}}, ground_speed: found"
     more = f"parameters: {{pace: {{default: {pace}, min: 1, max: 2}}}}\n"
-    assert way_of(motion, more) == pytest.approx((0, speed), abs=0.03)
+    assert velocity_of(motion, more) == pytest.approx((0, speed), abs=0.03)
 
 
 def test_a_clip_of_one_pose_in_a_blend_goes_nowhere():

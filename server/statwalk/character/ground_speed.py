@@ -9,12 +9,14 @@ from statwalk.character.foot_contacts import contacts_of
 from statwalk.character.role_feet import feet_in
 from statwalk.machine.definition.machine_definition import MachineDefinition, StateDefinition
 
-STANDS = 0.0, 0.0
+GroundSpeed = tuple[float, float]
+"""x, z (m/s) in the frame of the actor"""
+STANDS: GroundSpeed = (0.0, 0.0)
 
 
 def ground_speeds(
     character: Character, definition: MachineDefinition, state: StateDefinition
-) -> dict[str, tuple[float, float]]:
+) -> dict[str, GroundSpeed]:
     """Returns x, z (m/s) for each clip of a state that lasts; none if the state has no ground speed.
 
     :raises MachineError: when the state has no clip that lasts, or the ground runs under none of its clips.

@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from statwalk.character.character import Character
-from statwalk.character.ground_speed import STANDS, ground_speeds
+from statwalk.character.ground_speed import STANDS, GroundSpeed, ground_speeds
 from statwalk.errors import ContentError, MachineError, UnknownNameError
 from statwalk.machine.compile.compile_machine import Machine
 from statwalk.machine.compile.compile_states import MotionFacts, marks_of
@@ -88,7 +88,6 @@ def clip_facts(clip: Clip) -> MotionFacts:
     return MotionFacts(clip.duration, clip.loop, clip.markers)
 
 
-GroundSpeed = tuple[float, float]
 MotionKey = tuple[object, ...]
 """what the tables of a motion depend on"""
 

@@ -86,7 +86,7 @@ def main() -> None:
     verb = sys.argv[1] if sys.argv[1:2] and sys.argv[1] in VERBS else None
     try:
         if "--help" in sys.argv:
-            os.environ["STATWALK_COMPILED"] = "0"
+            os.environ["STATWALK_COMPILED"] = "0"  # the import of a verb would compile what help never runs
         elif verb and verb not in WITHOUT_KERNELS:
             prepare() if verb == "serve" else prepare_once()
         command(verb)()

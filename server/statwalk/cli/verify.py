@@ -59,7 +59,7 @@ def _findings_of(folder: Path) -> list[Finding]:
         whole = with_clips(character, file.definition.clips, file.definition.refuse)
         found = find(file.definition, facts_of(whole))
         if not any(finding.severity == "error" for finding in found):
-            raise  # not the table is wrong, but what a part of the file asks of the character
+            raise  # the table is right; another part of the file names what the character does not have
         return found
     return list(verified(role))
 
