@@ -1,5 +1,8 @@
 """R-01, R-02, R-13 and R-14 under load: many viewers at 60 Hz beside stalled ones, one that is stopped and
 woken, and one that floods; at the end SIGTERM with all of them.
+
+A flood keeps a processor busy whomever it is for, so it is for another server first: what a flood of the
+viewers' own server adds to that is the server's part.
 """
 
 from __future__ import annotations
@@ -30,6 +33,7 @@ SETTLE_SECONDS = 2.0
 MORE_MILLISECONDS, LONGEST_MILLISECONDS = 3.0, 100.0
 CUT_SECONDS = (4.0, 6.0)
 STALE_FRAMES = 3
+FLOOD, FLOOD_ELSEWHERE = "a flood from one client", "the same flood of another server"
 COUNT_SECONDS = 60.0
 END_SECONDS = 5.0
 UPLOAD = (
@@ -49,10 +53,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 class Run(NamedTuple):
-    """A server with its viewers."""
+    """A server with its viewers, and the address of one without."""
 
     process: subprocess.Popen[str]
     address: str
+    elsewhere: str
     loads: list[LoadProcess]
     sleeper: LoadProcess
     rest: httpx.Client
@@ -130,13 +135,13 @@ def stopped(run: Run) -> Phase:
     return phase
 
 
-def flood(run: Run) -> Phase:
-    """Floods the stage of the viewers, and says how that was answered."""
+def flood(run: Run, name: str, address: str) -> Phase:
+    """Floods the main stage of a server, and says how that was answered."""
     found: dict[str, int] = {}
     phase = measured(
         run,
-        "a flood from one client",
-        lambda: found.update(flooded(run.address, MAIN, run.options.flood, run.options.seconds)),
+        name,
+        lambda: found.update(flooded(address, MAIN, run.options.flood, run.options.seconds)),
     )
     print(f"    {found}")
     return phase
@@ -156,20 +161,27 @@ def phases(run: Run) -> list[Phase]:
         lambda: measured(run, "20 stalled", among_stalled(run, 20)),
         lambda: measured(run, "1 that acknowledges unread", among_stalled(run, 1, lies=True)),
         lambda: stopped(run),
-        lambda: flood(run),
+        lambda: flood(run, FLOOD_ELSEWHERE, run.elsewhere),
+        lambda: flood(run, FLOOD, run.address),
     ):
         done += [disturbed(), quiet(run)]
     return done
 
 
 def judge_frames(run: Run, done: list[Phase]) -> None:
-    """Compares each phase with the undisturbed ones before and after it."""
+    """Compares each phase with the undisturbed ones before and after it; a flood may add what it adds
+    elsewhere.
+    """
+    more: dict[str, float] = {}
     for before, phase, after in zip(done[::2], done[1::2], done[2::2], strict=False):
-        more = phase.figures.p99 - (before.figures.p99 + after.figures.p99) / 2
+        name, quiet_p99 = phase.name, (before.figures.p99 + after.figures.p99) / 2
+        more[name] = phase.figures.p99 - quiet_p99
         longest = max(before.figures.longest, after.figures.longest)
-        print(f"{phase.name:32}p99 {more:+.1f} ms beside the two around it, max {longest:.1f} ms in these")
-        if more > MORE_MILLISECONDS or phase.figures.longest > LONGEST_MILLISECONDS:
-            run.faults.append(f"{phase.name}: frames came late")
+        print(f"{name:32}p99 {more[name]:+.1f} ms beside the two around it, max {longest:.1f} ms in these")
+        allowed = MORE_MILLISECONDS + (max(0.0, more[FLOOD_ELSEWHERE]) if name == FLOOD else 0.0)
+        is_late = more[name] > allowed or phase.figures.longest > LONGEST_MILLISECONDS
+        if is_late and name != FLOOD_ELSEWHERE:
+            run.faults.append(f"{name}: frames came late")
     for phase in done:
         if goes_back(phase.seen) or any(one.code for one in phase.seen):
             run.faults.append(f"{phase.name}: a frame went back, or a viewer was cut")
@@ -225,6 +237,7 @@ def main(options: argparse.Namespace) -> bool:
     with tempfile.TemporaryDirectory() as folder, ExitStack() as opened:
         log = Path(folder) / "log"
         process, address = opened.enter_context(served("--log", "json", "--data", folder, log=log))
+        _, elsewhere = opened.enter_context(served())
         rest = opened.enter_context(httpx.Client(base_url=f"http://{address}", timeout=30))
         for _ in range(options.actors - 1):
             rest.post(f"{MAIN}/actors", json={"machine": "faq-walker"}).raise_for_status()
@@ -232,7 +245,7 @@ def main(options: argparse.Namespace) -> bool:
             opened.enter_context(viewers_in_a_process(address, MAIN, each)) for _ in range(options.processes)
         ]
         sleeper = opened.enter_context(viewers_in_a_process(address, MAIN, 1))
-        run = Run(process, address, loads, sleeper, rest, options, [])
+        run = Run(process, address, elsewhere, loads, sleeper, rest, options, [])
         before = run.viewers()
         with driving(address, MAIN, 0.05) as statuses:
             done = phases(run)

@@ -75,6 +75,7 @@ REACHED_BY = {
     "MOST_CONNECTIONS": f"{HERE}::test_one_connection_more_is_told_that_the_server_is_busy",
     "header_seconds": "web/test_client_protocol.py::test_half_a_header_is_a_408",
     "body_rate": "web/test_client_protocol.py::test_a_body_that_does_not_come_leaves_its_place",
+    "MOST_UNREAD": "web/socket/test_protocol.py::test_reading_stops_when_several_messages_wait",
     "SOCKET_BYTES": "web/test_client_protocol.py::test_a_socket_is_read_in_small_parts",
     "ARRIVAL_SECONDS": f"{HERE}::test_an_upload_that_takes_too_long_is_refused",
     "UNREAD_SECONDS": f"{HERE}::test_a_client_that_does_not_read_its_answer_is_cut",

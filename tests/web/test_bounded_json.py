@@ -25,6 +25,12 @@ def test_the_deepest_that_is_allowed_is_read() -> None:
     assert parse("[" * DEEPEST + "]" * DEEPEST)
 
 
+@pytest.mark.parametrize("body", ["\ufeff{}", "\ufeff{}".encode()])
+def test_a_byte_order_mark_is_refused_by_its_name(body: str | bytes) -> None:
+    with pytest.raises(Problem, match="byte order mark"):
+        parse(body)
+
+
 def test_brackets_in_strings_do_not_nest() -> None:
     assert parse(json.dumps({"text": '[{"\\' * 200})) == {"text": '[{"\\' * 200}
 

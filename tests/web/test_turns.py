@@ -1,5 +1,5 @@
-"""The requests of one address begin one after another; a long request delays them only for a moment, and the
-requests of another address not at all.
+"""The requests of one address begin one after another, with time for others in between; a long request delays
+them only for a moment, and the requests of another address not at all.
 """
 
 import asyncio
@@ -73,6 +73,27 @@ async def test_the_next_request_begins_when_the_one_before_has_its_answer() -> N
     async with begun(("a", FIRST), ("b", FIRST), ("c", FIRST)) as requests:
         assert requests.names == ["a"]
         await requests.end("a")
+        await requests.until("a", "b")
+
+
+async def test_between_two_requests_others_have_as_much_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    loop, passed = asyncio.get_running_loop(), 0.0
+    time = loop.time
+    monkeypatch.setattr(loop, "time", lambda: time() + passed)
+    async with begun(("a", FIRST), ("b", FIRST)) as requests:
+        passed = 100.0
+        await requests.end("a")
+        passed = 190.0
+        await _settle()
+        assert requests.names == ["a"]
+        passed = 201.0
+        await requests.until("a", "b")
+
+
+async def test_a_request_begins_at_once_when_nobody_waited_for_the_one_before() -> None:
+    async with begun(("a", FIRST)) as requests:
+        await requests.end("a")
+        requests.begin("b", FIRST)
         await _settle()
         assert requests.names == ["a", "b"]
 

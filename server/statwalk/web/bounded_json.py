@@ -36,6 +36,7 @@ LARGE_BYTES = 16 << 10
 """longer texts are parsed in another thread; shorter ones take at most 4 ms, and most less than a
 thread costs
 """
+BYTE_ORDER_MARK = "\ufeff"
 STRING = re.compile(r'"(?:[^"\\]++|\\.)*+"?', re.DOTALL)
 """possessive, with an optional closing quote: the matcher never backtracks, even in an unclosed string"""
 BRACKET = re.compile(r"[\[\]{}]")
@@ -64,6 +65,8 @@ def _check_size(text: str, most_values: int) -> None:
     :raises Problem: 400, when the JSON has more than `most_values` values, or is nested deeper than
         `DEEPEST`.
     """
+    if len(text) <= min(DEEPEST, most_values):
+        return  # each value, and each level, takes a character
     marks, depth = STRING.sub("", text), 0
     if 1 + marks.count(",") + marks.count("[") + marks.count("{") > most_values:
         _refuse(f"more than {most_values:,} values")
@@ -114,22 +117,24 @@ def members(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return values
 
 
+DECODER = json.JSONDecoder(
+    parse_int=_integer, parse_float=finite, parse_constant=_no_constant, object_pairs_hook=members
+)
+
+
 def parse(data: bytes | str, most_values: int = MOST_VALUES) -> Any:
     """Parses JSON of at most `most_values` values, nested values included.
 
     :raises Problem: 400, when the JSON is refused.
     """
     text = _read_text(data)
+    if text.startswith(BYTE_ORDER_MARK):
+        _refuse("it begins with a byte order mark; leave that out")
     _check_size(text, most_values)
     try:
-        value = json.loads(
-            text,
-            parse_int=_integer,
-            parse_float=finite,
-            parse_constant=_no_constant,
-            object_pairs_hook=members,
-        )
-        json.dumps(value, ensure_ascii=False).encode("utf-8")
+        value = DECODER.decode(text)
+        if r"\u" in text:  # UTF-8 itself has no surrogates
+            json.dumps(value, ensure_ascii=False).encode("utf-8")
     except json.JSONDecodeError as error:
         _refuse(f"{error.msg} at line {error.lineno}, column {error.colno}")
     except UnicodeEncodeError:

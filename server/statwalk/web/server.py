@@ -31,7 +31,7 @@ except ImportError:  # Windows has no such limits
 OTHER_FILES = 256
 SEND_BUFFER_BYTES = 128 << 10  # a viewer that was stalled first gets this much of old frames at most
 DEAD_PEER_MILLISECONDS = 10_000
-PING_SECONDS, PONG_SECONDS = 1.0, 4.5
+PING_SECONDS, PONG_SECONDS = 1.0, 4.0
 """how often a viewer is asked whether it reads, and how long it may take to answer"""
 MOST_CONNECTIONS = 2_000
 """connections, and requests that run, at once"""

@@ -1,7 +1,8 @@
 """Lets the requests of one client begin one after another.
 
 Requests that begin at once keep the event loop for as long as they take together, and meanwhile nobody gets a
-frame.
+frame. A client that always has a request waiting would keep it busy all the same: between two requests others
+have as much time as the last one took.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
-TURN_SECONDS = 0.005
+TURN_SECONDS = 0.01
 """after which the next request begins though the one before has no answer yet"""
 
 
@@ -22,23 +23,23 @@ class Turns:
 
     @asynccontextmanager
     async def of(self, client: str) -> AsyncIterator[None]:
-        """Waits for the turn of a request, which lasts until the block ends, but at most `TURN_SECONDS`; no
-        request without a client waits.
+        """Waits for the turn of a request, which lasts twice as long as the block, but at most
+        `TURN_SECONDS`; no request without a client waits.
         """
         if not client:
             yield
             return
+        loop = asyncio.get_running_loop()
         before, over = self._newest.get(client), asyncio.Event()
         self._newest[client] = over
+        began = loop.time()
         try:
             if before is not None:
                 await before.wait()
-            timer = asyncio.get_running_loop().call_later(TURN_SECONDS, over.set)
-            try:
-                yield
-            finally:
-                timer.cancel()
+                began = loop.time()
+            loop.call_later(TURN_SECONDS, over.set)
+            yield
         finally:
-            over.set()
             if self._newest.get(client) is over:
                 del self._newest[client]
+            loop.call_later(loop.time() - began, over.set)

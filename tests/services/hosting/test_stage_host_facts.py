@@ -22,9 +22,9 @@ def kept(tmp_path: Path) -> Iterator[tuple[StageHost, CommandedDisk]]:
         yield held.open(StageSetup(clock="manual", actors=(AddActor("elbow"),))), disk
 
 
-async def texts(host: StageHost, outbox: Outbox) -> list[bytes]:
-    """What the viewer gets after the next look of the ticker."""
-    host.advance_to(0.0)
+async def texts(host: StageHost, outbox: Outbox, now: float = 0.0) -> list[bytes]:
+    """What the viewer gets after the next look of the ticker, at `now`."""
+    host.advance_to(now)
     await asyncio.sleep(0)
     return outbox.take_texts()
 
@@ -45,6 +45,27 @@ async def test_frames_do_not_wait_for_the_disk_and_verdicts_do(kept: tuple[Stage
     disk.store.flush()
     assert [pickle.loads(text).event for text in await texts(host, outbox)] == ["BEND"]
     host.leave(outbox)
+
+
+@pytest.mark.anyio
+@pytest.mark.parametrize(("speed", "soon"), [(1.0, True), (0.25, False)])
+async def test_verdicts_go_with_the_next_frame_if_that_is_due_soon(
+    tmp_path: Path, speed: float, soon: bool
+) -> None:
+    with kept_on_disk(tmp_path) as (held, disk):
+        host, outbox = held.open(StageSetup(clock="real", actors=(AddActor("elbow"),))), Outbox("pose")
+        host.join(outbox)
+        host.advance_to(0.0)
+        host.handle(ask.SetSpeed(speed))
+        host.handle(BEND)
+        tick = 1 / 60 / speed
+        assert await texts(host, outbox, 1.01 * tick) != []  # who watches, and the status
+        disk.store.flush()
+        alone = await texts(host, outbox, 1.02 * tick)
+        with_a_frame = await texts(host, outbox, 2.01 * tick)
+        assert [pickle.loads(text).event for text in (with_a_frame if soon else alone)] == ["BEND"]
+        assert not (alone if soon else with_a_frame)
+        host.leave(outbox)
 
 
 @pytest.mark.anyio

@@ -1,5 +1,6 @@
 """A viewer that reads no more is let go, and does not hold up the server's end."""
 
+import asyncio
 import logging
 import socket
 import threading
@@ -130,6 +131,94 @@ def test_a_refusal_is_no_error_in_the_log(address: str, caplog: pytest.LogCaptur
             connect(f"ws://{address}/api/stages/nowhere/stream", open_timeout=PATIENCE)
     log.removeHandler(caplog.handler)
     assert caplog.messages == []
+
+
+class SendsTogether:
+    """Sends two texts and a binary message in one, and a text when its peer has gone; keeps what it wrote."""
+
+    def __init__(self) -> None:
+        self.writes, self.refused = list[bytes](), threading.Event()
+
+    async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
+        if scope["type"] == "lifespan":
+            await Flood()(scope, receive, send)
+            return
+        await send({"type": "websocket.accept"})
+        transport = send.__self__.transport
+        write = transport.write
+        transport.write = lambda data: write(self.writes.append(bytes(data)) or data)
+        await send({"type": "websocket.send", "texts": [b"first", b"second"], "bytes": b"frame"})
+        while (await receive())["type"] != "websocket.disconnect":
+            pass
+        try:
+            await send({"type": "websocket.send", "texts": [b"late"]})
+        except OSError:
+            self.refused.set()
+
+
+def test_texts_and_a_frame_go_out_in_one_write() -> None:
+    app = SendsTogether()
+    with serving(app) as address:
+        with connect(f"ws://{address}/", compression=None, open_timeout=PATIENCE) as viewer:
+            got = [viewer.recv(timeout=PATIENCE) for _ in range(3)]
+        assert got == ["first", "second", b"frame"]
+        assert [b"first" in data and data.endswith(b"frame") for data in app.writes[:1]] == [True]
+        assert app.refused.wait(PATIENCE)
+
+
+class Unread:
+    """Lets messages wait: notes whether the server reads on beside one, beside many, and beside none, and how
+    often others got their turn while it took them.
+    """
+
+    def __init__(self) -> None:
+        self.reads_on, self.noted = list[bool](), threading.Semaphore(0)
+        self.turns, self.turns_of_others = list[None](), 0
+
+    async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
+        if scope["type"] == "lifespan":
+            await Flood()(scope, receive, send)
+            return
+        await receive()  # the upgrade
+        await send({"type": "websocket.accept"})
+        viewer = send.__self__
+        for waiting in (1, protocol.MOST_UNREAD):
+            while viewer.queue.qsize() < waiting:  # noqa: ASYNC110 - uvicorn has no event for it
+                await asyncio.sleep(0.001)
+            self.note(viewer)
+        while not viewer.queue.empty():
+            asyncio.get_running_loop().call_soon(self.turns.append, None)
+            await receive()
+        self.turns_of_others = len(self.turns)
+        self.note(viewer)
+
+    def note(self, viewer: Any) -> None:
+        self.reads_on.append(viewer.transport.is_reading())
+        self.noted.release()
+
+
+@pytest.fixture(scope="module")
+def unread() -> Unread:
+    app = Unread()
+    with (
+        serving(app) as address,
+        connect(f"ws://{address}/", compression=None, open_timeout=PATIENCE) as viewer,
+    ):
+        viewer.send("one")
+        assert app.noted.acquire(timeout=PATIENCE)
+        for _ in range(protocol.MOST_UNREAD - 1):
+            viewer.send("more")
+        assert app.noted.acquire(timeout=PATIENCE)
+        assert app.noted.acquire(timeout=PATIENCE)
+    return app
+
+
+def test_reading_stops_when_several_messages_wait(unread: Unread) -> None:
+    assert unread.reads_on == [True, False, True]
+
+
+def test_others_have_their_turn_between_messages_that_came_together(unread: Unread) -> None:
+    assert unread.turns_of_others == protocol.MOST_UNREAD - 1
 
 
 def send_after_the_end(client: socket.socket) -> bytes:

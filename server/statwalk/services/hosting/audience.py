@@ -43,9 +43,14 @@ class Audience:
         return Present(tuple(self._present.copy().values()))
 
     @property
+    def count(self) -> int:
+        """The number of viewers."""
+        return len(self._present)
+
+    @property
     def is_full(self) -> bool:
         """Whether the stage has as many viewers as it may have."""
-        return len(self._present) >= self._most
+        return self.count >= self._most
 
     def doer(self, viewer: int, grant: Grant) -> Doer:
         """Returns who sends a request: the `viewer` that it names, if that has the same grant, else the

@@ -28,6 +28,8 @@ from statwalk.stage.stage import Stage
 
 FACTS_SECONDS = 0.005
 """between two looks at the log while facts wait for durability"""
+SOON_SECONDS = 1 / 50
+"""facts that wait for durability go with the next frame if that is due in so many seconds"""
 MANUAL_WAIT_SECONDS = 0.25
 
 
@@ -55,9 +57,6 @@ class LiveStage:
         """Takes the steps that are due at `now` (seconds of `services.now`), and publishes the facts that
         waited for durability; returns the seconds until the next call.
         """
-        if self.facts_waiting:
-            self._note()
-            self.fanout.publish({}, self._durable_facts())
         wait = MANUAL_WAIT_SECONDS
         if self.clock_kind == "real":
             late = self.clock.lateness(self.clock.due(now))
@@ -68,6 +67,10 @@ class LiveStage:
                 self._pace(began, len(late))
             self.services.measure_ticks(late, self.clock.take_lost())
             wait = self.clock.wait(now)
+        if not self.facts_waiting or wait <= SOON_SECONDS:
+            return wait  # facts go with the next frame: to send them alone costs every viewer a message more
+        self._note()
+        self.fanout.publish({}, self._durable_facts())
         return min(wait, FACTS_SECONDS) if self.facts_waiting else wait
 
     def _pace(self, began: float, ticks: int) -> None:

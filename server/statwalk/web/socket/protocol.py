@@ -8,17 +8,20 @@ never comes, and so does its shutdown. Only `transport.abort()` ends the connect
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
-from uvicorn._types import ASGISendEvent
+from uvicorn._types import ASGIReceiveEvent, ASGISendEvent
 from uvicorn.protocols.utils import ClientDisconnected
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+from websockets.exceptions import InvalidState
 
 from statwalk.web.request_log import note_cut
 from statwalk.web.socket.messages import CLOSE_CODES
 
 UNWRITABLE_SECONDS = 5.0
 GOODBYE_SECONDS = 1.0
+MOST_UNREAD = 4
+"""messages of a viewer that wait for their turn, before the server stops reading what it sends"""
 
 
 class ViewerProtocol(WebSocketsSansIOProtocol):
@@ -65,15 +68,49 @@ class ViewerProtocol(WebSocketsSansIOProtocol):
     async def send(self, message: ASGISendEvent) -> None:
         """Sends a message of the application; waits at most a second for the peer to take a close frame.
 
+        A `websocket.send` may have `texts`, encoded: they and its `bytes` go out in one write.
+
         :raises ClientDisconnected: when the connection is closing.
         """
-        if self.close_sent and message["type"] == "websocket.send":
-            raise ClientDisconnected
+        if message["type"] == "websocket.send":
+            if self.close_sent:
+                raise ClientDisconnected
+            self._queue(message.get("texts", []))  # type: ignore[arg-type]
         await super().send(message)
         if message["type"] == "websocket.close":
             self.leave()
         elif message["type"] == "websocket.http.response.body" and not message.get("more_body"):
             self.handshake_complete = True  # a refused upgrade is an answer too; uvicorn would log an error
+
+    def _queue(self, texts: Sequence[bytes]) -> None:
+        """Has the next write send the texts before all else.
+
+        :raises ClientDisconnected: when the peer has closed the connection.
+        """
+        try:
+            for text in texts:
+                self.conn.send_text(text)
+        except InvalidState:
+            raise ClientDisconnected from None
+
+    def send_receive_event_to_app(self) -> None:
+        """Queues a message that has come whole, and stops reading when `MOST_UNREAD` wait.
+
+        uvicorn stops after each message, which takes two system calls for every acknowledgement.
+        """
+        if self.read_paused or self.queue.qsize() >= MOST_UNREAD - 1:
+            super().send_receive_event_to_app()
+            return
+        self.read_paused = True  # as far as uvicorn knows
+        super().send_receive_event_to_app()
+        self.read_paused = False
+
+    async def receive(self) -> ASGIReceiveEvent:
+        """Returns what the peer sends; lets others run between messages that came together."""
+        message = await super().receive()
+        if not self.queue.empty():
+            await asyncio.sleep(0)
+        return message
 
     def handle_parser_exception(self) -> None:
         """Closes the connection with the code that tells what is wrong with a frame."""

@@ -15,8 +15,10 @@ REFS: TypeAdapter[Ref] = TypeAdapter(Ref)
 
 def ref_of(raw: object) -> Ref:
     """Returns the `ref` of a message, or None if it has none that the answer can repeat."""
+    if not isinstance(raw, dict) or "ref" not in raw:
+        return None
     try:
-        return REFS.validate_python(raw.get("ref") if isinstance(raw, dict) else None, strict=True)
+        return REFS.validate_python(raw["ref"], strict=True)
     except ValidationError:
         return None
 

@@ -17,7 +17,7 @@ from statwalk.services.cancel import CancelToken
 from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.registry import Registry
 from statwalk.services.hosting.stage_host import StageHost
-from statwalk.services.publish.outbox import FRAME_KINDS, FrameForm, FrameKind, Outbox
+from statwalk.services.publish.outbox import FRAME_KINDS, EncodedFrame, FrameForm, FrameKind, Outbox
 from statwalk.skin.skinning import SKINNINGS, Skinning, skinning_of
 from statwalk.web.dependencies import ENDING, grant_of
 from statwalk.web.errors import Problem, answer, from_error
@@ -154,7 +154,6 @@ class Viewer:
                 return
             if self.outbox.closing is None:
                 await self.inbox.take(message.get("text") or message.get("bytes") or b"")
-            await asyncio.sleep(0)  # lets other viewers' tasks run between messages that arrive together
 
     async def _write_until_gone(self) -> None:
         """Writes; if the connection breaks, cancels long work and waits for the reader to end the viewer.
@@ -175,25 +174,28 @@ class Viewer:
         while outbox.closing is None:
             await outbox.filled.wait()
             outbox.filled.clear()
+            frame = outbox.take_frame(self.host.home.now())
             if self.sent_layout is None:
-                await self._write_frame()  # a viewer hears first what the frames are
-            for text in outbox.take_texts():
-                await self.socket.send_text(text.decode())
-            await self._write_frame()
+                await self._send(frame, [])  # a viewer hears first what the frames are
+                frame = None
+            await self._send(frame, outbox.take_texts())
         ending, reason = outbox.closing
         note_limit(self.socket.scope, ending)
         await self.socket.close(messages.CLOSE_CODES[ending], reason)
 
-    async def _write_frame(self) -> None:
-        """Sends the newest frame, after a hello if the viewer does not have its layout."""
-        frame = self.outbox.take_frame(self.host.home.now())
+    async def _send(self, frame: EncodedFrame | None, texts: list[bytes]) -> None:
+        """Sends texts and a frame in one write, with a hello before the frame if the viewer does not have its
+        layout.
+        """
         if frame is None:
+            if texts:
+                await self.socket.send({"type": "websocket.send", "texts": texts})
             return
         form = FrameForm(frame.kind, frame.skinning)
         layout = frame.layout.epoch, form
         if self.sent_layout != layout:
             self.sent_layout = layout
             viewer = self.host.audience.of(self.outbox).id
-            await self.socket.send_text(messages.hello(self.host, frame.layout, form, viewer).decode())
-        await self.socket.send_bytes(frame.data)
-        self.metrics.count_frame(self.host.handle(ask.Status()).viewers, self.outbox.take_skipped())
+            texts = [*texts, messages.hello(self.host, frame.layout, form, viewer)]
+        await self.socket.send({"type": "websocket.send", "texts": texts, "bytes": frame.data})
+        self.metrics.count_frame(self.host.audience.count, self.outbox.take_skipped())
