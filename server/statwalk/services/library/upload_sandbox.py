@@ -32,7 +32,7 @@ from statwalk.files.md2 import md2_header, read_md2
 from statwalk.files.md2.md2_file import Inbetween
 from statwalk.motion.filter_clip import Filter
 from statwalk.services.cancel import NEVER, CancelToken
-from statwalk.services.work.limited_process import limit_self, run_last, started
+from statwalk.services.work.limited_process import limit_self, started
 
 MEMORY_BYTES = 1 << 30
 PROCESSOR_SECONDS = 10
@@ -78,7 +78,8 @@ def child_answer(
     :raises StorageError: when the disk refuses what the child writes.
     :raises CancelledError: when the token is cancelled; the child is killed.
     """
-    with started(module, arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=folder) as child:
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    with started(module, arguments, runs_last=True, cwd=folder, **pipes) as child:
         try:
             output, error_output = _wait_for(child, token, seconds)
         finally:
@@ -133,7 +134,6 @@ def answer_as_child(
     prints the facts, or the reason why it is refused.
     """
     limit_self(MEMORY_BYTES, archive.LARGEST_UNPACKED_BYTES, seconds)
-    run_last()
     answer: dict[str, Any]
     try:
         character = character_of()

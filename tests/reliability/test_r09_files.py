@@ -1,13 +1,21 @@
-"""Five hundred seeded mutations of valid files of each format; `tests/support/torture/mutate.py` makes more,
-and tells how they are made.
+"""Five hundred seeded mutations of valid files of each format are read whole, or refused with a place;
+`python benchmarks/reliability.py files` reads more. The controls are readers that break, hang, name no place,
+or read what is not finite.
 """
 
 import gc
 import signal
+from collections.abc import Callable
+from dataclasses import replace
 
+import numpy as np
 import pytest
-from torture.mutate import MUTATORS
-from torture.outcomes import limited, memory
+import tiny_model
+from statwalk.character.character import Character
+from statwalk.errors import ContentError
+from statwalk.files.gltf import read_model
+from torture.mutators import MUTATORS
+from torture.outcomes import limited, memory, outcome
 
 EACH, SETS = 100, 5
 
@@ -51,3 +59,27 @@ def test_memory_comes_back() -> None:
 def test_what_hangs_is_noticed() -> None:
     with pytest.raises(TimeoutError), limited(0.01):
         signal.pause()
+
+
+def break_down() -> Character:
+    raise KeyError("joints")
+
+
+def refuse_without_a_place() -> Character:
+    raise ContentError("something is wrong")
+
+
+def read_what_is_not_finite() -> Character:
+    character = read_model(tiny_model.model(), "tiny")
+    pose = character.bind_pose
+    return replace(character, bind_pose=type(pose)(*(array + np.inf for array in pose)))
+
+
+READERS = {break_down: KeyError, refuse_without_a_place: ValueError, read_what_is_not_finite: AssertionError}
+
+
+@pytest.mark.filterwarnings("ignore:invalid value encountered")
+@pytest.mark.parametrize(("reader", "error"), READERS.items())
+def test_a_reader_that_does_wrong_is_noticed(reader: Callable[[], Character], error: type[Exception]) -> None:
+    with pytest.raises(error):
+        outcome(reader, ("line ",))

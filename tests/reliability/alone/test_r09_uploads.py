@@ -1,8 +1,9 @@
 """Two dozen hostile files are put to a server that runs as users run it, while a viewer watches another
-stage.
+stage. The control is a server that reads files where it sends frames.
 """
 
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from time import perf_counter
 from typing import NamedTuple
 
@@ -21,6 +22,14 @@ FILES, AT_A_TIME = 24, 4
 LONG_GAP_SECONDS = 0.5
 FRAMES_PER_FILE = 3
 MIB = 1 << 20
+FEW = 8
+WHERE_IT_SENDS = """
+from types import SimpleNamespace
+from statwalk.web.routes import uploads
+async def run_here(act, *arguments, limiter=None):
+    return act(*arguments)
+uploads.to_thread = SimpleNamespace(run_sync=run_here)
+"""
 
 
 class Witnessed(NamedTuple):
@@ -50,13 +59,12 @@ def put(address: str, number: int, data: bytes) -> int:
     ).status_code
 
 
-def witness(address: str, process: int) -> Witnessed:
+def witness(address: str, process: int, files: list[bytes]) -> Witnessed:
     """Watch the stage `main` while the files are put, several at a time.
 
     Vertices are asked for first, so that the server has its compiled kernels: an idle server, too, grows by
     57 MiB while it compiles them.
     """
-    files = hostile()
     httpx.get(f"http://{address}/api/stages/main/frame.glb", timeout=100).raise_for_status()
     put(address, 0, files[0])
     with Watcher(address, "/api/stages/main") as viewer, ThreadPoolExecutor(AT_A_TIME) as aside:
@@ -73,7 +81,7 @@ def witness(address: str, process: int) -> Witnessed:
 @pytest.fixture(scope="module")
 def witnessed(tmp_path_factory: pytest.TempPathFactory) -> Witnessed:
     with served("--data", str(tmp_path_factory.mktemp("data"))) as (process, address):
-        return witness(address, process.pid)
+        return witness(address, process.pid, hostile())
 
 
 def test_each_is_taken_or_refused(witnessed: Witnessed) -> None:
@@ -82,8 +90,15 @@ def test_each_is_taken_or_refused(witnessed: Witnessed) -> None:
 
 
 def test_the_other_stage_is_shown_while_files_are_read(witnessed: Witnessed) -> None:
-    """A server that read files where it sends frames would send about one between two files."""
     assert len(witnessed.ticks) >= FRAMES_PER_FILE * FILES
+
+
+def test_a_server_that_reads_where_it_sends_is_noticed(tmp_path: Path) -> None:
+    """It sends about one frame between two files."""
+    files = hostile()[:FEW]
+    with served("--data", str(tmp_path), change=WHERE_IT_SENDS) as (process, address):
+        seen = witness(address, process.pid, files)
+    assert len(seen.ticks) < FRAMES_PER_FILE * FEW
 
 
 def test_no_frame_comes_twice_or_late(witnessed: Witnessed) -> None:
