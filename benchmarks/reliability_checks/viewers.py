@@ -10,7 +10,6 @@ from __future__ import annotations
 import argparse
 import os
 import signal
-import socket
 import subprocess
 import tempfile
 import time
@@ -21,10 +20,11 @@ from typing import NamedTuple
 
 import httpx
 from driving import driving
+from ends import ended
 from flood import flooded
 from load_process import LoadProcess, Seen, viewers_in_a_process
 from processes import served
-from stalled_viewers import cuts, stall, stalled
+from stalled_viewers import cuts, stalled
 from viewer_figures import Intervals, goes_back, intervals, resident_bytes, stale
 
 MAIN = "/api/stages/main"
@@ -35,11 +35,6 @@ CUT_SECONDS = (4.0, 6.0)
 STALE_FRAMES = 3
 FLOOD, FLOOD_ELSEWHERE = "a flood from one client", "the same flood of another server"
 COUNT_SECONDS = 60.0
-END_SECONDS = 5.0
-UPLOAD = (
-    "PUT /api/characters/robot HTTP/1.1\r\nHost: localhost\r\nContent-Type: model/gltf-binary\r\n"
-    "Content-Length: 1000\r\n\r\nglT"
-)
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -211,26 +206,6 @@ def count_again(run: Run, before: int) -> None:
         run.faults.append("the count of viewers is not what it was")
 
 
-def end(run: Run) -> None:
-    """Ends the server with all viewers, five stalled ones and an upload under way."""
-    host, port = run.address.split(":")
-    with ExitStack() as opened:
-        for _ in range(5):
-            opened.enter_context(stall(run.address, MAIN, "at the end"))
-        upload = opened.enter_context(socket.create_connection((host, int(port))))
-        upload.sendall(UPLOAD.encode())
-        time.sleep(1)
-        run.process.send_signal(signal.SIGTERM)
-        asked = time.monotonic()
-        readiness = httpx.get(f"http://{run.address}/readyz").status_code
-        status = run.process.wait(timeout=30)
-        seconds = time.monotonic() - asked
-    codes = {one.code for one in run.seen() if one.code}
-    print(f"SIGTERM: /readyz {readiness}, gone after {seconds:.1f} s, exit code {status}, closed {codes}")
-    if (status, codes, readiness) != (0, {1012}, 503) or seconds > END_SECONDS:
-        run.faults.append("the server did not end in good order")
-
-
 def main(options: argparse.Namespace) -> bool:
     """Prints the figures of each phase, and returns whether the promises held."""
     each = options.viewers // options.processes
@@ -254,6 +229,6 @@ def main(options: argparse.Namespace) -> bool:
         judge_viewers(run, log)
         count_again(run, before)
         print(f"{len(statuses)} events posted beside, {statuses.count(202)} accepted")
-        end(run)
+        run.faults.extend(ended(process, address, loads))
     print("\n".join(run.faults) or "all held")
     return not run.faults

@@ -22,7 +22,10 @@ def driving(address: str, stage: str, each: float) -> Iterator[list[int]]:
         with httpx.Client(base_url=f"http://{address}", timeout=PATIENCE) as rest:
             while not leaving.wait(each):
                 event = "STOP" if len(statuses) % 2 else "FORWARD"
-                statuses.append(rest.post(f"{stage}/events", json={"event": event}).status_code)
+                try:
+                    statuses.append(rest.post(f"{stage}/events", json={"event": event}).status_code)
+                except httpx.TransportError:  # the server has ended
+                    return
 
     thread = threading.Thread(target=post)
     thread.start()

@@ -1,5 +1,6 @@
 """Connections that stand idle or are slow end; of too many from one address one makes room, or one waits."""
 
+import logging
 import re
 import select
 import socket
@@ -96,6 +97,21 @@ def test_a_request_that_has_its_answer_gets_no_second_one(
         said = until_closed(dial(address, UPLOAD.replace(b"robot", b".robot")))
     assert said.startswith(b"HTTP/1.1 422")
     assert said.count(b"HTTP/1.1") == 1
+
+
+def test_a_body_that_has_not_come_when_the_server_stops_is_refused(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    log = logging.getLogger("uvicorn.error")
+    log.addHandler(caplog.handler)
+    with limited(tmp_path) as (address, state):
+        client = dial(address, UPLOAD)
+        wait_for(lambda: hasattr(state, "upload_limiter") and state.upload_limiter.arriving > 0)
+    log.removeHandler(caplog.handler)
+    said = until_closed(client)
+    assert said.startswith(b"HTTP/1.1 503 Service Unavailable\r\n")
+    assert b"the server stops" in said
+    assert caplog.messages == []
 
 
 def test_a_body_that_comes_fast_enough_has_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -26,6 +26,7 @@ SOCKET_BYTES = 4_096
 """of a socket, read at once: uvicorn parses them all before any viewer gets its next frame"""
 LATE_HEADER = "the header took too long; send it at once"
 LATE_BODY = "the body came too slowly; send it faster, or in a smaller file"
+STOPS = "the server stops; try again"
 TOO_MANY = "your address has too many connections; close some, or send requests one after another on one"
 
 
@@ -97,6 +98,12 @@ class ClientProtocol(H11Protocol):
         self._stop_unread()
         self._give_back()
         super().connection_lost(exc)
+
+    def shutdown(self) -> None:
+        """Refuses a request whose body has not come whole: the server that stops does not wait for it."""
+        if self.awaited == "body":
+            self._refuse(503, STOPS)
+        super().shutdown()
 
     def pause_writing(self) -> None:
         """Gives the client a while to read what it asked for."""

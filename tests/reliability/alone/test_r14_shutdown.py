@@ -26,7 +26,9 @@ UPLOAD = (
 
 WAITS_FOR_CLIENTS = """
 import uvicorn
-from statwalk.web import server, shutdown
+from uvicorn.protocols.http.h11_impl import H11Protocol
+from statwalk.web import client_protocol, server, shutdown
+client_protocol.ClientProtocol.shutdown = H11Protocol.shutdown
 server.GRACE_SECONDS, shutdown._end_process_after = None, lambda seconds: None
 shutdown.Server.shutdown = uvicorn.Server.shutdown
 shutdown.Server.handle_exit = uvicorn.Server.handle_exit
