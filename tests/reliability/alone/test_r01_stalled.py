@@ -19,6 +19,7 @@ from processes import served
 from serving import PATIENCE, serving, wait_for
 from stalled_viewers import cuts, stalled
 from statwalk.services.publish import outbox
+from statwalk.services.publish.outbox import EncodedFrame
 from statwalk.web.app import create_app
 from statwalk.web.socket import stream
 from viewer_figures import goes_back
@@ -103,9 +104,9 @@ class WaitsForAll(stream.Viewer):
 
     turn = asyncio.Lock()
 
-    async def _write_frame(self) -> None:
+    async def _send(self, frame: EncodedFrame | None, texts: list[bytes]) -> None:
         async with self.turn:
-            await super()._write_frame()
+            await super()._send(frame, texts)
             while self.outbox.travelling and self.outbox.closing is None:
                 await self._acknowledged_or_closing()
 
