@@ -11,6 +11,7 @@ from statwalk.services.hosting import stage_messages as ask
 from statwalk.services.hosting.commands import AddActor, SendEvent, StageSetup
 from statwalk.services.hosting.stage_host import StageHost
 from statwalk.services.publish.outbox import MOST_FACTS, Outbox
+from statwalk.stage.state.frame import Verdict
 
 BEND = ask.Post((SendEvent("BEND", 1),))
 
@@ -66,6 +67,24 @@ async def test_verdicts_go_with_the_next_frame_if_that_is_due_soon(
         assert [pickle.loads(text).event for text in (with_a_frame if soon else alone)] == ["BEND"]
         assert not (alone if soon else with_a_frame)
         host.leave(outbox)
+
+
+@pytest.mark.anyio
+async def test_who_comes_gets_no_verdicts_that_waited_for_who_has_left(tmp_path: Path) -> None:
+    with kept_on_disk(tmp_path) as (held, disk):
+        host = held.open(StageSetup(clock="real", actors=(AddActor("elbow"),)))
+        first, second = Outbox("pose"), Outbox("pose")
+        host.join(first)
+        host.advance_to(0.0)
+        host.handle(BEND)
+        host.advance_to(1.01 / 60)
+        host.leave(first)
+        disk.store.flush()
+        host.advance_to(1.02 / 60)
+        host.join(second)
+        got = [pickle.loads(text) for text in await texts(host, second, 2.01 / 60)]
+        assert [fact for fact in got if isinstance(fact, Verdict)] == []
+        host.leave(second)
 
 
 @pytest.mark.anyio

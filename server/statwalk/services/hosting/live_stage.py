@@ -67,7 +67,7 @@ class LiveStage:
                 self._pace(began, len(late))
             self.services.measure_ticks(late, self.clock.take_lost())
             wait = self.clock.wait(now)
-        if not self.facts_waiting or wait <= SOON_SECONDS:
+        if not self.facts_waiting or (wait <= SOON_SECONDS and self.fanout.outboxes):
             return wait  # facts go with the next frame: to send them alone costs every viewer a message more
         self._note()
         self.fanout.publish({}, self._durable_facts())

@@ -17,6 +17,7 @@ from websockets.exceptions import InvalidState
 
 from statwalk.web.request_log import note_cut
 from statwalk.web.socket.messages import CLOSE_CODES
+from statwalk.web.turns import TURN_SECONDS
 
 UNWRITABLE_SECONDS = 5.0
 GOODBYE_SECONDS = 1.0
@@ -31,6 +32,8 @@ class ViewerProtocol(WebSocketsSansIOProtocol):
     give_back: Callable[[], None] | None = None
     """gives the place of the connection back"""
     leaving = False
+    taken = 0.0
+    """when the last message was taken, in seconds of the loop"""
 
     def _end_after(self, seconds: float, end: Callable[[], None]) -> None:
         """Calls `end`, which aborts the connection, after `seconds`, unless the timer runs already."""
@@ -106,10 +109,13 @@ class ViewerProtocol(WebSocketsSansIOProtocol):
         self.read_paused = False
 
     async def receive(self) -> ASGIReceiveEvent:
-        """Returns what the peer sends; lets others run between messages that came together."""
+        """Returns what the peer sends; between messages that came together, others have as much time as the
+        last one took, as between requests (`web/turns`).
+        """
         message = await super().receive()
         if not self.queue.empty():
-            await asyncio.sleep(0)
+            await asyncio.sleep(min(self.loop.time() - self.taken, TURN_SECONDS))
+        self.taken = self.loop.time()
         return message
 
     def handle_parser_exception(self) -> None:
