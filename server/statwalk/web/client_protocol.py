@@ -99,6 +99,11 @@ class ClientProtocol(H11Protocol):
         self._give_back()
         super().connection_lost(exc)
 
+    @property
+    def is_idle(self) -> bool:
+        """Whether no request is under way; one may be on its way."""
+        return self.awaited == "header"
+
     def shutdown(self) -> None:
         """Refuses a request whose body has not come whole: the server that stops does not wait for it."""
         if self.awaited == "body":

@@ -11,6 +11,8 @@ from types import FrameType
 
 import uvicorn
 
+from statwalk.web.client_protocol import ClientProtocol
+
 DRAIN_SECONDS = 1.0
 """for which a server that stops still answers, above all that it is not ready"""
 GRACE_SECONDS = 2
@@ -48,18 +50,23 @@ class Server(uvicorn.Server):
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         """Cancels long requests, disconnects viewers, and waits for the other requests."""
+        is_told = self.ending.is_set()
         self.ending.set()
-        await self._drain()
+        await self._drain(is_told)
         await super().shutdown(sockets)
 
-    async def _drain(self) -> None:
-        """Waits a moment for the requests that run; new ones are answered meanwhile, with a refusal."""
-        running = list(self.server_state.tasks)
-        for connection in list(self.server_state.connections):
-            connection.shutdown()
+    async def _drain(self, is_told: bool) -> None:
+        """Waits a moment for the requests that run; new ones are answered meanwhile, with a refusal.
+
+        `is_told`: by a signal. Whoever was connected may then ask for the whole moment whether it is ready.
+        """
+        running, connections = list(self.server_state.tasks), list(self.server_state.connections)
+        for connection in connections:
+            if not (isinstance(connection, ClientProtocol) and connection.is_idle):
+                connection.shutdown()
         until = asyncio.get_running_loop().time() + DRAIN_SECONDS
         while not self.force_exit and asyncio.get_running_loop().time() < until:
-            if all(task.done() for task in running):
+            if all(task.done() for task in running) and not (is_told and connections):
                 return
             await asyncio.sleep(LOOK_SECONDS)
 

@@ -94,6 +94,26 @@ def test_it_says_that_it_is_not_ready_and_is_gone_within_five_seconds(tmp_path: 
         assert time.monotonic() - asked < 10  # it ends the process after 4.5 s; a busy system takes its time
 
 
+def readiness_on(held: HTTPConnection) -> int:
+    """What a connection is told that stays open."""
+    held.request("GET", "/readyz")
+    with held.getresponse() as answer:
+        answer.read()
+        return answer.status
+
+
+def test_a_connection_that_stands_idle_is_not_cut_but_answered(tmp_path: Path) -> None:
+    with in_use(tmp_path) as (process, address, _):
+        held = HTTPConnection(address, timeout=PATIENCE)
+        assert readiness_on(held) == 200
+        held.auto_open = 0  # it would come back on another connection
+        process.send_signal(signal.SIGTERM)
+        while (status := readiness_on(held)) == 200:
+            pass
+        assert status == 503
+        held.close()
+
+
 def test_a_server_that_waits_for_its_clients_is_found_out(tmp_path: Path) -> None:
     """The control."""
     with in_use(tmp_path, WAITS_FOR_CLIENTS) as (process, address, _):
