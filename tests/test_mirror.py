@@ -31,7 +31,6 @@ LAWS = {
     "files/gltf/test_quantization.py",
     "files/gltf/test_second_reader.py",
     "files/gltf/test_third_reader.py",
-    "files/test_mutations.py",
     # machine.schema.json against the reader
     "files/machine_yaml/edit/test_edit_laws.py",
     "files/machine_yaml/test_schema.py",
