@@ -24,6 +24,7 @@ from hostile_captures import HOSTILE_CAPTURES
 from load_process import LoadProcess, Seen, viewers_in_a_process
 from paths import ASSETS
 from processes import served
+from serving import PATIENCE
 from torture.mutators import MUTATORS
 from torture.outcomes import memory
 from viewer_figures import intervals
@@ -35,7 +36,7 @@ UPLOADED = ("gltf", "gltf-detail", "chunk", "chunk-detail", "x", "md2", "bvh", "
 """the formats of files that the server takes as characters"""
 AT_A_TIME = 4
 QUIET_SECONDS = 20.0
-MORE_MILLISECONDS, MORE_BYTES, LONGEST_SECONDS = 5.0, 64 << 20, 60.0
+MORE_MILLISECONDS, MORE_BYTES, LONGEST_SECONDS = 5.0, 64 << 20, 10.0
 BINARY = {"content-type": "application/octet-stream"}
 
 
@@ -106,7 +107,7 @@ def _said(read: Read) -> int:
 
 
 def _files(count: int, first: int) -> list[bytes]:
-    """Malformed files of others where they are, captures that nobody should send, and mutations."""
+    """Returns malformed files from the assets, if they are there, hostile captures, and mutated files."""
     kinds = (".glb", ".gltf", ".md2", ".bvh")
     listed = [path.read_bytes() for path in sorted(ASSETS.glob("invalid/**/*")) if path.suffix in kinds]
     by_hand = [data for data, _ in HOSTILE_CAPTURES.values()]
@@ -132,7 +133,7 @@ def _put_beside_viewers(options: argparse.Namespace) -> int:
     files = _files(options.uploads, options.first)
     with ExitStack() as opened:
         process, address = opened.enter_context(served())
-        rest = opened.enter_context(httpx.Client(base_url=f"http://{address}", timeout=2 * LONGEST_SECONDS))
+        rest = opened.enter_context(httpx.Client(base_url=f"http://{address}", timeout=PATIENCE))
         viewers = opened.enter_context(viewers_in_a_process(address, MAIN, options.viewers))
         opened.enter_context(driving(address, MAIN, 0.05))
         rest.get(f"{MAIN}/frame.glb").raise_for_status()  # compiles what memory is measured with
@@ -148,7 +149,7 @@ def _put_beside_viewers(options: argparse.Namespace) -> int:
 
 
 def _quiet(viewers: LoadProcess) -> list[Seen]:
-    """What viewers see while nobody puts files."""
+    """Returns what viewers see while no file is put."""
     viewers.seen()
     time.sleep(QUIET_SECONDS)
     return viewers.seen()

@@ -125,6 +125,19 @@ async def test_a_request_that_is_given_up_makes_room() -> None:
         await requests.until("a", "c")
 
 
+async def test_a_request_that_is_given_up_after_a_long_wait_makes_room_at_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    loop, passed = asyncio.get_running_loop(), 0.0
+    time = loop.time
+    monkeypatch.setattr(loop, "time", lambda: time() + passed)
+    async with begun(("a", FIRST), ("b", FIRST), ("c", FIRST)) as requests:
+        passed = 900.0
+        requests.tasks["b"].cancel()
+        await _settle()
+        assert requests.names == ["a", "c"]
+
+
 async def test_nothing_is_kept_of_an_address_without_requests() -> None:
     async with begun(("a", FIRST), ("b", FIRST)) as requests:
         await requests.end("a")

@@ -32,14 +32,17 @@ class Turns:
         loop = asyncio.get_running_loop()
         before, over = self._newest.get(client), asyncio.Event()
         self._newest[client] = over
-        began = loop.time()
+        pause = 0.0
         try:
             if before is not None:
                 await before.wait()
-                began = loop.time()
+            began = loop.time()
             loop.call_later(TURN_SECONDS, over.set)
-            yield
+            try:
+                yield
+            finally:
+                pause = loop.time() - began
         finally:
             if self._newest.get(client) is over:
                 del self._newest[client]
-            loop.call_later(loop.time() - began, over.set)
+            loop.call_later(pause, over.set)

@@ -41,7 +41,7 @@ def machine_outcome(data: bytes, machine: str) -> str:
             file.check_root(character.skeleton.names)
             role = Role.build("mutated", character, file.definition, file.root_joint)
         except UnicodeDecodeError:
-            return "refused"  # whoever reads the file as text says so
+            return "refused"  # such bytes are refused before they become a text
         except ContentError as refusal:
             if not refusal.place.startswith("line "):
                 raise ValueError(f"no place: {refusal}") from refusal
@@ -54,7 +54,7 @@ def play(role: Role) -> None:
     """Sends an actor events, one each tick, and looks at all numbers that leave the stage."""
     stage = Stage()
     stage.add(role)
-    for event in role.machine.events[:-1][:MOST_EVENTS]:  # the last is END, which nobody sends
+    for event in role.machine.events[:-1][:MOST_EVENTS]:  # the last event is END, which is no input
         stage.send(1, event)
         stage.step(1)
     stage.step(TICKS)
