@@ -15,6 +15,10 @@ METRES = 0.08
 
 
 def simple_character() -> Character:
-    """Returns the mammal, without clips."""
+    """Returns the mammal, without clips; it stands on the ground."""
     character, _ = bone_character(NAME, shipped_skeleton(NAME), METRES, ())
+    soles = min(part.positions[:, 1].min() for part in character.vertices(character.bind_pose))
+    standing = character.bind_pose.copy()
+    standing.translation[0, 1] -= soles
+    character = replace(character, bind_pose=standing)
     return replace(character, model_glb=write.model_glb(character))

@@ -8,6 +8,9 @@ export const copy = (name: string, copy_of: string) =>
   askOnce("post", "/api/machines", {}, { body: { name, copy_of } });
 /** Makes a machine of a simple skeleton at rest. */
 export const fromNothing = (name: string) => askOnce("post", "/api/machines", {}, { body: { name } });
+/** Makes a machine of one state, that stands; its character has the clips of `character`. */
+export const fromFigure = (name: string, character: string) =>
+  askOnce("post", "/api/machines", {}, { body: { name, character, empty: true } });
 /**
  * Makes a machine for an uploaded character; a clip with an empty state is left out. `root`: the joint that moves
  * the character through the world.

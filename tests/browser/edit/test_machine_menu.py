@@ -84,6 +84,22 @@ def test_a_machine_is_made_from_nothing_renamed_and_exported(own: Server, table:
     assert saving.value.suggested_filename == "ripe.zip"
 
 
+def test_a_machine_from_nothing_has_the_figure_in_the_picture_or_a_skeleton(own: Server, table: Page) -> None:
+    motions = {}
+    for name, figure in (("plain", "a simple skeleton, without clips"), ("dressed", "the one that you see")):
+        choose(table, "new, from nothing")
+        table.get_by_role("textbox", name="name").fill(name)
+        field = table.get_by_role("combobox", name="figure")
+        field.select_option(field.locator("option").filter(has_text=figure).inner_text())
+        table.keyboard.press("Enter")
+        until(table, "document.querySelector('#picker select').value === arg && __viewer.ready", name)
+        motions[name] = httpx.get(f"{own.url}/api/machines/{name}").json()["states"][0]["motion"]
+        choose(table, "delete")
+        table.keyboard.press("Enter")
+        until(table, "__viewer.stage() === 'main' && __viewer.ready")
+    assert motions == {"plain": None, "dressed": "stand"}
+
+
 def played(server: Server, machine: str) -> dict[str, Any]:
     """What a machine does: its states and its cells, without their lines in the file."""
     view = httpx.get(f"{server.url}/api/machines/{machine}").json()

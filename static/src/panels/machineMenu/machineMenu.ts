@@ -11,15 +11,23 @@ import { draw } from "../../ui/draw";
 import { focusFirst } from "../../ui/focusFirst";
 import { stepThrough } from "../../ui/menuKeys";
 import type { App } from "../../view/app";
+import { unplayed } from "./unplayed";
 
 /** The server's rule for names. The browser checks a name before the page leaves its stage for a new name. */
 const NAMES = { pattern: "[A-Za-z0-9][A-Za-z0-9_\\-]{0,63}", title: "letters, digits, - and _; no space" };
 
-/** A question: its words, the name that is proposed, if it asks for one, and what a yes does. */
+/** The figure of a new machine: the one in the picture, with its clips, or a simple skeleton. */
+type Figure = "shown" | "simple";
+
+/**
+ * A question: its words, the name that is proposed, if it asks for one, whether it asks for a figure, and what a yes
+ * does.
+ */
 interface Ask {
   words: string;
   yes: string;
   proposal: string | null;
+  asksFigure?: boolean;
   act: (name: string) => Promise<unknown>;
 }
 
@@ -35,6 +43,7 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
   const isOpen = signal(false);
   const ask = signal<Ask | null>(null);
   const typed = signal("");
+  const figure = signal<Figure>("shown");
   const error = signal("");
 
   function close(): void {
@@ -88,7 +97,12 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
   }
 
   const taken = (): string[] => library.machines.value.map((other) => other.name);
-  const beginning = (): Ask => making("name", freeName("machine", taken()), machines.fromNothing);
+  const beginning = (): Ask => {
+    const shown = machine.info.value?.character ?? "";
+    const make = (name: string): Promise<unknown> =>
+      figure.value === "shown" ? machines.fromFigure(name, shown) : machines.fromNothing(name);
+    return { ...making("name", freeName("machine", taken()), make), asksFigure: true };
+  };
   const questions: readonly (readonly [string, (name: string) => Ask])[] = [
     ["delete …", deletion],
     ["copy and change …", copying],
@@ -127,7 +141,23 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
     });
   command("export .zip", (name) => el("a", { href: machines.zipAddress(name), download: "" }).click());
 
-  function form({ words, yes, proposal }: Ask): TemplateResult {
+  function figureField(): TemplateResult {
+    const chosen = ({ target }: Event): void =>
+      void (figure.value = (target as HTMLSelectElement).value as Figure);
+    return html`<label>
+      <span>figure</span>
+      <select @change=${chosen}>
+        <option value="shown" ?selected=${figure.value === "shown"}>
+          the one that you see, with its clips
+        </option>
+        <option value="simple" ?selected=${figure.value === "simple"}>
+          a simple skeleton, without clips
+        </option>
+      </select>
+    </label>`;
+  }
+
+  function form({ words, yes, proposal, asksFigure }: Ask): TemplateResult {
     const submitted = (submit: Event): void => {
       submit.preventDefault();
       void answer();
@@ -150,6 +180,7 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
               />
             </label>`
       }
+      ${asksFigure ? figureField() : nothing}
       <p role="alert" ?hidden=${!error.value}>${error.value}</p>
       <button type="submit" class="primary">${yes}</button>
     </form>`;
@@ -187,35 +218,4 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
     if (target instanceof Node && !host.contains(target)) isOpen.value = false;
     if (!isOpen.value) ask.value = null;
   });
-}
-
-/**
- * Leaves the stage, then renames or deletes the machine that it plays (`act`). Stays if the server would refuse: a
- * stage of this page is closed as the page leaves it.
- */
-async function unplayed(app: App, machine: string, act: () => Promise<unknown>): Promise<void> {
-  const { id } = app.stage;
-  await machines.checkUnused(machine, id);
-  await leave(app);
-  try {
-    await act();
-  } catch (refused) {
-    app.session.watch(id);
-    throw refused;
-  }
-}
-
-/** Watches the main stage, and waits until it is there: a machine on a stage can't be renamed or deleted. */
-async function leave({ session, stage, stages, editing }: App): Promise<void> {
-  editing.abandon();
-  if (stage.id === "main") return;
-  session.watch("main");
-  await new Promise<void>((done) => {
-    const end = stage.hello.subscribe((hello) => {
-      if (hello?.stage !== "main") return;
-      queueMicrotask(() => end());
-      done();
-    });
-  });
-  await stages.closed;
 }
