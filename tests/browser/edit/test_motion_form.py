@@ -34,6 +34,14 @@ def test_a_blend_becomes_one_clip_and_a_blend_again(own: Server, table: Page) ->
     assert state(own, "CSTP") == before
 
 
+def test_another_clip_of_a_blend_comes_first(own: Server, table: Page) -> None:
+    first, second, *others = state(own, "CSTP")["clips"]
+    inspect(table, "th[data-state=CSTP]")
+    table.locator("#cell").get_by_role("button", name=f"move {second} up").click()
+    edited(table)
+    assert state(own, "CSTP")["clips"] == [second, first, *others]
+
+
 def test_a_marker_of_a_blended_clip_comes_and_gets_another_name(own: Server, table: Page) -> None:
     """The other name counts in all clips; the folded markers stay open."""
     inspect(table, "th[data-state=CSTP]")

@@ -94,6 +94,7 @@ AnyOperation = Annotated[
     | operations.SetInitialOperation
     | operations.SetBlendClipOperation
     | operations.DeleteBlendClipOperation
+    | operations.MoveBlendClipOperation
     | operations.SetMarkerOperation
     | operations.SetContactsOperation
     | operations.AddEventOperation

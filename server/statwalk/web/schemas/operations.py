@@ -145,6 +145,17 @@ class DeleteBlendClipOperation(OfState):
     clip: Words
 
 
+class MoveBlendClipOperation(OfState):
+    """Moves a clip of a state's blend before another, or (null) to the end; phases of the state are phases of
+    its first clip.
+    """
+
+    of = edit.MoveBlendClip
+    kind: Literal["move_blend_clip"]
+    clip: Words
+    before: Words | None = None
+
+
 class SetMarkerOperation(OfState):
     """Puts a marker at a phase of a state's motion, or of one `clip` of its blend; null takes it away."""
 

@@ -2718,6 +2718,22 @@ export interface components {
                 number
             ][];
         };
+        /**
+         * @description Moves a clip of a state's blend before another, or (null) to the end; phases of the state are phases of
+         *     its first clip.
+         */
+        MoveBlendClipOperation: {
+            state: string;
+            /** @default base */
+            layer?: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "move_blend_clip";
+            clip: string;
+            before?: string | null;
+        };
         /** @description Moves a parameter, a sense, a key or a collider before another, or (null) to the end. */
         MoveEntryOperation: {
             /**
@@ -2994,7 +3010,7 @@ export interface components {
         };
         /** @description Operations on a machine, applied in their order; together they make one version. */
         NewOperations: {
-            operations: (components["schemas"]["SetCellOperation"] | components["schemas"]["AddStateOperation"] | components["schemas"]["SetStateOperation"] | components["schemas"]["RenameStateOperation"] | components["schemas"]["DeleteStateOperation"] | components["schemas"]["MoveStateOperation"] | components["schemas"]["NestStateOperation"] | components["schemas"]["UnnestStateOperation"] | components["schemas"]["SetInitialOperation"] | components["schemas"]["SetBlendClipOperation"] | components["schemas"]["DeleteBlendClipOperation"] | components["schemas"]["SetMarkerOperation"] | components["schemas"]["SetContactsOperation"] | components["schemas"]["AddEventOperation"] | components["schemas"]["SetEventOperation"] | components["schemas"]["RenameEventOperation"] | components["schemas"]["DeleteEventOperation"] | components["schemas"]["MoveEventOperation"] | components["schemas"]["AddParameterOperation"] | components["schemas"]["SetParameterOperation"] | components["schemas"]["RenameParameterOperation"] | components["schemas"]["AddSenseOperation"] | components["schemas"]["SetSenseOperation"] | components["schemas"]["AddKeyOperation"] | components["schemas"]["SetKeyOperation"] | components["schemas"]["AddColliderOperation"] | components["schemas"]["SetColliderOperation"] | components["schemas"]["RenameColliderOperation"] | components["schemas"]["DeleteEntryOperation"] | components["schemas"]["MoveEntryOperation"] | components["schemas"]["AddLayerOperation"] | components["schemas"]["SetLayerOperation"] | components["schemas"]["RenameLayerOperation"] | components["schemas"]["DeleteLayerOperation"] | components["schemas"]["MoveLayerOperation"] | components["schemas"]["SetMachineOperation"] | components["schemas"]["SetDefaultsOperation"] | components["schemas"]["AddPropertyOperation"] | components["schemas"]["SetPropertyOperation"] | components["schemas"]["MovePropertyOperation"] | components["schemas"]["SetExpressionsOperation"] | components["schemas"]["SetViewOperation"])[];
+            operations: (components["schemas"]["SetCellOperation"] | components["schemas"]["AddStateOperation"] | components["schemas"]["SetStateOperation"] | components["schemas"]["RenameStateOperation"] | components["schemas"]["DeleteStateOperation"] | components["schemas"]["MoveStateOperation"] | components["schemas"]["NestStateOperation"] | components["schemas"]["UnnestStateOperation"] | components["schemas"]["SetInitialOperation"] | components["schemas"]["SetBlendClipOperation"] | components["schemas"]["DeleteBlendClipOperation"] | components["schemas"]["MoveBlendClipOperation"] | components["schemas"]["SetMarkerOperation"] | components["schemas"]["SetContactsOperation"] | components["schemas"]["AddEventOperation"] | components["schemas"]["SetEventOperation"] | components["schemas"]["RenameEventOperation"] | components["schemas"]["DeleteEventOperation"] | components["schemas"]["MoveEventOperation"] | components["schemas"]["AddParameterOperation"] | components["schemas"]["SetParameterOperation"] | components["schemas"]["RenameParameterOperation"] | components["schemas"]["AddSenseOperation"] | components["schemas"]["SetSenseOperation"] | components["schemas"]["AddKeyOperation"] | components["schemas"]["SetKeyOperation"] | components["schemas"]["AddColliderOperation"] | components["schemas"]["SetColliderOperation"] | components["schemas"]["RenameColliderOperation"] | components["schemas"]["DeleteEntryOperation"] | components["schemas"]["MoveEntryOperation"] | components["schemas"]["AddLayerOperation"] | components["schemas"]["SetLayerOperation"] | components["schemas"]["RenameLayerOperation"] | components["schemas"]["DeleteLayerOperation"] | components["schemas"]["MoveLayerOperation"] | components["schemas"]["SetMachineOperation"] | components["schemas"]["SetDefaultsOperation"] | components["schemas"]["AddPropertyOperation"] | components["schemas"]["SetPropertyOperation"] | components["schemas"]["MovePropertyOperation"] | components["schemas"]["SetExpressionsOperation"] | components["schemas"]["SetViewOperation"])[];
         };
         /**
          * @description A parameter's value for one actor, or (null) for all actors of the stage; a list for a point, direction
@@ -4700,6 +4716,7 @@ export type MeasuredView = components['schemas']['MeasuredView'];
 export type MeasurementsView = components['schemas']['MeasurementsView'];
 export type MomentChange = components['schemas']['MomentChange'];
 export type MotionPathView = components['schemas']['MotionPathView'];
+export type MoveBlendClipOperation = components['schemas']['MoveBlendClipOperation'];
 export type MoveEntryOperation = components['schemas']['MoveEntryOperation'];
 export type MoveEventOperation = components['schemas']['MoveEventOperation'];
 export type MoveLayerOperation = components['schemas']['MoveLayerOperation'];

@@ -40,7 +40,7 @@ export function blendForm(
           </button>`
     }
     <fieldset>
-      <legend>clips</legend>
+      <legend title="phases of the state are phases of the first clip">clips</legend>
       ${repeat(
         info.clips,
         (clip) => clip,
@@ -83,18 +83,20 @@ function clipRow(
   const without = fields.bind(`blend without ${clip}`, "", () => [
     { kind: "delete_blend_clip", ...state, clip },
   ]);
+  const before = clips[clips.indexOf(clip) - 1];
+  const earlier = fields.bind(`blend ${clip} earlier`, "", () => [
+    { kind: "move_blend_clip", ...state, clip, before: before ?? null },
+  ]);
   return html`${formField(field, { label: clip, hint: "its place" })}
-  ${
-    clips.length > 2
-      ? html`<p class="buttons">
-          <button type="button" aria-label=${`take ${clip} out`} @click=${() => without.left("out")}>
-            take out
-          </button>
-        </p>`
-      : nothing
-  }
-  ${clipMarkers(fields, state, clip, clip_markers[clip] ?? [])}`;
+    <p class="buttons">
+      ${before === undefined ? nothing : button(`move ${clip} up`, "up", () => earlier.left("up"))}
+      ${clips.length > 2 ? button(`take ${clip} out`, "take out", () => without.left("out")) : nothing}
+    </p>
+    ${clipMarkers(fields, state, clip, clip_markers[clip] ?? [])}`;
 }
+
+const button = (label: string, words: string, act: () => void): TemplateResult =>
+  html`<button type="button" aria-label=${label} .textContent=${words} @click=${act}></button>`;
 
 /** Draws the markers of a clip, folded: clips with common markers run in step. */
 const clipMarkers = (

@@ -4,7 +4,13 @@ import pytest
 from edit_texts import DOOR, came, lines
 from statwalk.errors import MachineError
 from statwalk.files.machine_yaml.edit.edited import edited
-from statwalk.files.machine_yaml.edit.operations import DeleteBlendClip, SetBlendClip, SetContacts, SetMarker
+from statwalk.files.machine_yaml.edit.operations import (
+    DeleteBlendClip,
+    MoveBlendClip,
+    SetBlendClip,
+    SetContacts,
+    SetMarker,
+)
 from statwalk.files.machine_yaml.edit.parts import parts_of
 from statwalk.files.machine_yaml.machine_file import read_machine
 from statwalk.files.machine_yaml.machine_text import MachineText
@@ -19,6 +25,12 @@ def test_a_clip_goes_with_its_markers():
     marked = edited(DOOR, [SetBlendClip("OPEN", "slam", 0.5), SetMarker("OPEN", "shut", 0.9, "slam")])
     assert "      markers: {slam: {shut: 0.9}}" in marked
     assert edited(marked, [DeleteBlendClip("OPEN", "slam")]) == DOOR
+
+
+def test_another_clip_comes_first_and_last_again():
+    assert came(MoveBlendClip("OPEN", "swing", "still")) == ["      clips: {swing: 1, still: 0}"]
+    there = edited(DOOR, [MoveBlendClip("OPEN", "swing", "still")])
+    assert edited(there, [MoveBlendClip("OPEN", "swing")]) == DOOR
 
 
 def test_a_marker_comes_moves_and_goes():
@@ -63,6 +75,7 @@ def test_contacts_of_two_feet_are_two_parts():
     [
         (SetBlendClip("SHUT", "swing", 0), "SHUT plays no blend"),
         (DeleteBlendClip("OPEN", "swnig"), "did you mean swing"),
+        (MoveBlendClip("OPEN", "swing", "stil"), "did you mean still"),
         (SetMarker("OPENING", "hlaf", None), "did you mean half"),
     ],
 )

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from statwalk.files.machine_yaml.edit.operation import EditOperation, Part
 from statwalk.files.machine_yaml.edit.table_levels import existing_state, read
 from statwalk.files.machine_yaml.machine_text import MachineText
-from statwalk.files.yaml.yaml_edit import with_value, without
+from statwalk.files.yaml.yaml_edit import moved, with_value, without
 from statwalk.files.yaml.yaml_places import Path, find
 from statwalk.machine.definition.machine_definition import BASE
 
@@ -50,9 +50,7 @@ class DeleteBlendClip(EditOperation):
     def apply(self, text: MachineText) -> MachineText:
         """Returns the text without the clip."""
         path = _blend(text, self)
-        clips = find(read(text), (*path, "clips"))
-        if clips is not None and self.clip not in clips.entries():
-            raise clips.unknown("clip of the blend", self.clip, clips.entries())
+        _check_clip(text, path, self.clip)
         yaml = without(text.yaml, (*path, "clips", self.clip), len(path) + 1)
         return text._replace(yaml=without(yaml, (*path, "markers", self.clip), len(path)))
 
@@ -63,7 +61,35 @@ class DeleteBlendClip(EditOperation):
         yield "state", self.layer, self.state, "motion", "markers", self.clip
 
 
-def _blend(text: MachineText, where: SetBlendClip | DeleteBlendClip) -> Path:
+@dataclass(frozen=True)
+class MoveBlendClip(EditOperation):
+    """Moves a clip of a state's blend before another, or to the end. Phases of the state are phases of its
+    first clip.
+    """
+
+    state: str
+    clip: str
+    before: str | None = None
+    layer: str = BASE
+
+    def __str__(self) -> str:
+        return f"{self.state}: clip {self.clip} moved"
+
+    def apply(self, text: MachineText) -> MachineText:
+        """Returns the text with the clips in the other order."""
+        path = _blend(text, self)
+        for clip in (self.clip, self.before):
+            if clip is not None:
+                _check_clip(text, path, clip)
+        return text._replace(yaml=moved(text.yaml, (*path, "clips", self.clip), self.before))
+
+    def touched(self) -> Iterable[Part]:
+        """The state, and the clip."""
+        yield "name", "state", self.layer, self.state
+        yield "state", self.layer, self.state, "motion", "clips", self.clip
+
+
+def _blend(text: MachineText, where: SetBlendClip | DeleteBlendClip | MoveBlendClip) -> Path:
     """The path to the blend of a state. :raises MachineError: when the state plays no blend."""
     level, name = existing_state(read(text), where.layer, where.state)
     path = (*level.path, "states", name, "motion")
@@ -73,6 +99,13 @@ def _blend(text: MachineText, where: SetBlendClip | DeleteBlendClip) -> Path:
             f"{where.state} plays no blend; set its motion to one, with `over` and two `clips`, first"
         )
     return path
+
+
+def _check_clip(text: MachineText, blend: Path, clip: str) -> None:
+    """Checks that a blend has a clip. :raises MachineError: when it has none of this name."""
+    clips = find(read(text), (*blend, "clips"))
+    if clips is not None and clip not in clips.entries():
+        raise clips.unknown("clip of the blend", clip, clips.entries())
 
 
 @dataclass(frozen=True)

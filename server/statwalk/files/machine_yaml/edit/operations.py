@@ -14,6 +14,7 @@ from statwalk.files.machine_yaml.edit.layer_edits import (
 )
 from statwalk.files.machine_yaml.edit.motion_edits import (
     DeleteBlendClip,
+    MoveBlendClip,
     SetBlendClip,
     SetContacts,
     SetMarker,
@@ -45,6 +46,7 @@ __all__ = [
     "DeleteLayer",
     "DeleteState",
     "EditOperation",
+    "MoveBlendClip",
     "MoveEntry",
     "MoveEvent",
     "MoveLayer",
