@@ -133,6 +133,15 @@ def test_escape_cancels_an_import_and_is_no_stop_for_the_character(
     until(page, "__viewer.state() === 'STAT'")
 
 
+def test_a_page_that_is_left_takes_its_import_along(own: Callable[[], set[str]], viewer: Page) -> None:
+    before = own()
+    drop(viewer, "left.glb", DOOR.read_bytes())
+    viewer.get_by_role("button", name="Make a machine").wait_for()
+    assert own() - before == {"characters/left"}
+    viewer.goto("about:blank")
+    wait_for(lambda: own() == before)
+
+
 def test_enter_cancels_nothing_while_the_server_reads(viewer: Page) -> None:
     drop(viewer, "hasty.glb", DOOR.read_bytes())
     viewer.locator("dialog.import[open]").wait_for()

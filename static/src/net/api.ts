@@ -72,6 +72,7 @@ async function send(
     method: method.toUpperCase(),
     headers,
     cache: "no-cache",
+    keepalive: method === "delete", // a page that is closed still takes away what it has left
     ...(signal && { signal }),
   };
   if (body)

@@ -55,6 +55,7 @@ export class ImportDialog {
   ) {
     document.body.append(this.dialog, this.fileInput);
     this.dialog.addEventListener("close", () => this.forget());
+    window.addEventListener("pagehide", () => this.forget());
     this.fileInput.addEventListener("change", () => {
       const files = chosenFiles(this.fileInput);
       this.fileInput.value = "";
