@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { leadArrows } from "./arrows";
+import { leadArrows, nearest } from "./arrows";
 import { type Box, pointAt, rectOf } from "./shapes";
 
 const box = (name: string, x: number, y: number): [string, Box] => [name, { name, x, y, width: 60 }];
@@ -26,4 +26,16 @@ describe("leadArrows", () => {
 
   it("leaves out arrows to states that are not drawn", () =>
     expect(leadArrows([edge("A", "B")], new Map([box("A", 0, 0)]))).toEqual([]));
+});
+
+describe("the nearest arrow", () => {
+  const boxes = new Map([box("A", 0, 0), box("B", 0, 300), box("C", 100, 300)]);
+  const arrows = leadArrows([edge("A", "B"), edge("B", "A"), edge("A", "C")], boxes);
+  const at = (x: number, y: number): string => Object.values(nearest(arrows, { x, y })!).slice(0, 2).join();
+  it("is told from the one beside it", () => {
+    const sides = [at(-9, 150), at(9, 150)];
+    expect(new Set(sides)).toEqual(new Set(["A,B", "B,A"]));
+  });
+  it("may be far away", () => expect(at(400, 300)).toBe("A,C"));
+  it("is none where no arrow is", () => expect(nearest([], { x: 0, y: 0 })).toBeNull());
 });

@@ -8,10 +8,12 @@ const BENDS = [0, 22, -22, 44, -44, 76, -76, 120, -120];
 /** Two arrows between the same states stand this far aside, each to its own left. */
 const PAIR_BEND = 12;
 const SAMPLES = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
+/** Straight lines that no pointer can tell from a curve. */
+const LINES = 24;
 /** Space between an arrow and a box that it passes. */
 const CLEARANCE = 4;
 
-const direction = (from: string, to: string): string => JSON.stringify([from, to]);
+export const direction = (from: string, to: string): string => JSON.stringify([from, to]);
 
 /** Returns the arrows of `edges`; an edge of a state that has no box is left out. */
 export function leadArrows(edges: readonly Edge[], boxes: ReadonlyMap<string, Box>): Arrow[] {
@@ -76,4 +78,23 @@ function loop(box: Box): Arrow["curve"] {
     { x: right + 22, y: top - 18 },
     { x: right, y: top + 10 },
   ];
+}
+
+/** Returns the arrow that passes nearest to a place; null if there is none. */
+export function nearest(arrows: readonly Arrow[], place: Point): Arrow | null {
+  const by = arrows.map((arrow) => [distance(arrow.curve, place), arrow] as const);
+  return by.reduce<(typeof by)[0] | null>((a, b) => (a && a[0] <= b[0] ? a : b), null)?.[1] ?? null;
+}
+
+/** Returns the distance of a place from a curve, which is drawn as short lines. */
+function distance(curve: Arrow["curve"], place: Point): number {
+  const points = Array.from({ length: LINES + 1 }, (_, i) => pointAt(curve, i / LINES));
+  return Math.min(...points.slice(1).map((end, i) => fromLine(points[i]!, end, place)));
+}
+
+function fromLine(start: Point, end: Point, { x, y }: Point): number {
+  const [dx, dy] = [end.x - start.x, end.y - start.y];
+  const part = ((x - start.x) * dx + (y - start.y) * dy) / Math.max(dx ** 2 + dy ** 2, 1e-9);
+  const t = Math.min(1, Math.max(0, part));
+  return Math.hypot(start.x + t * dx - x, start.y + t * dy - y);
 }

@@ -24,13 +24,26 @@ export function arrowHead(): SVGElement {
   return svg("defs", {}, svg("marker", { id: "arrow", class: "tip", orient: "auto", ...size }, tip));
 }
 
+const boxShape = (width: number): Record<string, number> => ({
+  x: -width / 2,
+  y: -STATE_HEIGHT / 2,
+  width,
+  height: STATE_HEIGHT,
+  rx: ROUND,
+});
+
+/** Draws what is seen by the pointer only: a state that is drawn small can still be hit. */
+export function drawHalo({ name, width }: Box): SVGElement {
+  return svg("rect", { class: "halo", "data-state": name, ...boxShape(width) });
+}
+
 /** Draws a state with its rim and dot, from which arrows are drawn; or a folded sub-machine. */
 export function drawState({ name, width }: Box, { facts, inner }: GraphNode, initial: boolean): SVGGElement {
   const isFolded = inner.length > 0;
   const kind = isFolded ? "folded sub-machine" : "state";
   const help = isFolded ? "double click: unfold" : "double click: go there; drag its rim: a new arrow";
-  const shape = { x: -width / 2, y: -STATE_HEIGHT / 2, width, height: STATE_HEIGHT, rx: ROUND };
-  const behind = { ...shape, x: shape.x + STACK, y: shape.y + STACK };
+  const shape = boxShape(width);
+  const behind = { ...shape, x: shape["x"]! + STACK, y: shape["y"]! + STACK };
   return svg(
     "g",
     {
@@ -49,8 +62,8 @@ export function drawState({ name, width }: Box, { facts, inner }: GraphNode, ini
   );
 }
 
-export function placeState(group: SVGGElement, { x, y }: Box): void {
-  group.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
+export function placeState(part: SVGElement, { x, y }: Box): void {
+  part.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
 }
 
 export function drawArrow(arrow: Arrow): SVGGElement {

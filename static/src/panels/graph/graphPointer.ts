@@ -8,6 +8,7 @@ import type { Point } from "./shapes";
 
 export class GraphPointer {
   private readonly gestures: Gestures;
+  private pointed: SVGElement | null = null;
 
   constructor(
     private readonly graph: GraphView,
@@ -19,7 +20,11 @@ export class GraphPointer {
     for (const kind of ["contextmenu", "dblclick"])
       canvas.addEventListener(kind, (click) => this.travel(click));
     canvas.addEventListener("pointerover", ({ target }) => graph.light(stateOf(target) ?? ""));
-    canvas.addEventListener("pointerleave", () => graph.light(""));
+    canvas.addEventListener("pointermove", (move) => this.point(this.edgeAt(move)));
+    canvas.addEventListener("pointerleave", () => {
+      graph.light("");
+      this.point(null);
+    });
   }
 
   /** Drops what is dragged; returns whether something was. */
@@ -27,9 +32,25 @@ export class GraphPointer {
     return this.gestures.cancel();
   }
 
-  private clicked({ target }: Event): void {
-    if (this.gestures.dragged) return;
+  /** Marks the arrow that a click would select. */
+  private point(edge: SVGElement | null): void {
+    if (edge === this.pointed) return;
+    this.pointed?.classList.remove("pointed");
+    edge?.classList.add("pointed");
+    this.pointed = edge;
+  }
+
+  /** Returns the arrow at a pointer: where arrows lie close together, the nearest one. */
+  private edgeAt({ target, clientX: x, clientY: y, pointerType }: PointerEvent): SVGElement | null {
     const edge = target instanceof Element ? target.closest<SVGElement>(".edge") : null;
+    if (!edge || !pointerType || (target as Element).closest("text")) return edge;
+    return this.graph.picture.nearestArrow(this.graph.camera.toGraph({ x, y }));
+  }
+
+  private clicked(click: PointerEvent): void {
+    if (this.gestures.dragged) return;
+    const { target } = click;
+    const edge = this.edgeAt(click);
     const state = stateOf(target);
     if (state !== null) this.graph.select(state);
     else if (edge) this.graph.select(edge.dataset["from"]!, eventOf(target as Element, edge));
@@ -82,7 +103,9 @@ export class GraphPointer {
 }
 
 function stateOf(target: EventTarget | null): string | null {
-  return target instanceof Element ? (target.closest<SVGElement>(".state")?.dataset["state"] ?? null) : null;
+  return target instanceof Element
+    ? (target.closest<SVGElement>(".state, .halo")?.dataset["state"] ?? null)
+    : null;
 }
 
 /** Returns the event whose name was clicked, or the arrow's first one. */

@@ -1,9 +1,9 @@
 /** Draws the graph: states, arrows with their labels; marks what is live, selected, and what is pointed at. */
 
 import { flash, svg } from "../../ui/dom";
-import { leadArrows } from "./arrows";
+import { direction, leadArrows, nearest } from "./arrows";
 import type { Content } from "./content";
-import { arrowHead, bendArrow, drawArrow, drawState, placeState, writeLabel } from "./drawing";
+import { arrowHead, bendArrow, drawArrow, drawHalo, drawState, placeState, writeLabel } from "./drawing";
 import { placeLabels } from "./labels";
 import { letterWidths } from "./letterWidths";
 import { isDense } from "./ringLayout";
@@ -34,18 +34,19 @@ export interface Marks {
   selected: { state: string; event: string | null; to: string } | null;
 }
 
-const edgeKey = (from: string, to: string): string => JSON.stringify([from, to]);
-
 export class Picture {
   readonly canvas = svg("svg", { role: "group", "aria-label": "state graph" });
   readonly world = svg("g", { class: "world" });
   private readonly arrowGroup = svg("g");
+  /** Below all states: no state lies under the halo of another. */
+  private readonly haloGroup = svg("g");
   private readonly stateGroup = svg("g");
   private readonly ghost = svg("path", { class: "line ghost", hidden: true });
   private content: Content = { nodes: [], edges: [], initial: "" };
   private boxes = new Map<string, Box>();
   private arrows: Arrow[] = [];
   private readonly states = new Map<string, SVGGElement>();
+  private readonly halos = new Map<string, SVGElement>();
   private readonly edges = new Map<string, SVGGElement>();
   private marks: Marks = { live: "", lit: "", selected: null };
   private zoom = 1;
@@ -55,7 +56,7 @@ export class Picture {
   private widthOf: ((text: string) => number) | null = null;
 
   constructor() {
-    this.world.append(this.arrowGroup, this.stateGroup, this.ghost);
+    this.world.append(this.arrowGroup, this.haloGroup, this.stateGroup, this.ghost);
     this.canvas.append(arrowHead(), this.world);
   }
 
@@ -65,13 +66,15 @@ export class Picture {
       content.nodes.map(({ name }) => [name, { name, ...places.get(name)!, width: stateWidth(name) }]),
     );
     this.states.clear();
+    this.halos.clear();
     for (const node of content.nodes) {
       const box = this.boxes.get(node.name)!;
-      const group = drawState(box, node, node.name === content.initial);
-      placeState(group, box);
-      this.states.set(node.name, group);
+      this.states.set(node.name, drawState(box, node, node.name === content.initial));
+      this.halos.set(node.name, drawHalo(box));
+      this.place(box);
     }
     this.stateGroup.replaceChildren(...this.states.values());
+    this.haloGroup.replaceChildren(...this.halos.values());
     this.canvas.classList.toggle("dense", isDense(content.nodes.length, content.edges.length));
     this.drawArrows();
     this.mark(this.marks);
@@ -82,9 +85,13 @@ export class Picture {
     const box = this.boxes.get(name);
     if (!box) return;
     Object.assign(box, place);
-    placeState(this.states.get(name)!, box);
+    this.place(box);
     this.drawArrows();
     this.mark(this.marks);
+  }
+
+  private place(box: Box): void {
+    for (const parts of [this.states, this.halos]) placeState(parts.get(box.name)!, box);
   }
 
   mark(marks: Marks): void {
@@ -111,9 +118,10 @@ export class Picture {
     this.write();
   }
 
-  /** Follows the zoom: labels keep their size on the screen. */
+  /** Follows the zoom: labels, and what can be hit, keep their size on the screen. */
   zoomed(zoom: number): void {
     this.zoom = zoom;
+    this.world.style.setProperty("--per-pixel", (1 / zoom).toFixed(3));
     this.world.style.setProperty("--letters", `${(LETTERS / zoom).toFixed(2)}px`);
   }
 
@@ -137,12 +145,12 @@ export class Picture {
   }
 
   private element({ from, to }: Arrow): SVGGElement {
-    return this.edges.get(edgeKey(from, to))!;
+    return this.edges.get(direction(from, to))!;
   }
 
   /** Flashes the arrow that a state change has taken, and writes its event. */
   fire(from: string, to: string, event: string): void {
-    const group = this.edges.get(edgeKey(from, to));
+    const group = this.edges.get(direction(from, to));
     if (!group) return;
     this.arrowGroup.querySelectorAll(".last").forEach((old) => old.classList.remove("last"));
     flash(group, "fired");
@@ -167,6 +175,12 @@ export class Picture {
     return this.content.edges;
   }
 
+  /** Returns the element of the arrow that is nearest to a place; null if no arrow is drawn. */
+  nearestArrow(place: Point): SVGGElement | null {
+    const arrow = nearest(this.arrows, place);
+    return arrow && this.element(arrow);
+  }
+
   get placed(): Iterable<Box> {
     return this.boxes.values();
   }
@@ -181,7 +195,7 @@ export class Picture {
   }
 
   arrowElement(from: string, to: string): SVGGElement | undefined {
-    return this.edges.get(edgeKey(from, to));
+    return this.edges.get(direction(from, to));
   }
 
   /** Returns the rectangle around states and arrows, or null if nothing is drawn. */
@@ -220,7 +234,7 @@ export class Picture {
     const before = new Map(this.edges);
     this.edges.clear();
     for (const arrow of this.arrows) {
-      const key = edgeKey(arrow.from, arrow.to);
+      const key = direction(arrow.from, arrow.to);
       const old = before.get(key);
       // An arrow that stays keeps its element, and with it the focus.
       const stays = old?.dataset["events"] === arrow.events.join() ? old : null;
