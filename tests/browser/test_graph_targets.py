@@ -11,12 +11,13 @@ MISSED = """least => [...document.querySelectorAll('#graph .state')].flatMap(sta
   const { x, y, width, height } = state.querySelector('.box').getBoundingClientRect();
   const [midX, midY, far] = [x + width / 2, y + height / 2, least / 2 - 1];
   return [[0, -far], [0, far], [-far, 0], [far, 0]].flatMap(([right, down]) => {
-    const hit = document.elementFromPoint(midX + right, midY + down)?.closest('.state, .halo, .graph-buttons');
+    const on = document.elementFromPoint(midX + right, midY + down);
+    const hit = on?.closest('.state, .halo, .graph-buttons');
     const isOther = hit?.matches('.state, .graph-buttons') && hit !== state;
     return isOther || hit?.dataset.state === state.dataset.state ? [] : [state.dataset.state];
   });
 })"""
-"""the states that are not hit at half of `least` pixels from their middle, where no other state and no button is drawn"""
+"""the states that are not hit at half of `least` pixels from their middle, where nothing else is drawn"""
 ON_ARROWS = """(() => {
   const lines = [...document.querySelectorAll('#graph .edge .line')].map(line => {
     const [length, onScreen] = [line.getTotalLength(), line.getScreenCTM()];
