@@ -33,8 +33,13 @@ export function graphPanel(host: HTMLElement, app: App): void {
   host.append(el("div", { class: "graph-buttons group" }, ...buttons), note);
   app.inspection.selected.subscribe((selected) => (buttons[4]!.hidden = selected?.event == null));
   effect(() => showFolding(buttons[5]!, app.folds));
-  app.commands.add({ keys: [], words: "lay the graph out anew", act: () => void graph.arrange() });
-  app.commands.add({ keys: [], words: "fold or unfold all sub-machines", act: () => app.folds.toggleAll() });
+  app.commands.add(
+    { keys: [], words: "graph: zoom in", act: () => graph.camera.zoomBy(ZOOM) },
+    { keys: [], words: "graph: zoom out", act: () => graph.camera.zoomBy(1 / ZOOM) },
+    { keys: [], words: "graph: fit", act: () => graph.fit() },
+    { keys: [], words: "lay the graph out anew", act: () => void graph.arrange() },
+    { keys: [], words: "fold or unfold all sub-machines", act: () => app.folds.toggleAll() },
+  );
 }
 
 function button(words: string, title: string, act: () => void): HTMLButtonElement {

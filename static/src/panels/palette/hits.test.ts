@@ -8,11 +8,14 @@ import { exampleApp, watch } from "../../view/exampleApp";
 import type { App } from "../../view/app";
 import { type Hit, hitsOf } from "./hits";
 
-function examples(): App {
+function examples(...above: string[]): App {
   const app = exampleApp();
-  const watched = { jointNames: () => ["hip"], joint: signal("") };
+  const watched = { jointNames: () => ["hip"], joint: signal(""), traced: signal("") };
   Object.assign(app.view, { watched });
-  const layers = [layer({ states: [state({ name: "WALK", clips: ["walk"] })] })];
+  const layers = [
+    layer({ states: [state({ name: "WALK", clips: ["walk"] })] }),
+    ...above.map((name) => layer({ name })),
+  ];
   watch(app, { layers, events: ["JUMP"] });
   return app;
 }
@@ -37,6 +40,18 @@ it("shows a joint", () => {
   const app = examples();
   hit(app, "hip").act();
   expect(app.view.watched.joint.value).toBe("hip");
+});
+
+it("draws the path of a joint", () => {
+  const app = examples();
+  matching(hitsOf(app, []), "hip path")[0]!.act();
+  expect(app.view.watched.traced.value).toBe("hip");
+});
+
+it("shows a layer of a machine that has several", () => {
+  const app = examples("face");
+  hit(app, "face").act();
+  expect(app.selection.layer.value).toBe(1);
 });
 
 it("runs a command, and says its key", () => {

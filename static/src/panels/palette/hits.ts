@@ -57,12 +57,21 @@ function clipHits(app: App): Hit[] {
   });
 }
 
-const jointHits = ({ view }: App): Hit[] =>
-  view.watched.jointNames().map((name) => ({
+function layerHits({ machine, selection }: App): Hit[] {
+  const layers = machine.info.value?.layers ?? [];
+  const hits = layers.map(({ name }, index) => ({
     name,
-    note: "joint: show",
-    act: () => (view.watched.joint.value = name),
+    note: "layer: show",
+    act: () => (selection.layer.value = index),
   }));
+  return hits.length > 1 ? hits : [];
+}
+
+const jointHits = ({ view: { watched } }: App): Hit[] =>
+  watched.jointNames().flatMap((name) => [
+    { name, note: "joint: show", act: () => (watched.joint.value = name) },
+    { name, note: "joint: draw its path", act: () => (watched.traced.value = name) },
+  ]);
 
 function libraryHits({ library, stage, machine }: App): Hit[] {
   const machines = library.machines.value.filter(({ scene }) => !scene);
@@ -96,6 +105,7 @@ export function hitsOf(app: App, stages: readonly StageInfo[]): Hit[] {
     ...commandHits(app),
     ...stateHits(app),
     ...eventHits(app),
+    ...layerHits(app),
     ...clipHits(app),
     ...jointHits(app),
     ...libraryHits(app),

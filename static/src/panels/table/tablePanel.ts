@@ -34,5 +34,9 @@ export function tablePanel(_host: HTMLElement, app: App): void {
     if (tick) app.inspection.why.value = Number(tick);
   };
   byId("verdict").addEventListener("click", why);
-  app.commands.add({ keys: ["w"], words: "why: the newest event", act: why });
+  const addTo = (): void => byId("table").querySelector<HTMLElement>("th.corner")?.click();
+  app.commands.add(
+    { keys: ["w"], words: "why: the newest event", act: why },
+    { keys: [], words: "table: add a state, an event", act: addTo },
+  );
 }

@@ -47,11 +47,7 @@ export class Transport {
     const back = button("back", "one tick back", ",", () => this.step(-1));
     const forward = button("forward", "one tick forward", ".", () => this.step(1));
     this.liveButton.addEventListener("click", () => app.playback.live());
-    this.speed.addEventListener(
-      "change",
-      () =>
-        void this.app.session.command((stage, viewer) => api.speed(stage, Number(this.speed.value), viewer)),
-    );
+    this.speed.addEventListener("change", () => this.setSpeed(Number(this.speed.value)));
     host.append(
       back,
       this.play,
@@ -71,7 +67,16 @@ export class Transport {
       { keys: [","], words: "one tick back", act: () => this.step(-1) },
       { keys: ["."], words: "one tick forward", act: () => this.step(1) },
       { keys: ["l"], words: "live", act: () => app.playback.live() },
+      ...SPEEDS.map((speed) => ({
+        keys: [],
+        words: `speed of the stage: ${speed}×`,
+        act: () => this.setSpeed(speed),
+      })),
     );
+  }
+
+  private setSpeed(speed: number): void {
+    void this.app.session.command((stage, viewer) => api.speed(stage, speed, viewer));
   }
 
   /** Plays or pauses the replay while the past is shown, else the stage. */

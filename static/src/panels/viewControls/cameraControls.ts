@@ -24,10 +24,16 @@ export function cameraCommands({ scene, watched }: StageView): Command[] {
     words: `camera: ${mode}`,
     act: () => (scene.view.mode.value = mode),
   }));
+  const framings = FRAMINGS.map((framing) => ({
+    keys: [],
+    words: `framing: ${framing}`,
+    act: () => watched.framing.choose(framing),
+  }));
   return [
     { keys: ["f"], words: "frame the character, or the chosen joint", act: () => watched.frameChosen() },
     { keys: ["r"], words: "turntable", act: () => (watched.turning.value = !watched.turning.value) },
     ...modes,
+    ...framings,
   ];
 }
 
