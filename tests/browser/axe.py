@@ -11,7 +11,10 @@ VIOLATIONS = """async rules => {
   return violations.flatMap(({ id, nodes }) =>
     nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')}: ${failureSummary}`));
 }"""
-CONTROLS = "button, a[href], input, select, textarea, summary, [role=option], [role=menuitem], #table td"
+CONTROLS = (
+    "button, a[href], input, select, textarea, summary, [role=option], [role=menuitem], #table td, "
+    "#table th[tabindex]"
+)
 SMALL = """([controls, least]) => [...document.querySelectorAll(controls)]
   .filter(shown => shown.checkVisibility({ visibilityProperty: true }))
   .map(shown => [shown, shown.getBoundingClientRect()])
@@ -47,14 +50,21 @@ def looked_at(page: Page, theme: Literal["light", "dark"], look: str, arg: objec
     return found
 
 
-def faults(page: Page) -> list[str]:
-    """Returns what axe finds, of the light theme only its colours, and what is hard to hit with a mouse or a
-    finger.
-    """
+def unreadable(page: Page) -> list[str]:
+    """Returns what axe finds, of the light theme only its colours."""
     found = looked_at(page, "light", VIOLATIONS, {"runOnly": ["color-contrast"]})
-    found += looked_at(page, "dark", VIOLATIONS, {})
-    found += page.evaluate(SMALL, [CONTROLS, 24])
+    return found + looked_at(page, "dark", VIOLATIONS, {})
+
+
+def small_for_a_finger(page: Page) -> list[str]:
+    """Returns the controls that a finger misses, on a page that is touched."""
+    return looked_at(page, "dark", SMALL, [CONTROLS, 44])
+
+
+def faults(page: Page) -> list[str]:
+    """Returns what axe finds, and what is hard to hit with a mouse or a finger, on a page with a mouse."""
+    found = unreadable(page) + page.evaluate(SMALL, [CONTROLS, 24])
     page.evaluate(POINT_WITH, [FINGER, ALWAYS])
-    found += looked_at(page, "dark", SMALL, [CONTROLS, 44])
+    found += small_for_a_finger(page)
     page.evaluate(POINT_WITH, [ALWAYS, FINGER])
     return found
