@@ -1,4 +1,4 @@
-"""Three users, each with a server and a window of their own."""
+"""Five users, each with a server and a window of their own."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -8,11 +8,16 @@ from browser.conftest import Server
 from browser.journeys.fingers import Fingers
 from browser.journeys.keyboard import Keyboard
 from browser.journeys.mouse import Mouse
+from browser.journeys.thumbs import Thumbs, ThumbsOnASmallPhone
 from browser.journeys.user import User
 from playwright.sync_api import Page
 
 
-@pytest.fixture(scope="module", params=[Mouse, Keyboard, Fingers], ids=lambda kind: kind.__name__)
+@pytest.fixture(
+    scope="module",
+    params=[Mouse, Keyboard, Fingers, Thumbs, ThumbsOnASmallPhone],
+    ids=lambda kind: kind.__name__,
+)
 def kind(request: pytest.FixtureRequest) -> type[User]:
     """Names the kind of user; pytest runs all journeys of one kind before it begins with the next kind."""
     chosen: type[User] = request.param

@@ -1,5 +1,7 @@
 """A user without a pointer: Tab, arrows, Enter and the page's keys."""
 
+from typing import ClassVar
+
 import pytest
 from browser.journeys.user import Moment, User
 from playwright.sync_api import Locator
@@ -27,6 +29,8 @@ page has drawn the place anew
 class Keyboard(User):
     """A user who reaches a place by keys."""
 
+    WINDOW: ClassVar = {"viewport": {"width": 960, "height": 600}, "color_scheme": "dark"}
+
     _is_away = False
     """a part of the page has the keys, not the character"""
 
@@ -35,6 +39,7 @@ class Keyboard(User):
         self.press("Enter")
 
     def focus(self, place: Locator) -> None:
+        self.bring(place)
         found = place.element_handle()  # kept: to find a place by its name takes longer than to press a key
         for _ in range(MOST_KEYS):
             key = found.evaluate(NEXT_KEY)
@@ -59,6 +64,11 @@ class Keyboard(User):
 
     def choose_machine(self, title: str) -> None:
         self.find(title)
+        self.bring(self.page.locator("#table"))
+
+    def go_to_curves(self) -> None:
+        """A bar of this width has the link in a menu."""
+        self.find("curves: the same keys")
 
     def blend_half_way(self) -> None:
         """Moves the slider of the pad's parameter by five tenths."""

@@ -11,6 +11,11 @@ from playwright.sync_api import Locator, Page, Position
 
 DOCUMENT = ROOT / "docs" / "journeys.md"
 Moment = Literal["start", "middle"]
+HIDDEN_IN = """place => {
+  const panel = place.closest('[data-tab]');
+  return panel && !panel.checkVisibility() ? panel.dataset.tab : '';
+}"""
+"""the tab of the panel that holds a place, if a small window shows another panel"""
 SHARES: dict[Moment, float] = {"start": 0.02, "middle": 0.5}
 """where on the timeline a moment is, as a share of its width"""
 
@@ -39,6 +44,11 @@ class User(ABC):
     def arrived(self, journey: str) -> None:
         """Ends a journey; the document has it, with a number of steps."""
         self._promised(journey)
+
+    def bring(self, place: Locator) -> None:
+        """Shows the panel that holds a place."""
+        if tab := place.evaluate(HIDDEN_IN):
+            self.take(self.page.get_by_role("tab", name=tab, exact=True))
 
     def until(self, condition: str, arg: object = None) -> None:
         until(self.page, condition, arg)
