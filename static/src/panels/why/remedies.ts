@@ -9,10 +9,13 @@ import { reasonOf } from "../../net/reason";
 import type { App } from "../../view/app";
 import { trialWords } from "./words";
 
+type Part = TemplateResult | typeof nothing;
+
+const said = (words: string): Part => (words ? html`<p .textContent=${words}></p>` : nothing);
+
 export class Remedies {
   private readonly event = signal("");
-  /** The answer, or what is to be said in its place. */
-  private readonly answer = signal<WhyNot | string>("");
+  private readonly answer = signal<Part>(nothing);
   private tick = 0;
   private requests = 0;
 
@@ -39,11 +42,12 @@ export class Remedies {
 
   private async ask(): Promise<void> {
     const [actor, event, request] = [this.app.selection.actor.value, this.event.value, ++this.requests];
-    this.answer.value = "";
-    if (actor === null || !event) return;
-    this.answer.value = "trying changes…";
+    const isAsked = actor !== null && event !== "";
+    this.answer.value = said(isAsked ? "trying changes…" : "");
+    if (!isAsked) return;
     const found = await actors.whyNot(this.app.stage.id, actor, event, this.tick).catch(reasonOf);
-    if (request === this.requests) this.answer.value = found;
+    if (request !== this.requests) return;
+    this.answer.value = typeof found === "string" ? said(found) : this.shown(found);
   }
 
   part(): TemplateResult {
@@ -54,7 +58,6 @@ export class Remedies {
         .selected=${live(event === this.event.value)}
         .text=${event || "choose an event"}
       ></option>`;
-    const answer = this.answer.value;
     return html`<section class="why-not">
       <h3>
         why not
@@ -62,20 +65,22 @@ export class Remedies {
           ${["", ...this.events()].map(option)}
         </select>
       </h3>
-      <div class="answer" aria-live="polite">
-        ${typeof answer === "string" ? said(answer) : this.shown(answer)}
-      </div>
+      <div class="answer" aria-live="polite">${this.answer.value}</div>
     </section>`;
   }
 
   private shown({ fired, reason, remedies, cut }: WhyNot): TemplateResult {
-    if (fired) return html`<p class="reason" .textContent=${`It fires: ${reason}`}></p>`;
-    const list = html`<ol class="remedies">
-      ${remedies.map((remedy) => this.item(remedy))}
-    </ol>`;
-    return html`<p class="reason" .textContent=${reason}></p>
-      ${remedies.length ? list : nothing}
-      ${said(cut || (remedies.length ? "" : "No single change makes it fire."))}`;
+    const items = remedies.map((remedy) => this.item(remedy));
+    const end = cut || (items.length ? "" : "No single change makes it fire.");
+    return html`<p class="reason" .textContent=${fired ? `It fires: ${reason}` : reason}></p>
+      ${
+        items.length
+          ? html`<ol class="remedies">
+              ${items}
+            </ol>`
+          : nothing
+      }
+      ${said(fired ? "" : end)}`;
   }
 
   private item(remedy: Remedy): TemplateResult {
@@ -107,6 +112,3 @@ export class Remedies {
       );
   }
 }
-
-const said = (words: string): TemplateResult | typeof nothing =>
-  words ? html`<p .textContent=${words}></p>` : nothing;
