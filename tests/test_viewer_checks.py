@@ -103,7 +103,9 @@ def first_load(build: Path) -> dict[str, bytes]:
     return {name: (build / name).read_bytes() for name in names}
 
 
-def test_the_page_begins_with_few_bytes_and_without_plots(modules: Path, tmp_path: Path) -> None:
+def test_the_page_begins_with_few_bytes_without_plots_and_without_an_editor(
+    modules: Path, tmp_path: Path
+) -> None:
     run(
         modules / "vite" / "bin" / "vite.js",
         "build",
@@ -115,6 +117,7 @@ def test_the_page_begins_with_few_bytes_and_without_plots(modules: Path, tmp_pat
     )
     loaded = first_load(tmp_path)
     assert sum(len(gzip.compress(data)) for data in loaded.values()) <= 1000 * MOST_KB
-    with_plots = {path.relative_to(tmp_path).as_posix() for path in tmp_path.glob("assets/uPlot*")}
-    assert with_plots
-    assert not with_plots & set(loaded)
+    for later in ("uPlot", "yamlEditor"):
+        names = {path.relative_to(tmp_path).as_posix() for path in tmp_path.glob(f"assets/{later}*")}
+        assert names
+        assert not names & set(loaded)

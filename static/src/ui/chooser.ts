@@ -1,7 +1,10 @@
 /** Asks for one of several names in a small menu: type to filter, arrow keys and Enter to choose, Escape to drop. */
 
 import "./chooser.css";
+import { computed, type Signal, signal } from "@preact/signals-core";
+import { html, type TemplateResult } from "lit-html";
 import { el } from "./dom";
+import { draw } from "./draw";
 import { matching, type Named } from "./matching";
 
 /** What the menu offers for a typed name that is not in the list: its words, or null. */
@@ -45,34 +48,24 @@ export function find<T extends Named>(
 }
 
 class Chooser {
-  private readonly field = el("input", {
-    type: "text",
-    role: "combobox",
-    autocomplete: "off",
-    spellcheck: "false",
-    maxlength: 60,
-    "aria-controls": "choices",
-    "aria-expanded": "true",
-  });
-  private readonly list = el("ul", { role: "listbox", id: "choices" });
   private readonly dialog: HTMLDialogElement;
-  private shown: readonly Named[] = [];
-  private chosen = 0;
+  private readonly choices: Signal<readonly Named[]>;
+  private readonly typed = signal("");
+  private readonly chosen = signal(0);
+  private readonly shown = computed(() => this.hits());
 
   constructor(
-    title: string,
-    private choices: readonly Named[],
+    private readonly title: string,
+    choices: readonly Named[],
     private readonly novelty: Novelty,
     private readonly done: (choice: Named | null) => void,
   ) {
-    this.field.setAttribute("aria-label", title);
-    this.field.placeholder = title;
-    this.list.setAttribute("aria-label", title);
-    this.dialog = el("dialog", { class: "chooser", "aria-label": title }, this.field, this.list);
-    this.field.addEventListener("input", () => this.draw());
+    this.choices = signal(choices);
+    this.dialog = el("dialog", { class: "chooser", "aria-label": title });
+    draw(this.dialog, () => this.content());
     this.dialog.addEventListener("keydown", (press) => this.pressed(press));
     this.dialog.addEventListener("keyup", (press) => press.stopPropagation());
-    this.dialog.addEventListener("click", ({ target }) => this.clicked(target as Element));
+    this.dialog.addEventListener("click", ({ target }) => target === this.dialog && this.end(null));
     this.dialog.addEventListener("close", () => this.end(null));
   }
 
@@ -92,17 +85,15 @@ class Chooser {
 
   /** Offers other choices; the marked one stays marked. */
   offer(choices: readonly Named[]): void {
-    const marked = this.shown[this.chosen];
-    this.choices = choices;
-    this.draw();
-    this.mark(this.shown.findIndex(({ name, note }) => name === marked?.name && note === marked.note));
+    const marked = this.shown.value[this.chosen.value];
+    this.choices.value = choices;
+    this.mark(this.shown.value.findIndex(({ name, note }) => name === marked?.name && note === marked.note));
   }
 
   private show(): void {
     document.body.append(this.dialog);
-    this.draw();
     this.dialog.showModal();
-    this.field.focus();
+    this.dialog.querySelector("input")!.focus();
   }
 
   private end(choice: Named | null): void {
@@ -111,46 +102,59 @@ class Chooser {
     this.done(choice);
   }
 
-  private draw(): void {
-    const typed = this.field.value.trim();
-    const hits = matching(this.choices, typed).slice(0, MOST_SHOWN);
-    const known = this.choices.some(({ name }) => name === typed);
-    const note = typed && !known ? this.novelty(typed) : null;
-    this.shown = note === null ? hits : [...hits, { name: typed, note }];
-    this.list.replaceChildren(
-      ...this.shown.map(({ name, note: words }, i) =>
-        el(
-          "li",
-          { role: "option", id: `choice-${i}`, "data-index": i },
-          el("span", {}, name),
-          el("small", {}, words),
-        ),
-      ),
-    );
-    this.mark(0);
+  private hits(): readonly Named[] {
+    const [typed, choices] = [this.typed.value, this.choices.value];
+    const hits = matching(choices, typed).slice(0, MOST_SHOWN);
+    const note = typed && !choices.some(({ name }) => name === typed) ? this.novelty(typed) : null;
+    return note === null ? hits : [...hits, { name: typed, note }];
+  }
+
+  private content(): TemplateResult {
+    const [shown, chosen] = [this.shown.value, this.chosen.value];
+    const type = ({ target }: Event): void => {
+      this.typed.value = (target as HTMLInputElement).value.trim();
+      this.mark(0);
+    };
+    return html`<input
+        type="text"
+        role="combobox"
+        autocomplete="off"
+        spellcheck="false"
+        maxlength="60"
+        placeholder=${this.title}
+        aria-label=${this.title}
+        aria-controls="choices"
+        aria-expanded="true"
+        aria-activedescendant=${shown.length ? `choice-${chosen}` : ""}
+        @input=${type}
+      />
+      <ul role="listbox" id="choices" aria-label=${this.title}>
+        ${shown.map(
+          (choice, i) =>
+            html`<li
+              role="option"
+              id=${`choice-${i}`}
+              aria-selected=${i === chosen}
+              @click=${() => this.end(choice)}
+            >
+              <span .textContent=${choice.name}></span>
+              <small .textContent=${choice.note}></small>
+            </li>`,
+        )}
+      </ul>`;
   }
 
   private mark(index: number): void {
-    this.chosen = Math.min(Math.max(0, index), this.shown.length - 1);
-    [...this.list.children].forEach((item, i) =>
-      item.setAttribute("aria-selected", String(i === this.chosen)),
-    );
-    this.list.children[this.chosen]?.scrollIntoView({ block: "nearest" });
-    this.field.setAttribute("aria-activedescendant", this.shown.length ? `choice-${this.chosen}` : "");
+    this.chosen.value = Math.min(Math.max(0, index), this.shown.value.length - 1);
+    this.dialog.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest" });
   }
 
   private pressed(press: KeyboardEvent): void {
     press.stopPropagation();
     const step = press.key === "ArrowDown" ? 1 : press.key === "ArrowUp" ? -1 : 0;
-    if (step) this.mark(this.chosen + step);
-    else if (press.key === "Enter") this.end(this.shown[this.chosen] ?? null);
+    if (step) this.mark(this.chosen.value + step);
+    else if (press.key === "Enter") this.end(this.shown.value[this.chosen.value] ?? null);
     else return;
     press.preventDefault();
-  }
-
-  private clicked(target: Element): void {
-    if (target === this.dialog) this.end(null);
-    const item = target.closest<HTMLElement>("[data-index]");
-    if (item) this.end(this.shown[Number(item.dataset["index"])]!);
   }
 }

@@ -1,88 +1,59 @@
 /** Counts actions by name over the stage view and plays their tones. */
 
 import "./actionCounter.css";
-import type { Action } from "../../net/protocol";
+import { signal } from "@preact/signals-core";
+import { html } from "lit-html";
+import { repeat } from "lit-html/directives/repeat.js";
+import { flash } from "../../ui/dom";
+import { draw } from "../../ui/draw";
 import type { App } from "../../view/app";
-import { el, flash, say } from "../../ui/dom";
 import { Sounds } from "./sounds";
 
 const MOST_NAMES = 8;
 /** Raised events between actors are not counted. */
 const RAISE = "raise";
 
-interface Row {
-  item: HTMLElement;
-  count: HTMLElement;
-  times: number;
-}
+export function actionCounterPanel(host: HTMLElement, { commands, playback, session, stage }: App): void {
+  const sounds = new Sounds();
+  const isMuted = signal(sounds.muted);
+  /** The names with their counts; the latest comes first. */
+  const counts = signal<ReadonlyMap<string, number>>(new Map());
+  let counted = "";
 
-class ActionCounter {
-  private rows = new Map<string, Row>();
-  private readonly list = el("ul", { "aria-label": "actions" });
-  private readonly mute = el("button", { type: "button", class: "plain", title: "sound of actions" });
-  private stage = "";
-
-  constructor(
-    host: HTMLElement,
-    private readonly app: App,
-    private readonly sounds = new Sounds(),
-  ) {
-    host.append(this.list, this.mute);
-    this.mute.addEventListener("click", () => this.toggle());
-    this.mute.hidden = true;
-    app.commands.add({ keys: [], words: "sound of actions: on, off", act: () => this.toggle() });
-    this.label();
-    app.session.actions.on((action) => this.count(action));
-    app.stage.hello.subscribe((hello) => {
-      if (hello) this.at(hello.stage);
-    });
-  }
-
-  private toggle(): void {
-    this.sounds.muted = !this.sounds.muted;
-    this.label();
-  }
-
-  private label(): void {
-    say(this.mute, this.sounds.muted ? "sound: off" : "sound: on");
-    this.mute.setAttribute("aria-pressed", String(!this.sounds.muted));
-  }
-
-  /** Starts from zero on another stage. */
-  private at(stage: string): void {
-    if (stage === this.stage) return;
-    this.stage = stage;
-    this.rows.clear();
-    this.list.replaceChildren();
-    this.mute.hidden = true;
-  }
-
-  private count({ name }: Action): void {
+  const toggle = (): void => void (isMuted.value = sounds.muted = !sounds.muted);
+  draw(
+    host,
+    () =>
+      html`<ul aria-label="actions">
+          ${repeat(
+            counts.value,
+            ([name]) => name,
+            ([name, times]) =>
+              html`<li data-action=${name}><b>${times}</b><span .textContent=${name}></span></li>`,
+          )}
+        </ul>
+        <button
+          type="button"
+          class="plain"
+          title="sound of actions"
+          aria-pressed=${!isMuted.value}
+          ?hidden=${!counts.value.size}
+          .textContent=${isMuted.value ? "sound: off" : "sound: on"}
+          @click=${toggle}
+        ></button>`,
+  );
+  commands.add({ keys: [], words: "sound of actions: on, off", act: toggle });
+  session.actions.on(({ name }) => {
     if (name === RAISE) return;
-    const row = this.rows.get(name) ?? this.add(name);
-    row.times += 1;
-    say(row.count, String(row.times));
-    this.list.prepend(row.item);
-    flash(row.item, "fired");
-    if (this.app.playback.looking.value === null) this.sounds.play(name);
-  }
-
-  private add(name: string): Row {
-    const count = el("b", {}, "0");
-    const row = { item: el("li", { "data-action": name }, count, el("span", {}, name)), count, times: 0 };
-    this.rows.set(name, row);
-    this.mute.hidden = false;
-    while (this.rows.size > MOST_NAMES) {
-      const [oldest] = this.list.lastElementChild
-        ? [(this.list.lastElementChild as HTMLElement).dataset["action"]!]
-        : [name];
-      this.rows.delete(oldest);
-      this.list.lastElementChild?.remove();
-    }
-    return row;
-  }
-}
-
-export function actionCounterPanel(host: HTMLElement, app: App): void {
-  new ActionCounter(host, app);
+    const latest = [name, (counts.value.get(name) ?? 0) + 1] as const;
+    const others = [...counts.value].filter(([other]) => other !== name);
+    counts.value = new Map([latest, ...others].slice(0, MOST_NAMES));
+    flash(host.querySelector("li")!, "fired");
+    if (playback.looking.value === null) sounds.play(name);
+  });
+  stage.hello.subscribe((hello) => {
+    if (!hello || hello.stage === counted) return;
+    counted = hello.stage;
+    counts.value = new Map();
+  });
 }

@@ -1,8 +1,10 @@
 /** Shows when each foot stands on the ground in the motion that plays: a bar for each foot, and the phase. */
 
 import "./feet.css";
-import type { App } from "../../view/app";
+import { html, type TemplateResult } from "lit-html";
 import { el } from "../../ui/dom";
+import { draw } from "../../ui/draw";
+import type { App } from "../../view/app";
 
 type Span = readonly [number, number];
 
@@ -14,51 +16,29 @@ export function bars(spans: readonly (readonly number[])[]): Span[] {
   });
 }
 
-class FeetStrip {
-  private readonly rows = el("div", { class: "feet-rows" });
-  private readonly cursor = el("i", { class: "feet-cursor" });
-  private readonly box = el("div", { class: "feet", title: "when each foot stands on the ground" });
+const bar = ([left, width]: Span): TemplateResult =>
+  html`<i .style=${`left: ${left}%; width: ${width}%`}></i>`;
 
-  constructor(
-    host: HTMLElement,
-    private readonly app: App,
-  ) {
-    this.box.hidden = true;
-    this.box.append(this.rows, this.cursor);
-    host.append(this.box);
-    app.contacts.view.subscribe(() => this.show());
-    app.selection.state.subscribe(() => this.show());
-    app.frame.on(() => this.point(app.frames.phase()));
-  }
-
-  private show(): void {
-    const state = this.app.machine.info.value?.states[this.app.selection.state.value ?? -1];
-    const clip = state && !state.over.length ? this.app.contacts.of(state.motion) : null;
-    this.box.hidden = !clip?.feet.length;
-    const rows = (clip?.feet ?? []).map(({ foot, planted }) =>
-      el(
-        "div",
-        { class: "feet-row" },
-        el("span", {}, foot),
-        el("div", {}, ...bars(planted).map(([left, width]) => bar(left, width))),
-      ),
+export function feetPanel(host: HTMLElement, { contacts, frame, frames, machine, selection }: App): void {
+  const box = el("div", { class: "feet", title: "when each foot stands on the ground" });
+  const cursor = el("i", { class: "feet-cursor" });
+  host.append(box);
+  draw(box, () => {
+    const state = machine.info.value?.states[selection.state.value ?? -1];
+    const feet = (state && !state.over.length && contacts.of(state.motion)?.feet) || [];
+    box.hidden = !feet.length;
+    const rows = feet.map(
+      ({ foot, planted }) =>
+        html`<div class="feet-row">
+          <span .textContent=${foot}></span>
+          <div>${bars(planted).map(bar)}</div>
+        </div>`,
     );
-    this.rows.replaceChildren(...rows);
-  }
-
-  /** Moves the cursor to the phase of the motion, 0…1. */
-  private point(phase: number | null): void {
-    if (!this.box.hidden) this.cursor.style.setProperty("--phase", String(phase ?? 0));
-  }
-}
-
-function bar(left: number, width: number): HTMLElement {
-  const mark = el("i", {});
-  mark.style.left = `${left}%`;
-  mark.style.width = `${width}%`;
-  return mark;
-}
-
-export function feetPanel(host: HTMLElement, app: App): void {
-  new FeetStrip(host, app);
+    return html`<div class="feet-rows">${rows}</div>
+      ${cursor}`;
+  });
+  // The cursor is at the phase of the motion, 0…1.
+  frame.on(() => {
+    if (!box.hidden) cursor.style.setProperty("--phase", String(frames.phase() ?? 0));
+  });
 }

@@ -8,6 +8,7 @@ import { bindingOf, cap, onDown, onUp } from "../../state/keyBindings";
 import { changedBy } from "../../state/keyChanges";
 import type { KeyBinding } from "../../net/protocol";
 import type { App } from "../../view/app";
+import { closeButton } from "../../ui/closeButton";
 import { el } from "../../ui/dom";
 import { draw } from "../../ui/draw";
 import { FOCUSED, MARKS, POINTER } from "./gestures";
@@ -102,14 +103,7 @@ class HelpDialog {
       row([cap(key)], bindingWords(binding)),
     );
     const { all, areChanged } = this.app.commands;
-    return html`<button
-        type="button"
-        class="plain close"
-        aria-label="esc: close"
-        @click=${() => this.dialog.close()}
-      >
-        esc
-      </button>
+    return html`${closeButton}
       ${machine?.description ? html`<p class="about" .textContent=${machine.description}></p>` : nothing}
       <p class="told" role="status" .textContent=${this.told.value}></p>
       <div class="help-columns">

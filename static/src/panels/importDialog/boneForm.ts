@@ -4,11 +4,13 @@
  */
 
 import "./mappingForm.css";
+import { html, type TemplateResult } from "lit-html";
 import type { Bones } from "../../net/protocol";
-import { el } from "../../ui/dom";
 
 /** One of the two skeletons. */
 export interface Skeleton {
+  /** What a carried clip calls its bones. */
+  key: "bones" | "target_bones";
   title: string;
   bones: Bones;
   joints: string[];
@@ -17,80 +19,54 @@ export interface Skeleton {
 /** `LeftUpperLeg` -> `left upper leg`. */
 export const wordsOf = (bone: string): string => bone.replace(/(?!^)[A-Z]/g, " $&").toLowerCase();
 
-export class BoneForm {
-  readonly element: HTMLElement;
-  /** Whether a bone that is needed has no joint yet. */
-  readonly open: boolean;
-  private readonly inputs: Record<"bones" | "target_bones", Map<string, HTMLInputElement>>;
+/** Returns whether a bone that is needed has no joint yet. */
+export const lacksJoints = ({ bones }: Skeleton): boolean =>
+  bones.needed.some((bone) => !(bone in bones.bones));
 
-  constructor(source: Skeleton, target: Skeleton) {
-    this.inputs = { bones: new Map(), target_bones: new Map() };
-    const missing = ({ bones }: Skeleton): string[] => bones.needed.filter((bone) => !(bone in bones.bones));
-    this.open = missing(source).length + missing(target).length > 0;
-    const head = el(
-      "div",
-      { class: "map-row bone-row map-head", "aria-hidden": "true" },
-      el("span", {}, "bone"),
-      el("span", {}, source.title),
-      el("span", {}, target.title),
-    );
-    const rows = source.bones.needed.map((bone) => this.row(bone, source, target));
-    const others = source.bones.known.filter((bone) => !source.bones.needed.includes(bone));
-    const more = el(
-      "details",
-      { class: "more-bones" },
-      el("summary", {}, "arms, spine, head and fingers"),
-      ...others.map((bone) => this.row(bone, source, target)),
-    );
-    this.element = el(
-      "div",
-      { class: "map" },
-      head,
-      ...rows,
-      more,
-      this.list("joints-source", source),
-      this.list("joints-target", target),
-    );
-  }
+function field(bone: string, { key, title, bones }: Skeleton): TemplateResult {
+  return html`<input
+    type="text"
+    name=${`${key} ${bone}`}
+    list=${`joints-${key}`}
+    maxlength="200"
+    spellcheck="false"
+    autocomplete="off"
+    placeholder="none"
+    aria-label=${`${wordsOf(bone)}: ${title}`}
+    .defaultValue=${bones.bones[bone] ?? ""}
+  />`;
+}
 
-  private list(id: string, { joints }: Skeleton): HTMLElement {
-    return el("datalist", { id }, ...joints.map((joint) => el("option", { value: joint })));
-  }
+const list = ({ key, joints }: Skeleton): TemplateResult =>
+  html`<datalist id=${`joints-${key}`}>
+    ${joints.map((joint) => html`<option value=${joint}></option>`)}
+  </datalist>`;
 
-  private row(bone: string, source: Skeleton, target: Skeleton): HTMLElement {
-    return el(
-      "div",
-      { class: "map-row bone-row" },
-      el("span", { class: "map-clip" }, wordsOf(bone)),
-      this.input("bones", bone, source, "joints-source"),
-      this.input("target_bones", bone, target, "joints-target"),
-    );
-  }
+export function boneForm(source: Skeleton, target: Skeleton): TemplateResult {
+  const { needed, known } = source.bones;
+  const row = (bone: string): TemplateResult =>
+    html`<div class="map-row bone-row">
+      <span class="map-clip" .textContent=${wordsOf(bone)}></span>
+      ${field(bone, source)} ${field(bone, target)}
+    </div>`;
+  return html`<div class="map">
+    <div class="map-row bone-row map-head" aria-hidden="true">
+      <span>bone</span><span>${source.title}</span><span>${target.title}</span>
+    </div>
+    ${needed.map(row)}
+    <details class="more-bones">
+      <summary>arms, spine, head and fingers</summary>
+      ${known.filter((bone) => !needed.includes(bone)).map(row)}
+    </details>
+    ${list(source)} ${list(target)}
+  </div>`;
+}
 
-  private input(key: "bones" | "target_bones", bone: string, skeleton: Skeleton, list: string): HTMLElement {
-    const input = el("input", {
-      type: "text",
-      list,
-      maxlength: 200,
-      spellcheck: "false",
-      autocomplete: "off",
-      placeholder: "none",
-      "aria-label": `${wordsOf(bone)}: ${skeleton.title}`,
-    });
-    input.defaultValue = skeleton.bones.bones[bone] ?? "";
-    this.inputs[key].set(bone, input);
-    return input;
-  }
-
-  /** Returns the joints that differ from what the names told; "": the bone has none. */
-  chosen(): Record<"bones" | "target_bones", Record<string, string>> {
-    const of = (key: "bones" | "target_bones"): Record<string, string> =>
-      Object.fromEntries(
-        [...this.inputs[key]]
-          .map(([bone, input]) => [bone, input.value.trim(), input.defaultValue] as const)
-          .filter(([, joint, told]) => joint !== told)
-          .map(([bone, joint]) => [bone, joint]),
-      );
-    return { bones: of("bones"), target_bones: of("target_bones") };
-  }
+/** Returns the joints that differ from what the names told; "": the bone has none. */
+export function chosenJoints(fields: FormData, { key, bones }: Skeleton): Record<string, string> {
+  const chosen = bones.known.flatMap((bone) => {
+    const joint = fields.get(`${key} ${bone}`);
+    return typeof joint === "string" ? [[bone, joint.trim()] as const] : [];
+  });
+  return Object.fromEntries(chosen.filter(([bone, joint]) => joint !== (bones.bones[bone] ?? "")));
 }

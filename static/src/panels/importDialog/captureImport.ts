@@ -1,12 +1,15 @@
 /** Carries a dropped capture (.bvh, .trc) over to a character, and makes a machine that plays it. */
 
+import { signal } from "@preact/signals-core";
+import { html, type TemplateResult } from "lit-html";
 import * as api from "../../net/api";
 import * as machines from "../../net/machines";
 import { freeName, putCharacter } from "../../net/upload";
 import type { CarriedClip } from "../../net/protocol";
-import { BoneForm } from "./boneForm";
+import { boneForm, chosenJoints, lacksJoints, type Skeleton } from "./boneForm";
 import { sorted } from "./carriedText";
-import { ReadingForm } from "./readingForm";
+import { readingForm, readingOf } from "./readingForm";
+import { asked, type Step } from "./step";
 
 /** What the dialog offers to an import. */
 export interface Stage {
@@ -14,8 +17,7 @@ export interface Stage {
   signal: AbortSignal;
   /** Asks in any case, with these words; else only if the names of joints do not tell enough. */
   why?: string;
-  /** Shows the forms in the dialog; resolves when they are sent. */
-  ask: (why: string, ...forms: HTMLElement[]) => Promise<void>;
+  show: (step: Step) => void;
 }
 
 /** What a capture has become. */
@@ -33,6 +35,33 @@ const lacksBones = (error: unknown): error is api.ApiError =>
   error.status === 422 &&
   error.places.some(({ field }) => /(^|\.)(target_)?bones$/.test(field));
 
+/** Asks which joint is which bone. */
+function bonesStep(why: string, fields: TemplateResult, answer: (fields: FormData) => void): Step {
+  const isSent = signal(false);
+  return {
+    title: "Which joint is which bone?",
+    focus: "form input",
+    sent: (sent) => {
+      isSent.value = true;
+      answer(sent);
+    },
+    content: () =>
+      html`<p class="import-about" role="status" .textContent=${why}></p>
+        <form class="import-form" novalidate>
+          ${fields}
+          <div class="import-foot">
+            <span class="space"></span>
+            <button type="submit" class="primary" ?disabled=${isSent.value}>Carry it over</button>
+          </div>
+        </form>`,
+  };
+}
+
+async function skeletonOf(key: Skeleton["key"], title: string, character: string): Promise<Skeleton> {
+  const [bones, { joints }] = await Promise.all([api.bones(character), api.character(character)]);
+  return { key, title, bones, joints: joints.map(({ name }) => name) };
+}
+
 /** Carries the clip over; asks for the joints of bones whose names tell nothing. */
 async function carry(
   file: File,
@@ -41,29 +70,27 @@ async function carry(
   character: string,
   stage: Stage,
 ): Promise<CarriedClip> {
-  const [bones, joints, targetBones, targetJoints] = await Promise.all([
-    api.bones(source),
-    api.character(source),
-    api.bones(target),
-    api.character(target),
+  const [captured, carrier] = await Promise.all([
+    skeletonOf("bones", "joint of the capture", source),
+    skeletonOf("target_bones", "joint of the character", target),
   ]);
-  const form = new BoneForm(
-    { title: "joint of the capture", bones, joints: joints.joints.map(({ name }) => name) },
-    {
-      title: "joint of the character",
-      bones: targetBones,
-      joints: targetJoints.joints.map(({ name }) => name),
-    },
-  );
-  const reading = new ReadingForm(file);
+  const form = html`${boneForm(captured, carrier)}${readingForm(file)}`;
   let why = stage.why ?? "";
-  if (form.open) why ||= "The names of some joints do not tell which bones they are. Which are they?";
-  for (;;) {
-    if (why) await stage.ask(why, form.element, reading.element);
-    await reading.apply(source, stage.signal);
+  if (lacksJoints(captured) || lacksJoints(carrier))
+    why ||= "The names of some joints do not tell which bones they are. Which are they?";
+  const show = (answer: (fields: FormData) => void): void => stage.show(bonesStep(why, form, answer));
+  for (let fields = new FormData(), isAdded = false; ;) {
+    if (why) fields = await asked(stage.signal, show);
+    const { adds, ...filter } = readingOf(fields);
+    if (adds !== isAdded) {
+      const position = adds ? "add" : "replace";
+      await putCharacter(source, file, () => undefined, stage.signal, { position });
+      isAdded = adds;
+    }
     try {
-      const wish = { source, character, ...form.chosen(), ...reading.filter() };
-      return sorted(await api.carryClip(target, wish), bones, targetBones);
+      const bones = { bones: chosenJoints(fields, captured), target_bones: chosenJoints(fields, carrier) };
+      const clip = await api.carryClip(target, { source, character, ...bones, ...filter });
+      return sorted(clip, captured.bones, carrier.bones);
     } catch (error) {
       if (!lacksBones(error)) throw error;
       why = error.message;

@@ -1,23 +1,26 @@
 /** Imports a machine; or a character: uploads its file, maps its clips to states and makes a machine. Shows it. */
 
 import "./importDialog.css";
+import { signal } from "@preact/signals-core";
+import { html, nothing } from "lit-html";
 import * as api from "../../net/api";
 import { freeName, putCharacter, putMachine } from "../../net/upload";
-import type { Mapping, UploadedCharacter } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import { size } from "../../ui/amounts";
-import { el, say } from "../../ui/dom";
+import { closeButton } from "../../ui/closeButton";
+import { el } from "../../ui/dom";
+import { draw } from "../../ui/draw";
 import { releaseFocus } from "../../ui/focus";
 import type { Quality } from "../../view/quality";
 import { importCapture, isCapture } from "./captureImport";
 import { carriedText } from "./carriedText";
-import { FrameSwitch } from "./frameSwitch";
 import { checkSize, chosenFiles, type LocalFile } from "./localFiles";
 import { Look } from "./look";
 import { machineAmong } from "./machineFiles";
-import { MappingStep } from "./mappingStep";
+import { mappingStep } from "./mappingStep";
 import { MODELS, oneFile, PARTS } from "./modelFiles";
 import { offerRig } from "./rigStep";
+import type { Step } from "./step";
 
 const ACCEPT = [...MODELS, ...PARTS, ".csv", "model/gltf-binary", "application/zip"].join();
 
@@ -38,6 +41,7 @@ export class ImportDialog {
     tabindex: -1,
     "aria-hidden": "true",
   });
+  private readonly step = signal<Step | null>(null);
   private cancel = new AbortController();
   /** The uploaded character that has no machine yet. */
   private pending: string | null = null;
@@ -54,8 +58,19 @@ export class ImportDialog {
     private readonly quality: Quality,
   ) {
     document.body.append(this.dialog, this.fileInput);
+    draw(this.dialog, () => {
+      const step = this.step.value;
+      if (!step) return html``;
+      return html`${closeButton}
+        <h2 id="import-title" .textContent=${step.title}></h2>
+        ${step.content()}`;
+    });
     this.dialog.addEventListener("close", () => this.forget());
     window.addEventListener("pagehide", () => this.forget());
+    this.dialog.addEventListener("submit", (submit) => {
+      submit.preventDefault();
+      this.step.value?.sent?.(new FormData(submit.target as HTMLFormElement));
+    });
     this.fileInput.addEventListener("change", () => {
       const files = chosenFiles(this.fileInput);
       this.fileInput.value = "";
@@ -108,7 +123,7 @@ export class ImportDialog {
       const { machine, state, report } = await importCapture(file, target, {
         progress: this.showProgress(file),
         signal,
-        ask: (said, ...forms) => this.askForBones(said, forms, signal),
+        show: this.show.bind(this),
         ...(why === undefined ? {} : { why }),
       });
       await this.finish(machine, state);
@@ -133,23 +148,6 @@ export class ImportDialog {
     await this.made(machine, state);
   }
 
-  /** Shows which joint is which bone; resolves when the form is sent, rejects when the dialog is closed. */
-  private askForBones(why: string, forms: readonly HTMLElement[], signal: AbortSignal): Promise<void> {
-    return new Promise((resolve, reject) => {
-      const go = el("button", { type: "submit", class: "primary" }, "Carry it over");
-      const foot = el("div", { class: "import-foot" }, el("span", { class: "space" }), go);
-      const all = el("form", { class: "import-form", novalidate: true }, ...forms, foot);
-      all.addEventListener("submit", (submit) => {
-        submit.preventDefault();
-        go.disabled = true;
-        resolve();
-      });
-      signal.addEventListener("abort", () => reject(new DOMException("aborted", "AbortError")));
-      this.show("Which joint is which bone?", el("p", { class: "import-about", role: "status" }, why), all);
-      all.querySelector<HTMLInputElement>("input[value=''], input")?.focus();
-    });
-  }
-
   private async upload(file: File): Promise<void> {
     const progress = this.showProgress(file);
     await this.unlessClosed(async (signal) => {
@@ -161,42 +159,39 @@ export class ImportDialog {
         signal.throwIfAborted();
         return new Look(facts, this.quality);
       };
-      const character = await offerRig(uploaded, lookAt, this.showLook.bind(this), signal);
+      const character = await offerRig(uploaded, lookAt, this.show.bind(this), signal);
       const mapping = await api.mapping(name);
       const look = await lookAt();
-      this.showMapping(character, mapping, look, FrameSwitch.of(file));
+      this.show(
+        mappingStep(character, mapping, look, file, signal, async (machine) => {
+          this.pending = null;
+          await this.finish(machine);
+        }),
+      );
     });
   }
 
-  private show(title: string, ...parts: (Node | null)[]): void {
+  private show(step: Step): void {
     this.leaveLook();
-    const close = el("button", { type: "button", class: "plain close", "aria-label": "esc: close" }, "esc");
-    close.addEventListener("click", () => this.dialog.close());
-    this.dialog.replaceChildren(
-      close,
-      el("h2", { id: "import-title" }, title),
-      ...parts.filter((part) => part !== null),
-    );
+    this.look = step.look ?? null;
+    this.step.value = step;
     if (!this.dialog.open) this.dialog.showModal();
-  }
-
-  /** Shows a step with a picture, which ends when another step is shown. */
-  private showLook(title: string, look: Look | null, ...parts: Node[]): void {
-    this.show(title, ...parts);
-    this.look = look;
+    (step.focus ? this.dialog.querySelector<HTMLElement>(step.focus) : this.dialog)?.focus();
   }
 
   private showProgress(file: File, what = "character"): (share: number) => void {
-    const bar = el("progress", { max: 1, value: 0, "aria-label": "upload" });
-    const words = el("span", { class: "import-share", role: "status" }, "0 %");
-    const facts = el("p", { class: "import-file" }, el("b", {}, file.name), ` ${size(file.size)}`);
-    this.show(`Importing your ${what}`, facts, bar, words);
-    this.dialog.focus(); // the only button cancels: an Enter that comes too early must not press it
-    return (share) => {
-      if (share < 1) bar.value = share;
-      else bar.removeAttribute("value");
-      say(words, share < 1 ? `${Math.round(share * 100)} %` : "the server reads it …");
-    };
+    const share = signal(0);
+    const words = (): string =>
+      share.value < 1 ? `${Math.round(share.value * 100)} %` : "the server reads it …";
+    // The only button cancels, and does not get the focus: an Enter that comes too early must not press it.
+    this.show({
+      title: `Importing your ${what}`,
+      content: () =>
+        html`<p class="import-file"><b .textContent=${file.name}></b> ${size(file.size)}</p>
+          <progress max="1" value=${share.value < 1 ? share.value : nothing} aria-label="upload"></progress>
+          <span class="import-share" role="status" .textContent=${words()}></span>`,
+    });
+    return (now) => void (share.value = now);
   }
 
   private refuse(error: unknown): void {
@@ -205,33 +200,21 @@ export class ImportDialog {
       error instanceof api.ApiError
         ? error.places.map(({ field }) => field).filter((field) => field && !reason.includes(field))
         : [];
-    const place = places.length
-      ? el("p", { class: "import-place" }, "at ", el("code", {}, places.join(", ")))
-      : null;
-    const again = el("button", { type: "button", class: "primary" }, "Choose another file…");
-    again.addEventListener("click", () => this.choose());
-    const why = el("div", { class: "import-reason", role: "alert" }, el("p", {}, reason), place);
-    this.show(
-      "You cannot use this file",
-      why,
-      el("div", { class: "import-foot" }, el("span", { class: "space" }), again),
-    );
-    again.focus();
-  }
-
-  /** Shows the character beside the form that makes its machine. */
-  private showMapping(
-    character: UploadedCharacter,
-    mapping: Mapping,
-    look: Look,
-    frames: FrameSwitch | null,
-  ): void {
-    const step = new MappingStep(character, mapping, look, frames, this.cancel.signal, async (machine) => {
-      this.pending = null;
-      await this.finish(machine);
+    this.step.value = null; // the same alert, drawn anew, is read out again
+    const place = html`<p class="import-place">at <code .textContent=${places.join(", ")}></code></p>`;
+    this.show({
+      title: "You cannot use this file",
+      focus: ".primary",
+      content: () =>
+        html`<div class="import-reason" role="alert">
+            <p .textContent=${reason}></p>
+            ${places.length ? place : nothing}
+          </div>
+          <div class="import-foot">
+            <span class="space"></span>
+            <button type="button" class="primary" @click=${() => this.choose()}>Choose another file…</button>
+          </div>`,
     });
-    this.showLook(step.title, look, ...step.parts);
-    step.focus();
   }
 
   /** Aborts the upload and removes a character without a machine from the server. */

@@ -74,14 +74,13 @@ export class Look {
     this.ends.forEach((end) => end());
   }
 
-  /** Returns a button that plays a clip, or ends it. */
-  playButton(clip: string): HTMLElement {
-    const host = el("span", { class: "look-play" });
-    this.follow(host, () => {
-      const { model } = this.shown.value ?? {};
-      const index = this.facts.clips.findIndex(({ name }) => name === clip);
-      const plays = model?.playing.value.has(index) ?? false;
-      return html`<button
+  /** Draws a button that plays a clip, or ends it. */
+  playButton(clip: string): TemplateResult {
+    const { model } = this.shown.value ?? {};
+    const index = this.facts.clips.findIndex(({ name }) => name === clip);
+    const plays = model?.playing.value.has(index) ?? false;
+    return html`<span class="look-play">
+      <button
         type="button"
         class="plain square"
         ?disabled=${!model || index < 0}
@@ -89,9 +88,8 @@ export class Look {
         aria-pressed=${plays}
         @click=${() => model?.toggle(index)}
         .textContent=${plays ? "■" : "▶"}
-      ></button>`;
-    });
-    return host;
+      ></button>
+    </span>`;
   }
 
   private stageOf(shown: Shown | null): TemplateResult {

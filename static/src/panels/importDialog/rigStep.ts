@@ -1,14 +1,13 @@
 /** Offers a skeleton and a skin for a dropped mesh that has neither skin nor animations, beside its picture. */
 
 import "./rigStep.css";
+import { html, type TemplateResult } from "lit-html";
 import * as api from "../../net/api";
 import type { UploadedCharacter } from "../../net/protocol";
 import type { NewRig } from "../../net/types/api.generated";
-import { el } from "../../ui/dom";
 import type { Look } from "./look";
+import { asked, type Step } from "./step";
 
-/** Shows a step of the dialog, which ends `look` with the next step. */
-type Show = (title: string, look: Look | null, ...parts: HTMLElement[]) => void;
 type Choice = Required<Pick<NewRig, "skeleton" | "facing">>;
 
 const SKELETONS: Record<Choice["skeleton"], string> = {
@@ -24,61 +23,65 @@ const FACINGS: Record<Choice["facing"], string> = {
   "-x": "-X",
 };
 
-function choices<Key extends string>(
-  id: string,
-  label: string,
-  texts: Record<Key, string>,
-): [HTMLElement, () => Key] {
-  const options = Object.entries<string>(texts).map(([value, text]) => el("option", { value }, text));
-  const select = el("select", { id }, ...options);
-  const row = el("div", { class: "rig-row" }, el("label", { for: id }, label), select);
-  return [row, () => select.value as Key];
+const BUSY: Step = {
+  title: "Rigging your character",
+  content: () =>
+    html`<p role="status">The server places joints and weights …</p>
+      <progress aria-label="rigging"></progress>`,
+};
+
+function choice(name: keyof Choice, label: string, texts: Record<string, string>): TemplateResult {
+  const id = `rig-${name}`;
+  return html`<div class="rig-row">
+    <label for=${id}>${label}</label>
+    <select id=${id} name=${name}>
+      ${Object.entries(texts).map(([value, text]) => html`<option value=${value}>${text}</option>`)}
+    </select>
+  </div>`;
 }
 
-/** Shows the form; resolves with the choice, or null to leave the mesh as it is. */
-function asked(show: Show, look: Look, wrong: string, signal: AbortSignal): Promise<Choice | null> {
-  return new Promise((resolve, reject) => {
-    const [skeletons, skeleton] = choices("rig-skeleton", "it is", SKELETONS);
-    const [facings, facing] = choices("rig-facing", "it looks along", FACINGS);
-    const plain = el("button", { type: "button" }, "Leave it as it is");
-    const go = el("button", { type: "submit", class: "primary" }, "Rig it");
-    const foot = el("div", { class: "import-foot" }, el("span", { class: "space" }), plain, go);
-    const why = el("p", { class: "import-wrong", role: "alert" }, wrong);
-    const list = el("div", { class: "look-list" }, look.contents, skeletons, facings);
-    const form = el("form", { class: "import-form" }, list, why, foot);
-    form.addEventListener("submit", (submit) => {
-      submit.preventDefault();
-      resolve({ skeleton: skeleton(), facing: facing() });
-    });
-    plain.addEventListener("click", () => resolve(null));
-    signal.addEventListener("abort", () => reject(new DOMException("aborted", "AbortError")));
-    const about = "The model has no skin and no animations. statwalk can give it a skeleton that bends it.";
-    const all = el("div", { class: "look" }, look.picture, form);
-    show("Give it a skeleton?", look, el("p", { class: "import-about" }, about), all);
-    go.focus();
-  });
-}
+/** The form; `answer` gets its fields, or null to leave the mesh as it is. */
+const rigForm = (look: Look, wrong: string, answer: (fields: FormData | null) => void): Step => ({
+  title: "Give it a skeleton?",
+  look,
+  focus: ".primary",
+  sent: answer,
+  content: () =>
+    html`<p class="import-about">
+        The model has no skin and no animations. statwalk can give it a skeleton that bends it.
+      </p>
+      <div class="look">
+        ${look.picture}
+        <form class="import-form">
+          <div class="look-list">
+            ${look.contents} ${choice("skeleton", "it is", SKELETONS)}
+            ${choice("facing", "it looks along", FACINGS)}
+          </div>
+          <p class="import-wrong" role="alert" .textContent=${wrong}></p>
+          <div class="import-foot">
+            <span class="space"></span>
+            <button type="button" @click=${() => answer(null)}>Leave it as it is</button>
+            <button type="submit" class="primary">Rig it</button>
+          </div>
+        </form>
+      </div>`,
+});
 
 /** Returns the character, rigged if somebody wants it; asks only for a mesh without skin and animations. */
 export async function offerRig(
   character: UploadedCharacter,
   lookAt: () => Promise<Look>,
-  show: Show,
+  show: (step: Step) => void,
   signal: AbortSignal,
 ): Promise<UploadedCharacter> {
   if (character.skins || character.clips || !character.vertices) return character;
   for (let wrong = ""; ;) {
-    const choice = await asked(show, await lookAt(), wrong, signal);
-    if (choice === null) return character;
-    const busy = el("progress", { "aria-label": "rigging" });
-    show(
-      "Rigging your character",
-      null,
-      el("p", { role: "status" }, "The server places joints and weights …"),
-      busy,
-    );
+    const look = await lookAt();
+    const fields = await asked<FormData | null>(signal, (answer) => show(rigForm(look, wrong, answer)));
+    if (fields === null) return character;
+    show(BUSY);
     try {
-      return await api.rig(character.name, choice, signal);
+      return await api.rig(character.name, Object.fromEntries(fields), signal);
     } catch (error) {
       if (!(error instanceof api.ApiError) || error.status !== 422) throw error;
       wrong = error.message;

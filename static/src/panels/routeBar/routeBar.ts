@@ -1,33 +1,33 @@
 /** Shows the route of a travel step by step over the stage view, with a button that cancels it. */
 
 import "./routeBar.css";
-import type { App } from "../../view/app";
+import { html, noChange } from "lit-html";
+import type { Plan } from "../../net/protocol";
 import { stepAt } from "../../state/travel";
-import { el } from "../../ui/dom";
+import { draw } from "../../ui/draw";
+import type { App } from "../../view/app";
 
 export function routeBarPanel(host: HTMLElement, { travel, selection }: App): void {
-  let steps: HTMLElement[] = [];
+  let shown: Plan | null = null;
   let at = 0;
-  const mark = (): void => {
+  draw(host, () => {
     const plan = travel.plan.value;
-    if (!plan) return;
-    at = stepAt(plan, selection.stateName(selection.state.value), at);
-    steps.forEach((step, i) => step.toggleAttribute("aria-current", i === at));
-  };
-  travel.plan.subscribe((plan) => {
     host.hidden = plan === null;
-    if (!plan) return;
-    at = 0;
-    steps = plan.steps.map(({ state, event, seconds }) => {
+    if (!plan) return noChange;
+    at = stepAt(plan, selection.stateName(selection.state.value), plan === shown ? at : 0);
+    shown = plan;
+    const steps = plan.steps.map(({ state, event, seconds }, i) => {
       const wait = event === "END" ? "waits for the end of the motion" : event;
       const title = `in ${state}: ${wait}, about ${seconds.toFixed(2)} s`;
-      return el("li", { title }, state, el("small", {}, event === "END" ? "end" : event));
+      return html`<li title=${title} ?aria-current=${i === at}>
+        ${state}<small .textContent=${event === "END" ? "end" : event}></small>
+      </li>`;
     });
-    const cancel = el("button", { type: "button" }, "cancel");
-    cancel.addEventListener("click", () => void travel.cancel());
-    const title = el("strong", {}, `to ${plan.goal}`, el("small", {}, `about ${plan.seconds.toFixed(1)} s`));
-    host.replaceChildren(title, el("ol", {}, ...steps, el("li", { class: "goal" }, plan.goal)), cancel);
-    mark();
+    return html`<strong>to ${plan.goal}<small>about ${plan.seconds.toFixed(1)} s</small></strong>
+      <ol>
+        ${steps}
+        <li class="goal" .textContent=${plan.goal}></li>
+      </ol>
+      <button type="button" @click=${() => void travel.cancel()}>cancel</button>`;
   });
-  selection.state.subscribe(mark);
 }

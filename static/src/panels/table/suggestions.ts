@@ -1,55 +1,54 @@
 /** Shows completions in a row: Tab takes the first, the arrow keys choose. */
 
-import { el } from "../../ui/dom";
+import { signal } from "@preact/signals-core";
+import { html, nothing } from "lit-html";
+import { draw } from "../../ui/draw";
 
 export class Suggestions {
-  private texts: readonly string[] = [];
-  private chosen = -1;
+  private readonly texts = signal<readonly string[]>([]);
+  private readonly chosen = signal(-1);
 
   constructor(
     private readonly list: HTMLElement,
-    private readonly field: HTMLElement,
-    private readonly take: (text: string) => void,
+    field: HTMLElement,
+    take: (text: string) => void,
   ) {
-    list.hidden = true;
     field.setAttribute("aria-controls", list.id);
-    field.setAttribute("aria-expanded", "false");
     // The field keeps the focus.
-    list.addEventListener("pointerdown", (press) => {
-      press.preventDefault();
-      const item = press.target instanceof Element ? press.target.closest("li") : null;
-      if (item) this.take(this.texts[[...this.list.children].indexOf(item)] ?? "");
+    list.addEventListener("pointerdown", (press) => press.preventDefault());
+    draw(list, () => {
+      list.hidden = !this.open;
+      field.setAttribute("aria-expanded", String(this.open));
+      const isSelected = (i: number): unknown => (this.chosen.value < 0 ? nothing : i === this.chosen.value);
+      return html`${this.texts.value.map(
+        (text, i) =>
+          html`<li role="option" aria-selected=${isSelected(i)} @pointerdown=${() => take(text)}>
+            ${text}${i ? nothing : html`<kbd>⇥</kbd>`}
+          </li>`,
+      )}`;
     });
   }
 
   show(texts: readonly string[]): void {
-    this.texts = texts;
-    this.chosen = -1;
-    this.list.hidden = !this.open;
-    this.field.setAttribute("aria-expanded", String(this.open));
-    this.list.replaceChildren(
-      ...texts.map((text, i) => el("li", { role: "option" }, text, i ? null : el("kbd", {}, "⇥"))),
-    );
+    this.chosen.value = -1;
+    this.texts.value = texts;
   }
 
   get open(): boolean {
-    return this.texts.length > 0;
+    return this.texts.value.length > 0;
   }
 
   /** Chooses the next or previous text and returns it. */
   step(by: 1 | -1): string | null {
     if (!this.open) return null;
-    this.chosen =
-      (this.chosen + by + this.texts.length + (this.chosen < 0 && by < 0 ? 1 : 0)) % this.texts.length;
-    [...this.list.children].forEach((item, i) =>
-      item.setAttribute("aria-selected", String(i === this.chosen)),
-    );
-    this.list.children[this.chosen]?.scrollIntoView({ block: "nearest", inline: "nearest" });
-    return this.texts[this.chosen] ?? null;
+    const [count, chosen] = [this.texts.value.length, this.chosen.value];
+    this.chosen.value = (chosen + by + count + (chosen < 0 && by < 0 ? 1 : 0)) % count;
+    this.list.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest", inline: "nearest" });
+    return this.first;
   }
 
   /** The text that Tab takes: the chosen text, else the first. */
   get first(): string | null {
-    return this.texts[Math.max(0, this.chosen)] ?? null;
+    return this.texts.value[Math.max(0, this.chosen.value)] ?? null;
   }
 }

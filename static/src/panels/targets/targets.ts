@@ -5,12 +5,13 @@
  */
 
 import "./targets.css";
+import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
+import { html, nothing, type TemplateResult } from "lit-html";
 import * as THREE from "three";
-import type { MachineInfo } from "../../net/protocol";
 import type { Aim, Grip, Point } from "../../state/points";
 import { aimsOf, canLook, GAZE, gripsOf, LOOK, reachedIn } from "../../state/points";
 import type { App } from "../../view/app";
-import { el } from "../../ui/dom";
+import { draw } from "../../ui/draw";
 import type { PosedModel } from "../../view/posedModel";
 import { onFacingPlane, PointHandles } from "../../view/pointHandles";
 import { type Frame, placeOf, valueAt } from "./handlePlace";
@@ -24,16 +25,14 @@ const MOVED = 1e-5;
 
 class TargetsPanel {
   private readonly handles: PointHandles;
-  private readonly buttons = new Map<string, HTMLButtonElement>();
-  /** Where each point was first, and the button that puts it back there. */
-  private readonly backs = new Map<string, { start: Point; button: HTMLButtonElement }>();
-  private aims = new Map<string, Aim>();
-  private shown = new Set<string>();
+  private readonly aims: ReadonlySignal<ReadonlyMap<string, Aim>>;
+  private readonly grips: ReadonlySignal<ReadonlyMap<string, Grip>>;
+  /** The points whose handles are shown. */
+  private readonly shown = signal<ReadonlySet<string>>(new Set());
+  private readonly looks = signal(false);
   private reached = new Set<string>();
-  private grips = new Map<string, Grip>();
   /** Where the handles are drawn. */
   private readonly drawn = new Map<string, Point>();
-  private looks = false;
   private measured: PosedModel | null = null;
   private tall = 1.8;
 
@@ -47,9 +46,10 @@ class TargetsPanel {
       (name, place) => this.move(name, place),
       (name, isHeld) => this.hold(name, isHeld),
     );
-    const begin = (): void => this.begin(app.machine.info.value);
-    app.machine.info.subscribe(begin);
-    app.selection.actor.subscribe(begin);
+    this.aims = computed(() => aimsOf(app.machine.info.value));
+    this.grips = computed(() => gripsOf(app.machine.info.value));
+    for (const begins of [app.machine.info, app.selection.actor]) begins.subscribe(() => this.begin());
+    draw(host, () => this.buttons());
     app.selection.layerStates.subscribe(([base]) => this.enter(base ?? ""));
     app.parameters.all.subscribe(() => this.place());
     scene.canvas.addEventListener("pointermove", (event) => this.follow(event));
@@ -58,12 +58,12 @@ class TargetsPanel {
 
   /** Moves handles along: a chain's handle with the chain's end, a direction or a point in model space with the actor. */
   private update(): void {
-    if (this.app.view.watched.ready.value) for (const name of this.shown) this.put(name);
+    if (this.app.view.watched.ready.value) for (const name of this.shown.value) this.put(name);
   }
 
   /** Where a handle belongs in the scene; null: its chain is not drawn yet. */
   private placeNow(name: string, frame: Frame): Point | null {
-    const grip = this.handles.dragging === name ? undefined : this.grips.get(name);
+    const grip = this.handles.dragging === name ? undefined : this.grips.value.get(name);
     return grip ? this.placeOfJoint(grip.joint) : placeOf(this.app.parameters.point(name), frame);
   }
 
@@ -78,7 +78,7 @@ class TargetsPanel {
 
   /** The frame of a handle's numbers; before the actor is drawn: the stage. */
   private frame(name: string): Frame {
-    const [aim, actor] = [this.aims.get(name), this.app.view.watched.model];
+    const [aim, actor] = [this.aims.value.get(name), this.app.view.watched.model];
     const root = actor && aim?.isModel ? actor.rootWorld() : null;
     const isDirection = actor && aim?.kind === "direction";
     const from = isDirection ? (this.placeOfJoint(aim.joint) ?? this.middle(actor)) : null;
@@ -106,90 +106,84 @@ class TargetsPanel {
 
   /** Takes hold of a chain, or lets it go. */
   private hold(name: string, isHeld: boolean): void {
-    const grip = this.grips.get(name);
+    const grip = this.grips.value.get(name);
     if (!grip) return;
     const end = this.drawn.get(name);
     if (isHeld && end) this.move(name, end);
     this.app.parameters.set(grip.weight, isHeld ? 1 : 0);
   }
 
-  private begin(machine: MachineInfo | null): void {
+  private begin(): void {
     this.handles.clear();
-    this.grips = gripsOf(machine);
-    this.aims = aimsOf(machine);
     this.drawn.clear();
-    this.shown = new Set(this.grips.keys());
+    this.shown.value = new Set(this.grips.value.keys());
     this.reached = new Set();
-    this.looks = false;
-    this.draw(machine);
+    this.looks.value = false;
     this.enter(this.app.selection.layerStates.value[0] ?? "");
   }
 
-  private draw(machine: MachineInfo | null): void {
-    this.buttons.clear();
-    this.backs.clear();
-    const buttons: HTMLElement[] = [];
-    for (const [name, { kind, start }] of this.aims) {
-      const title = `shows a handle that ${kind === "point" ? "moves the point" : "turns the direction"} ${name}`;
-      const drag = this.button(`drag ${name}`, title, () => this.show(name, !this.shown.has(name)));
-      drag.setAttribute("aria-pressed", String(this.shown.has(name)));
-      this.buttons.set(name, drag);
-      buttons.push(drag);
-      if (!this.grips.has(name)) buttons.push(this.backButton(name, start));
-    }
-    if (canLook(machine))
-      buttons.push(this.button("look at the pointer", "he looks where you point", () => this.stare()));
+  private buttons(): TemplateResult {
+    const buttons = [...this.aims.value].map(([name, aim]) => this.handleButtons(name, aim));
+    if (canLook(this.app.machine.info.value))
+      buttons.push(
+        this.button("look at the pointer", "he looks where you point", this.looks.value, () => this.stare()),
+      );
     this.host.hidden = !buttons.length;
-    this.host.replaceChildren(...buttons);
+    return html`${buttons}`;
   }
 
-  private backButton(name: string, start: Point): HTMLButtonElement {
+  /** Draws the button that shows the handle of a point, and the button that puts the point back. */
+  private handleButtons(name: string, { kind, start }: Aim): TemplateResult {
+    const title = `shows a handle that ${kind === "point" ? "moves the point" : "turns the direction"} ${name}`;
+    const isShown = this.shown.value.has(name);
+    return html`${this.button(`drag ${name}`, title, isShown, () => this.show(name, !isShown))}
+    ${this.grips.value.has(name) ? nothing : this.backButton(name, start)}`;
+  }
+
+  private backButton(name: string, start: Point): TemplateResult {
     const words = `put ${name} back to where it was first`;
-    const made = el("button", { type: "button", "aria-label": words, title: words, hidden: true }, "↺");
-    made.addEventListener("click", () => {
+    const isThere = this.app.parameters.point(name).every((value, k) => Math.abs(value - start[k]!) < MOVED);
+    const back = ({ currentTarget }: MouseEvent): void => {
       this.app.parameters.setPoint(name, start);
-      this.buttons.get(name)?.focus();
-    });
-    this.backs.set(name, { start, button: made });
-    return made;
+      ((currentTarget as HTMLElement).previousElementSibling as HTMLElement).focus();
+    };
+    return html`<button type="button" aria-label=${words} title=${words} ?hidden=${isThere} @click=${back}>
+      ↺
+    </button>`;
   }
 
-  private button(words: string, title: string, act: () => boolean): HTMLButtonElement {
-    const made = el("button", { type: "button", title, "aria-pressed": "false" }, words);
-    made.addEventListener("click", () => made.setAttribute("aria-pressed", String(act())));
-    return made;
+  private button(words: string, title: string, isPressed: boolean, act: () => void): TemplateResult {
+    return html`<button
+      type="button"
+      title=${title}
+      aria-pressed=${isPressed}
+      @click=${act}
+      .textContent=${words}
+    ></button>`;
   }
 
   /** Shows the handles of the points that the base state begins to reach for, hides those it no longer does. */
   private enter(state: string): void {
     const reached = reachedIn(this.app.machine.info.value, state);
-    for (const name of this.buttons.keys())
-      if (reached.has(name) !== this.reached.has(name)) {
-        this.show(name, reached.has(name));
-        this.buttons.get(name)?.setAttribute("aria-pressed", String(reached.has(name)));
-      }
+    for (const name of this.aims.value.keys())
+      if (reached.has(name) !== this.reached.has(name)) this.show(name, reached.has(name));
     this.reached = reached;
   }
 
-  /** Shows or hides the handle of a point; returns whether it is shown. */
-  private show(name: string, isShown: boolean): boolean {
-    if (isShown) this.shown.add(name);
-    else {
-      this.shown.delete(name);
+  /** Shows or hides the handle of a point. */
+  private show(name: string, isShown: boolean): void {
+    const others = [...this.shown.value].filter((other) => other !== name);
+    this.shown.value = new Set(isShown ? [...others, name] : others);
+    if (!isShown) {
       this.drawn.delete(name);
       this.handles.hide(name);
     }
     this.place();
-    return isShown;
   }
 
-  /** Puts each handle where its value is; shows the buttons that put values back. */
+  /** Puts each handle where its value is. */
   private place(): void {
-    for (const name of this.shown) this.put(name);
-    for (const [name, { start, button }] of this.backs) {
-      const point = this.app.parameters.point(name);
-      button.hidden = point.every((value, k) => Math.abs(value - start[k]!) < MOVED);
-    }
+    for (const name of this.shown.value) this.put(name);
   }
 
   /** Metres, of the character as it stood when it was drawn first. */
@@ -202,16 +196,15 @@ class TargetsPanel {
     return this.tall;
   }
 
-  /** Makes the character look at the pointer, or no more; returns whether it does. */
-  private stare(): boolean {
-    this.looks = !this.looks;
-    this.app.parameters.set(LOOK, this.looks ? 1 : 0);
-    return this.looks;
+  /** Makes the character look at the pointer, or no more. */
+  private stare(): void {
+    this.looks.value = !this.looks.value;
+    this.app.parameters.set(LOOK, this.looks.value ? 1 : 0);
   }
 
   /** Sends the place under the pointer on a plane in front of the character. */
   private follow(event: PointerEvent): void {
-    const actor = this.looks ? this.app.view.watched.model : null;
+    const actor = this.looks.value ? this.app.view.watched.model : null;
     if (!actor) return;
     const { camera } = this.app.view.scene.view;
     const middle = new THREE.Vector3(...this.middle(actor));

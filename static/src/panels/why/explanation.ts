@@ -1,75 +1,71 @@
 /** Shows the verdict on one event: cell, values, result, blend, joints. */
 
+import { html, nothing, type TemplateResult } from "lit-html";
 import type { Explained } from "../../net/protocol";
-import { el } from "../../ui/dom";
 import { blendWords, isSeen, movedWords, reasonWords, resultWords, valueWords } from "./words";
 
-/** Makes a bar of the length `share`, 0…1. */
-function bar(share: number): HTMLElement {
-  const made = el("i", { class: "moved", "aria-hidden": true });
-  made.style.width = `${Math.max(2, Math.round(100 * share))}%`;
-  return made;
-}
+type Part = TemplateResult | typeof nothing;
 
-function joints({ joints: all }: Explained): HTMLElement | null {
+function joints({ joints: all }: Explained): TemplateResult | string {
   const moved = all.filter(isSeen);
-  if (!moved.length) return null;
+  if (!moved.length) return "";
   const size = (joint: Explained["joints"][number]): number => joint.degrees + 0.1 * joint.millimetres;
   const most = Math.max(...moved.map(size), 1e-9);
-  const items = moved.map((joint) =>
-    el(
-      "li",
-      {},
-      el("span", {}, joint.joint),
-      el("span", { class: "length" }, bar(size(joint) / most)),
-      el("b", {}, movedWords(joint)),
-    ),
-  );
-  return el("ul", { class: "joints" }, ...items);
+  const width = (share: number): string => `width: ${Math.max(2, Math.round(100 * share))}%`;
+  return html`<ul class="joints">
+    ${moved.map(
+      (joint) =>
+        html`<li>
+          <span .textContent=${joint.joint}></span>
+          <span class="length">
+            <i class="moved" aria-hidden="true" .style=${width(size(joint) / most)}></i>
+          </span>
+          <b .textContent=${movedWords(joint)}></b>
+        </li>`,
+    )}
+  </ul>`;
 }
 
 function cellButton(
   { cell, line, source, from_state: state, event }: Explained,
   go: (state: string, event: string) => void,
-): HTMLElement {
-  if (!cell) return el("span", {}, "no cell");
-  const written = cell.join("/");
-  const button = el(
-    "button",
-    { type: "button", class: "where", title: "shows the cell in the table" },
-    written,
-  );
-  button.addEventListener("click", () => go(state, event));
-  const facts = [source && source !== "cell" ? source : "", line ? `line ${line}` : ""]
-    .filter(Boolean)
-    .join(", ");
-  return el("span", {}, button, facts ? el("small", {}, ` ${facts}`) : null);
+): TemplateResult {
+  if (!cell) return html`<span>no cell</span>`;
+  const facts = [source && source !== "cell" ? source : "", line ? `line ${line}` : ""].filter(Boolean);
+  return html`<button
+      type="button"
+      class="where"
+      title="shows the cell in the table"
+      .textContent=${cell.join("/")}
+      @click=${() => go(state, event)}
+    ></button>
+    <small .textContent=${facts.join(", ")}></small>`;
 }
+
+const row = (term: string, part: TemplateResult | string): Part =>
+  part
+    ? html`<div>
+        <dt>${term}</dt>
+        <dd>${part}</dd>
+      </div>`
+    : nothing;
 
 /** `layer`: its name if the machine has several, else empty. `go` shows a cell of the table. */
 export function explanation(
   explained: Explained,
   layer: string,
   go: (state: string, event: string) => void,
-): HTMLElement {
-  const row = (term: string, ...parts: (Node | string | null)[]): HTMLElement | null => {
-    const filled = parts.filter((part) => part !== null && part !== "");
-    return filled.length ? el("div", {}, el("dt", {}, term), el("dd", {}, ...filled)) : null;
-  };
-  const head = el(
-    "h3",
-    {},
-    explained.event,
-    layer ? el("small", {}, layer) : null,
-    el("em", { "data-verdict": explained.verdict }, explained.verdict),
-  );
-  const facts = [
-    row("cell", cellButton(explained, go)),
-    row("values", valueWords(explained.values).join(", ")),
-    row("so", resultWords(explained)),
-    row("because", reasonWords(explained)),
-    row("blend", blendWords(explained)),
-    row("joints", joints(explained)),
-  ];
-  return el("section", { class: "event-why", "data-about": explained.event }, head, el("dl", {}, ...facts));
+): TemplateResult {
+  const { event, verdict } = explained;
+  return html`<section class="event-why" data-about=${event}>
+    <h3>
+      ${event}${layer ? html`<small .textContent=${layer}></small>` : nothing}
+      <em data-verdict=${verdict} .textContent=${verdict}></em>
+    </h3>
+    <dl>
+      ${row("cell", cellButton(explained, go))} ${row("values", valueWords(explained.values).join(", "))}
+      ${row("so", resultWords(explained))} ${row("because", reasonWords(explained))}
+      ${row("blend", blendWords(explained))} ${row("joints", joints(explained))}
+    </dl>
+  </section>`;
 }

@@ -1,72 +1,95 @@
 /** Asks whynot: shows single changes with which an event fires, with buttons to try them. */
 
+import { effect, signal } from "@preact/signals-core";
+import { html, nothing, type TemplateResult } from "lit-html";
+import { live } from "lit-html/directives/live.js";
 import * as actors from "../../net/actors";
 import type { Remedy, WhyNot } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import type { App } from "../../view/app";
-import { el } from "../../ui/dom";
 import { trialWords } from "./words";
 
+type Part = TemplateResult | typeof nothing;
+
+const said = (words: string): Part => (words ? html`<p .textContent=${words}></p>` : nothing);
+
 export class Remedies {
-  private readonly event = el("select", { "aria-label": "event that did not fire" });
-  private readonly answer = el("div", { class: "answer", "aria-live": "polite" });
+  private readonly event = signal("");
+  private readonly answer = signal<Part>(nothing);
   private tick = 0;
   private requests = 0;
 
-  constructor(
-    host: HTMLElement,
-    private readonly app: App,
-  ) {
-    host.append(el("h3", {}, "why not", this.event), this.answer);
-    this.event.addEventListener("change", () => void this.ask());
-    app.machine.info.subscribe((machine) => {
-      const chosen = this.event.value;
-      const events = (machine?.events ?? []).filter((event) => event !== "END");
-      this.event.replaceChildren(
-        el("option", { value: "" }, "choose an event"),
-        ...events.map((event) => el("option", { value: event }, event)),
-      );
-      this.event.value = events.includes(chosen) ? chosen : "";
+  constructor(private readonly app: App) {
+    effect(() => {
+      if (!this.events().includes(this.event.value)) this.event.value = "";
     });
+  }
+
+  private events(): string[] {
+    return this.app.machine.info.value?.events.filter((event) => event !== "END") ?? [];
   }
 
   /** Sets the tick and asks again, if an event is chosen; `lost`: the event that was dropped in the tick. */
   about(tick: number, lost?: string): void {
     this.tick = tick;
-    this.event.value = lost ?? this.event.value;
-    this.answer.replaceChildren();
-    if (this.event.value) void this.ask();
+    this.choose(lost ?? this.event.value);
+  }
+
+  private choose(event: string): void {
+    this.event.value = event;
+    void this.ask();
   }
 
   private async ask(): Promise<void> {
     const [actor, event, request] = [this.app.selection.actor.value, this.event.value, ++this.requests];
-    if (actor === null || !event) {
-      this.answer.replaceChildren();
-      return;
-    }
-    this.answer.replaceChildren(el("p", {}, "trying changes…"));
+    const isAsked = actor !== null && event !== "";
+    this.answer.value = said(isAsked ? "trying changes…" : "");
+    if (!isAsked) return;
     const found = await actors.whyNot(this.app.stage.id, actor, event, this.tick).catch(reasonOf);
     if (request !== this.requests) return;
-    this.answer.replaceChildren(...(typeof found === "string" ? [el("p", {}, found)] : this.shown(found)));
+    this.answer.value = typeof found === "string" ? said(found) : this.shown(found);
   }
 
-  private shown({ fired, reason, remedies, cut }: WhyNot): HTMLElement[] {
-    const answer = el("p", { class: "reason" }, fired ? `It fires: ${reason}` : reason);
-    if (fired) return [answer];
+  part(): TemplateResult {
+    const choose = ({ target }: Event): void => this.choose((target as HTMLSelectElement).value);
+    const option = (event: string): TemplateResult =>
+      html`<option
+        value=${event}
+        .selected=${live(event === this.event.value)}
+        .text=${event || "choose an event"}
+      ></option>`;
+    return html`<section class="why-not">
+      <h3>
+        why not
+        <select aria-label="event that did not fire" @change=${choose}>
+          ${["", ...this.events()].map(option)}
+        </select>
+      </h3>
+      <div class="answer" aria-live="polite">${this.answer.value}</div>
+    </section>`;
+  }
+
+  private shown({ fired, reason, remedies, cut }: WhyNot): TemplateResult {
     const items = remedies.map((remedy) => this.item(remedy));
-    const parts = [answer, ...(items.length ? [el("ol", { class: "remedies" }, ...items)] : [])];
-    if (cut) return [...parts, el("p", {}, cut)];
-    return items.length ? parts : [...parts, el("p", {}, "No single change makes it fire.")];
+    const end = cut || (items.length ? "" : "No single change makes it fire.");
+    return html`<p class="reason" .textContent=${fired ? `It fires: ${reason}` : reason}></p>
+      ${
+        items.length
+          ? html`<ol class="remedies">
+              ${items}
+            </ol>`
+          : nothing
+      }
+      ${said(fired ? "" : end)}`;
   }
 
-  private item(remedy: Remedy): HTMLElement {
+  private item(remedy: Remedy): TemplateResult {
     const words = trialWords(remedy.kind);
-    const item = el("li", { "data-kind": remedy.kind }, el("span", {}, remedy.text));
-    if (!words) return item;
-    const button = el("button", { type: "button" }, words);
-    button.addEventListener("click", () => this.attempt(remedy));
-    item.append(button);
-    return item;
+    const attempt = (): void => this.attempt(remedy);
+    return html`<li data-kind=${remedy.kind}>
+      <span .textContent=${remedy.text}></span>
+      ${words ? html`<button type="button" @click=${attempt}>${words}</button>` : nothing}
+    </li>`;
   }
 
   private attempt({ change }: Remedy): void {

@@ -4,75 +4,76 @@
  */
 
 import "./why.css";
+import { signal } from "@preact/signals-core";
+import { html, type TemplateResult } from "lit-html";
 import * as actors from "../../net/actors";
 import type { Why } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import type { App } from "../../view/app";
-import { el, say } from "../../ui/dom";
+import { draw } from "../../ui/draw";
 import { explanation } from "./explanation";
 import { Remedies } from "./remedies";
 
 const LOOK_AROUND_TICKS = 100_000;
 
 class WhyPanel {
-  private readonly title = el("h2");
-  private readonly states = el("p", { class: "states" });
-  private readonly events = el("div", { class: "events-why" });
+  private readonly tick = signal(0);
+  private readonly states = signal("");
+  private readonly events = signal<readonly TemplateResult[]>([]);
   private readonly remedies: Remedies;
-  private tick = 0;
   private requests = 0;
 
   constructor(
     private readonly host: HTMLElement,
     private readonly app: App,
   ) {
-    const close = (): void => {
-      app.inspection.why.value = null;
-    };
-    const button = (label: string, words: string, act: () => void): HTMLButtonElement => {
-      const made = el(
-        "button",
-        { type: "button", class: "plain square", "aria-label": words, title: words },
-        label,
-      );
-      made.addEventListener("click", act);
-      return made;
-    };
-    const head = el(
-      "header",
-      {},
-      this.title,
-      button("‹", "what happened before", () => this.step(-1)),
-      button("›", "what happened next", () => this.step(1)),
-      button("×", "close (Esc)", close),
-    );
-    const notHost = el("section", { class: "why-not" });
-    host.append(head, el("div", { class: "why-body" }, this.states, this.events, notHost));
-    this.remedies = new Remedies(notHost, app);
+    this.remedies = new Remedies(app);
     host.hidden = true;
     host.tabIndex = -1;
-    host.addEventListener("keydown", (press) => press.key === "Escape" && close());
-    app.session.leaving.on(close);
-    app.selection.actor.subscribe(close);
+    host.addEventListener("keydown", (press) => press.key === "Escape" && this.leave());
+    draw(host, () => this.content());
+    app.session.leaving.on(() => this.leave());
+    app.selection.actor.subscribe(() => this.leave());
     app.inspection.why.subscribe((tick) => {
       if (tick === null) this.close();
       else void this.open(tick);
     });
   }
 
+  private leave(): void {
+    this.app.inspection.why.value = null;
+  }
+
+  private content(): TemplateResult {
+    const button = (label: string, words: string, act: () => void): TemplateResult =>
+      html`<button type="button" class="plain square" aria-label=${words} title=${words} @click=${act}>
+        ${label}
+      </button>`;
+    return html`<header>
+        <h2 .textContent=${`why, in tick ${this.tick.value}`}></h2>
+        ${button("‹", "what happened before", () => this.step(-1))}
+        ${button("›", "what happened next", () => this.step(1))}
+        ${button("×", "close (Esc)", () => this.leave())}
+      </header>
+      <div class="why-body">
+        <p class="states" .textContent=${this.states.value}></p>
+        <div class="events-why">${this.events.value}</div>
+        ${this.remedies.part()}
+      </div>`;
+  }
+
   /** Opens for `tick` of the watched actor. */
   private async open(tick: number): Promise<void> {
     const [actor, request] = [this.app.selection.actor.value, ++this.requests];
     if (actor === null) return;
-    this.tick = tick;
+    this.tick.value = tick;
     if (this.host.hidden) this.appear();
-    say(this.title, `why, in tick ${tick}`);
     const answer = await actors.why(this.app.stage.id, actor, tick).catch(reasonOf);
     if (request !== this.requests) return;
     const lost =
       typeof answer === "string" ? null : answer.events.find(({ verdict }) => verdict === "dropped");
     this.remedies.about(Math.max(1, tick), lost?.event);
-    if (typeof answer === "string") this.events.replaceChildren(el("p", {}, answer));
+    if (typeof answer === "string") this.events.value = [html`<p .textContent=${answer}></p>`];
     else this.show(answer);
   }
 
@@ -95,25 +96,24 @@ class WhyPanel {
       const layer = hasLayers ? `${layers[i] ?? i}: ` : "";
       return `${layer}${state} for ${((tick - since[i]!) / rate).toFixed(2)} s`;
     };
-    say(this.states, states.map(line).join(" · "));
-    const none = el("p", { class: "nothing" }, "Nothing happens to this actor in this tick.");
+    this.states.value = states.map(line).join(" · ");
+    const none = html`<p class="nothing">Nothing happens to this actor in this tick.</p>`;
     const shown = events.map((explained) => {
       const { layer } = explained;
       return explanation(explained, hasLayers ? (layers[layer] ?? "") : "", (state, event) =>
         this.app.inspection.cells.emit({ layer, state, event, text: null }),
       );
     });
-    this.events.replaceChildren(...(shown.length ? shown : [none]));
+    this.events.value = shown.length ? shown : [none];
     this.host.dataset["tick"] = String(tick);
   }
 
   /** Goes to the next or previous tick with an event or a change of state. */
   private step(by: 1 | -1): void {
     const actor = this.app.selection.actor.value ?? -1;
+    const at = this.tick.value;
     const [from, to] =
-      by > 0
-        ? [this.tick + 1, this.tick + LOOK_AROUND_TICKS]
-        : [Math.max(0, this.tick - LOOK_AROUND_TICKS), this.tick - 1];
+      by > 0 ? [at + 1, at + LOOK_AROUND_TICKS] : [Math.max(0, at - LOOK_AROUND_TICKS), at - 1];
     const ticks = this.app.past.happened(actor, from, to);
     const next = by > 0 ? Math.min(...ticks) : Math.max(...ticks);
     if (!Number.isFinite(next)) return;
