@@ -65,7 +65,7 @@ def test_compare_two_ideas(user: User) -> None:
     user.look_back("start")
     user.send("FORWARD")
     user.until("__viewer.stage() !== 'main' && __viewer.ready")
-    user.press_button("stage faq-walker")
+    user.open_stages()
     user.press_button("ghost of main")
     user.page.get_by_role("columnheader", name="degrees").wait_for()
     user.press_button("the first that differs")

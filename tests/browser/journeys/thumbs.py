@@ -43,3 +43,7 @@ class ThumbsOnASmallPhone(Thumbs):
     """A user of the smallest phone, by day."""
 
     WINDOW: ClassVar = {"viewport": {"width": 320, "height": 640}, "has_touch": True, "is_mobile": True}
+
+    def open_stages(self) -> None:
+        """The bar has no room for the stage's name."""
+        self.find("stages and forks")

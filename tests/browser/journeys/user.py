@@ -90,6 +90,9 @@ class User(ABC):
     def choose_machine(self, title: str) -> None:
         self.choose(self.page.locator("#picker select[title=machine]"), title)
 
+    def open_stages(self) -> None:
+        self.press_button("stage faq-walker")
+
     def find(self, words: str) -> None:
         """Finds a command, a state, a machine … by its words, and takes it."""
         self._open_search()
