@@ -9,6 +9,8 @@ import type { Point } from "./shapes";
 export class GraphPointer {
   private readonly gestures: Gestures;
   private pointed: SVGElement | null = null;
+  /** The press of a click: what it was on counts, although labels may come and go until the release. */
+  private press: PointerEvent | null = null;
 
   constructor(
     private readonly graph: GraphView,
@@ -16,7 +18,8 @@ export class GraphPointer {
   ) {
     const { canvas } = graph.picture;
     this.gestures = new Gestures(canvas, graph.camera, (target, place) => this.begin(target, place));
-    canvas.addEventListener("click", (click) => this.clicked(click));
+    canvas.addEventListener("pointerdown", (press) => (this.press = press));
+    canvas.addEventListener("click", (click) => this.clicked((click.pointerType && this.press) || click));
     for (const kind of ["contextmenu", "dblclick"])
       canvas.addEventListener(kind, (click) => this.travel(click));
     canvas.addEventListener("pointerover", ({ target }) => graph.light(stateOf(target) ?? ""));
