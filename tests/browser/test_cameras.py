@@ -91,6 +91,5 @@ def test_the_head_stays_in_the_picture_in_a_jump(server: Server, viewer: Page) -
     seen = viewer.evaluate(HIGHEST)
     slowed(server, viewer, 1)
     viewer.keyboard.up("ArrowUp")
-    print(low, seen)
     assert {state for state, _ in seen} == {"JUMP", "FLY"}
     assert 0.02 < min(top for _, top in seen) < low

@@ -55,6 +55,7 @@ def test_a_stay_is_told_without_a_reason(server: Server, still: Page) -> None:
     url = f"{server.url}/api/stages/{stage}"
     httpx.post(f"{url}/events", json={"event": "FORWARD"}).raise_for_status()
     httpx.post(f"{url}/step", json={"ticks": 2}).raise_for_status()
+    still.locator("#verdict").filter(has_text="stays in STWK").wait_for()
     why(still, head + 1)
     told = still.locator(".event-why[data-about=FORWARD]")
     told.filter(has_text="taken").wait_for()
