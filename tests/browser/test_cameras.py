@@ -86,7 +86,7 @@ def test_the_head_stays_in_the_picture_in_a_jump(server: Server, viewer: Page) -
     viewer.keyboard.down("ArrowUp")
     until(viewer, "__viewer.state() === 'WALK'")
     low = viewer.evaluate("__viewer.pixels().box[1]")
-    slowed(server, viewer, 1 / 4)
+    slowed(server, viewer, 1 / 2)
     viewer.keyboard.press("Space")
     seen = viewer.evaluate(HIGHEST)
     slowed(server, viewer, 1)

@@ -167,7 +167,8 @@ def test_a_joint_of_a_walker_is_plotted_and_its_path_is_drawn(viewer: Page) -> N
     for name in ("plot", "path"):
         panel.get_by_role("button", name=name).click()
     viewer.keyboard.down("ArrowUp")
-    until(viewer, "__viewer.joints().Head[2] > arg + 1", viewer.evaluate("__viewer.joints().Head[2]"))
+    away = "Math.hypot(...__viewer.joints().Head.map((at, i) => at - arg[i])) > 1"
+    until(viewer, away, viewer.evaluate("__viewer.joints().Head"))
     viewer.keyboard.press("p")
     viewer.wait_for_selector("[data-link=paused]")
     viewer.keyboard.up("ArrowUp")

@@ -5,7 +5,8 @@ and film strips are saved.
 import struct
 from collections.abc import Callable
 
-from browser.conftest import controls, mean_colour, until
+import httpx
+from browser.conftest import Server, controls, leave, mean_colour, until
 from playwright.sync_api import Page
 from serving import wait_for
 
@@ -82,11 +83,13 @@ def bright(page: Page, joint: str, wide: int, high: int) -> float:
     return sum(mean_colour(page, page.screenshot(clip=clip))[:3])
 
 
-def test_exposure_shadow_and_a_gradient_change_the_picture(viewer: Page) -> None:
+def test_exposure_shadow_and_a_gradient_change_the_picture(
+    server: Server, opened: Callable[[str], Page]
+) -> None:
     """The character is brighter or dark; ground without a shadow is brighter; a gradient ends darker."""
-    page = viewer
-    page.keyboard.press("p")
-    page.wait_for_selector("[data-link=paused]")
+    standing = {"clock": "manual", "actors": [{"machine": "faq-walker"}]}
+    made = httpx.post(f"{server.url}/api/stages", json=standing, timeout=60).raise_for_status()
+    page = opened(f"{server.url}/?stage={made.json()['id']}")
     page.keyboard.press("v")
     shin, ground = ("Right.lowerleg", 12, 20), ("Left.foot", 80, 30)
     leg, shaded = bright(page, *shin), bright(page, *ground)
@@ -104,6 +107,4 @@ def test_exposure_shadow_and_a_gradient_change_the_picture(viewer: Page) -> None
     red, green, blue, _ = corner(page)
     assert (red, blue) == (0, 0)
     assert 115 < green < 200
-    page.keyboard.press("Escape")
-    page.keyboard.press("p")
-    page.wait_for_selector("[data-link=live]")
+    leave(page, f"{server.url}{made.headers['Location']}")
