@@ -94,6 +94,27 @@ def test_who_may_only_look_reads_it_and_why_not_more(
     until(page, f"{ACCESS}.hidden")
 
 
+def test_the_list_of_people_shows_what_each_may_do(
+    closed: Server, data: Path, page: Page, opened: Callable[[str], Page]
+) -> None:
+    opened(closed.link)
+    other = page.context.browser.new_context().new_page()
+    other.goto(f"{closed.url}/?fps=6&token={AccessFile(data).add('Gwen', 'view')}")
+    until(other, "window.__viewer?.ready")
+    rights = {}
+    for looks in (page, other):
+        looks.get_by_role("button", name="2 viewers").click()
+        until(looks, "document.querySelectorAll('#people li').length === 2")
+        rows = looks.locator("#people li").all()
+        rights[looks] = {
+            re.sub(r"\d+", "1", row.locator("b").inner_text()): row.locator("span").inner_text()
+            for row in rows
+        }
+    other.context.close()
+    assert rights[page] == {"viewer 1": "you · may change everything", "Gwen": "may look"}
+    assert rights[other] == {"viewer 1": "may change everything", "Gwen": "you · may look"}
+
+
 def test_a_link_to_a_stage_shows_this_stage(
     closed: Server, page: Page, opened: Callable[[str], Page], allowed: list[str]
 ) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import httpx
 import pytest
-from browser.conftest import Server, controls, mean_colour, until
+from browser.conftest import Server, controls, mean_colour, slowed, until
 from playwright.sync_api import Page
 
 AWAY = """(([x, y, z], [a, b, c]) => [x - a, y - b, z - c].map(m => m / Math.hypot(x - a, y - b, z - c)))(
@@ -69,3 +69,27 @@ def test_the_character_is_in_sight_after_the_watched_stage_was_deleted(
     page.get_by_text("is gone: you now watch main").wait_for()
     until(page, f"__viewer.stage() === 'main' && __viewer.ready && {IN_PICTURE}")
     until(page, "__viewer.pixels().covered > 0.01")
+
+
+HIGHEST = """async () => {
+  const seen = [];
+  while (__viewer.state() !== 'LAND') {
+    if (['JUMP', 'FLY'].includes(__viewer.state())) seen.push([__viewer.state(), __viewer.pixels().box[1]]);
+    await new Promise(requestAnimationFrame);
+  }
+  return seen;
+}"""
+"""the state and the place of the highest pixel of the character, 0…1 from above, in the frames of a jump"""
+
+
+def test_the_head_stays_in_the_picture_in_a_jump(server: Server, viewer: Page) -> None:
+    viewer.keyboard.down("ArrowUp")
+    until(viewer, "__viewer.state() === 'WALK'")
+    low = viewer.evaluate("__viewer.pixels().box[1]")
+    slowed(server, viewer, 1 / 2)
+    viewer.keyboard.press("Space")
+    seen = viewer.evaluate(HIGHEST)
+    slowed(server, viewer, 1)
+    viewer.keyboard.up("ArrowUp")
+    assert {state for state, _ in seen} == {"JUMP", "FLY"}
+    assert 0.02 < min(top for _, top in seen) < low

@@ -2,10 +2,11 @@
 
 import json
 import math
+from collections.abc import Callable
 
 import httpx
 import pytest
-from browser.conftest import Server, passing, until
+from browser.conftest import Server, leave, passing, until
 from playwright.sync_api import Page
 from serving import wait_for
 
@@ -45,6 +46,33 @@ def test_a_button_does_what_its_key_does(standing: Page) -> None:
     with passing(standing, "CRCH"):
         button.click()
     until(standing, "__viewer.state() === 'STAT'")
+
+
+def test_markers_of_motions_are_no_buttons(server: Server, opened: Callable[[str], Page]) -> None:
+    """What a step of the walk raises nobody wants to press; what a key sends has its button."""
+    page = opened(f"{server.url}/?machine=walker-layers")
+    made = httpx.get(f"{server.url}/api/machines/walker-layers").json()
+    markers = {
+        marker["name"] for layer in made["layers"] for state in layer["states"] for marker in state["markers"]
+    }
+    assert markers & {*made["events"]}
+    shown = page.locator("#events [data-event]").evaluate_all("all => all.map(one => one.dataset.event)")
+    assert shown == [event for event in made["events"] if event not in {"END", *markers}]
+    leave(page, f"{server.url}/api/stages/{page.evaluate('__viewer.stage()')}")
+
+
+def test_a_page_that_nobody_visited_is_silent_until_sound_is_wanted(standing: Page) -> None:
+    """An action of the motion is counted; the browser remembers who asks for sound."""
+    standing.keyboard.down("ArrowUp")
+    until(standing, "__viewer.state() === 'WALK'")
+    standing.keyboard.press("Space")
+    standing.locator("#action-counter [data-action=jump]").wait_for()
+    standing.keyboard.up("ArrowUp")
+    sound = standing.get_by_role("button", name="sound: off")
+    assert sound.get_attribute("aria-pressed") == "false"
+    sound.click()
+    standing.get_by_role("button", name="sound: on", pressed=True).wait_for()
+    assert standing.evaluate("localStorage.getItem('statwalk.muted')") == "no"
 
 
 def test_losing_the_keyboard_lets_the_key_go(standing: Page) -> None:

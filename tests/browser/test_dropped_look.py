@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from browser.conftest import until
 from browser.test_import import ROBOT, drop, own
-from paths import needs_assets
+from paths import GLTF, needs_assets
 from playwright.sync_api import Locator, Page
 
 __all__ = ["own"]
@@ -81,3 +81,26 @@ def test_a_dropped_model_is_looked_at_before_it_has_a_machine(
     assert "machines/robot" not in own()
     viewer.keyboard.press("Escape")
     until(viewer, "!document.querySelector('dialog[open]')")
+
+
+@needs_assets
+def test_what_a_dropped_model_holds_can_be_read(own: Callable[[], set[str]], viewer: Page) -> None:
+    """Also what was wrong with it; its joints can be drawn over the picture."""
+    drop(viewer, "man.glb", (GLTF / "CesiumMan.glb").read_bytes())
+    held = viewer.locator(".look-contents")
+    held.locator("summary").filter(has_text="1 mesh").wait_for()
+    for summary in held.locator("summary").all():
+        summary.click()
+    note, mesh, joints, material, texture = held.locator("details").all_inner_texts()
+    assert note.startswith("1 note\nskin weights did not sum to 1 and were normalised: 210 of 3273")
+    assert mesh == "1 mesh, 4,672 triangles\nCesium_Man\n4,672 triangles"
+    assert joints.split("\n")[:4] == ["22 joints", "node 0", "  node 21", "    node 2"]
+    assert joints.count("\n") == 22
+    assert material == "1 material\nCesium_Man-effect baseColor"
+    assert texture == "1 texture\nimage/jpeg · 1024 × 1024 · 210 kB"
+    shows = viewer.locator(".look-controls").get_by_label("joints")
+    seen = picture(viewer)
+    shows.check()
+    assert picture(viewer) != seen
+    shows.uncheck()
+    assert picture(viewer) == seen

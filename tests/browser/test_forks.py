@@ -107,6 +107,46 @@ def test_the_ghost_of_the_origin_stands_at_the_same_tick_and_is_compared_by_join
     until(viewer, "__viewer.ghost() === -1")
 
 
+TREE = """() => [...document.querySelectorAll('#stages li')].map(row => [
+  row.querySelector('b').textContent,
+  row.querySelector('b').getBoundingClientRect().left,
+  row.querySelector('.stage-row span').textContent,
+  getComputedStyle(row.querySelector('.stage-span')).backgroundImage.match(/[\\d.e-]+(?=%)/g).map(Number),
+])"""
+"""each row's name, where it begins, pixels, its words, and from where to where its bar goes, percent"""
+
+
+def test_the_list_of_stages_is_a_tree_over_time(server: Server, opened: Callable[[str], Page]) -> None:
+    """A fork stands below its origin, moved in, earlier ones first; its bar begins where it left."""
+    walker = {"actors": [{"machine": "faq-walker"}], "clock": "manual", "name": "Play"}
+    ids = {"Play": httpx.post(f"{server.url}/api/stages", json=walker, timeout=60).json()["id"]}
+    for name, origin, tick in (("Late", "Play", 30), ("Early", "Play", 10), ("Inner", "Early", 20)):
+        stage = f"{server.url}/api/stages/{ids[origin]}"
+        httpx.post(f"{stage}/step", json={"ticks": 40}, timeout=60).raise_for_status()
+        made = httpx.post(f"{stage}/fork", json={"tick": tick, "name": name}, timeout=60).json()
+        ids[name] = made["id"]
+    httpx.post(f"{server.url}/api/stages/{ids['Inner']}/events", json={"event": "FORWARD"}).raise_for_status()
+    page = opened(f"{server.url}/?stage={ids['Inner']}")
+    page.keyboard.press("o")
+    page.locator("#stages li").filter(has_text="Inner").wait_for()
+    rows = {name: more for name, *more in page.evaluate(TREE) if name in ids}
+    assert list(rows) == ["Play", "Early", "Inner", "Late"]
+    left = rows["Play"][0]
+    step = rows["Early"][0] - left
+    assert step > 8
+    assert [place - left for place, *_ in rows.values()] == pytest.approx([0, step, 2 * step, step], abs=0.5)
+    assert [words for _, words, _ in rows.values()] == [
+        "1 input, the newest: faq-walker 1 added",
+        "left Play at tick 10 · no input",
+        "left Early at tick 20 · 1 input, the newest: FORWARD to faq-walker 1",
+        "left Play at tick 30 · no input",
+    ]
+    tick = rows["Late"][2][0] / 30
+    bars = [at / tick for _, _, (begin, _, end, _) in rows.values() for at in (begin, end)]
+    assert bars == pytest.approx([0, 80, 10, 50, 20, 20, 30, 30], abs=0.01)
+    leave(page, *(f"{server.url}/api/stages/{stage}" for stage in ids.values()))
+
+
 def test_the_list_of_stages_says_which_one_sleeps_and_renames_it(
     tmp_path: Path, opened: Callable[[str], Page]
 ) -> None:

@@ -1,5 +1,6 @@
 """The state graph: what the mouse lights, zooms and moves, places that stay, arrows made and deleted."""
 
+import re
 from collections.abc import Callable, Iterator
 
 import httpx
@@ -113,21 +114,87 @@ def test_the_keyboard_makes_and_deletes_an_arrow(graph: Page, walker: Server) ->
     assert cell(walker, "STUP", "LEFT") is None
 
 
-def test_the_filter_of_a_large_table_chooses_what_the_graph_shows(graph: Page, walker: Server) -> None:
-    """Without it, the graph shows the live state and its neighbours, as it does again afterwards."""
-    url, version = f"{walker.url}/api/machines/faq-walker", newest(walker)
-    added = [{"kind": "add_state", "state": f"SPARE{number}"} for number in range(30)]
-    match = {"If-Match": f'"{version}"'}
-    httpx.patch(url, json={"operations": added}, headers=match).raise_for_status()
-    graph.locator("#graph").get_by_text("of 41 states").wait_for()
-    shown = "[...document.querySelectorAll('#graph .state')].map(state => state.dataset.state).join()"
-    around = graph.evaluate(shown)
-    graph.get_by_role("searchbox", name="filter states and events").fill("RE2 LAND")
-    until(graph, f"{shown} === 'LAND,SPARE2,' + [...Array(10).keys()].map(i => 'SPARE2' + i)")
-    graph.keyboard.press("Escape")
-    until(graph, f"{shown} === arg", around)
-    httpx.post(f"{url}/undo", headers={"If-Match": f'"{version + 1}"'}).raise_for_status()
-    until(graph, "document.querySelectorAll('#graph .state').length === 11")
+def test_a_clicked_arrow_shows_its_cell_which_gets_another_blend(graph: Page, walker: Server) -> None:
+    """The arrow is selected, and stays so after the edit."""
+    arrow = graph.locator("#graph .edge[data-from=CRCH][data-to=STUP]")
+    place = arrow.locator("path").first.evaluate(
+        """path => {
+          const { x, y } = path.getPointAtLength(path.getTotalLength() / 2);
+          const { a, d, e, f } = path.getScreenCTM();
+          return [a * x + e, d * y + f];
+        }"""
+    )
+    graph.mouse.click(*place)
+    until(graph, "document.querySelector('#graph .edge[aria-pressed=true]')?.dataset.from === 'CRCH'")
+    graph.get_by_role("button", name="inspect").click()
+    graph.locator("#cell h2").filter(has_text="CRCH END").wait_for()
+    graph.get_by_label("blend, s").fill("0.35")
+    graph.keyboard.press("Enter")
+    until(graph, "__viewer.version() > arg", newest(walker))
+    found = httpx.get(f"{walker.url}/api/machines/faq-walker").json()["table"]["CRCH"]["END"]
+    assert (found["blend"], found["to"]) == (0.35, "STUP")
+    assert arrow.get_attribute("aria-pressed") == "true"
+
+
+FOCUSED = "(({ state, from, to }) => state ?? `${from} ${to}`)(document.activeElement.dataset)"
+
+
+def test_the_keyboard_goes_from_state_to_state_and_along_the_arrows(graph: Page) -> None:
+    """An arrow key leads to a state in its direction; N and P go round the arrows that leave a state."""
+    graph.locator("#graph .state[data-state=WALK]").focus()
+    here, found = middle(graph, "WALK"), {}
+    for key, axis, sign in (
+        ("ArrowUp", 1, -1),
+        ("ArrowDown", 1, 1),
+        ("ArrowLeft", 0, -1),
+        ("ArrowRight", 0, 1),
+    ):
+        graph.keyboard.press(key)
+        found[key] = graph.evaluate(FOCUSED)
+        away = sign * (middle(graph, found[key])[axis] - here[axis])
+        assert found[key] == "WALK" or away > 0
+        graph.locator("#graph .state[data-state=WALK]").focus()
+    assert len(set(found.values()) - {"WALK"}) > 1
+    around = []
+    for key in "nnnnnp":
+        graph.keyboard.press(key)
+        around.append(graph.evaluate(FOCUSED))
+    leaving = [f"WALK {state}" for state in ("TLFT", "TRGT", "CSTP", "JUMP")]
+    assert around == [*leaving, leaving[0], leaving[-1]]
+    graph.keyboard.press("ArrowRight")
+    assert graph.evaluate(FOCUSED) == "JUMP"
+
+
+def test_the_keyboard_moves_a_state_in_one_edit(graph: Page, walker: Server) -> None:
+    before, version = graph.evaluate(PLACES), newest(walker)
+    graph.locator("#graph .state[data-state=LAND]").focus()
+    for _ in range(3):
+        graph.keyboard.press("Shift+ArrowRight")
+    graph.keyboard.press("Shift+ArrowDown")
+    until(graph, "__viewer.version() > arg", version)
+    after = graph.evaluate(PLACES)
+    assert {name for name in after if after[name] != before[name]} == {"LAND"}
+    (x, y), (to_x, to_y) = (map(float, re.findall(r"[-\d.]+", places["LAND"])) for places in (before, after))
+    assert (to_x - x, to_y - y) == pytest.approx((24, 8), abs=0.1)
+    assert newest(walker) == version + 1
+    assert graph.evaluate("__viewer.state()") == "STAT"  # no key reached the character
+
+
+def test_keys_and_buttons_zoom_the_graph(graph: Page) -> None:
+    """The middle stays where it is; 0 shows all of the graph again."""
+    whole = graph.evaluate(SHOWN)
+    graph.locator("#graph .state[data-state=WALK]").focus()
+    zoomed = []
+    for key in "++-":
+        graph.keyboard.press(key)
+        zoomed.append(graph.evaluate(SHOWN)[0] / whole[0])
+    assert zoomed == pytest.approx([1.25, 1.25**2, 1.25], rel=0.01)
+    graph.keyboard.press("0")
+    assert graph.evaluate(SHOWN) == pytest.approx(whole, abs=0.1)
+    graph.get_by_role("button", name="zoom out").click()
+    assert graph.evaluate(SHOWN)[0] == pytest.approx(whole[0] / 1.25, rel=0.01)
+    graph.get_by_role("button", name="zoom in").click()
+    assert graph.evaluate(SHOWN) == pytest.approx(whole, abs=0.5)
 
 
 def test_a_dragged_state_stays_where_it_is_and_moves_no_other(graph: Page, walker: Server) -> None:

@@ -30,6 +30,18 @@ def test_a_changed_key_is_kept_when_the_page_is_opened_again_until_all_keys_are_
     until(viewer, "document.fullscreenElement === document.documentElement")
 
 
+def test_the_help_says_what_the_marks_in_cells_mean(viewer: Page) -> None:
+    """Each sign that the table shows is in its list."""
+    signs = viewer.locator("#table td small").all_inner_texts()
+    viewer.keyboard.press("?")
+    marks = viewer.get_by_role("dialog").locator("section").filter(has_text="marks in cells")
+    kinds, words = marks.locator("dt").all_inner_texts(), marks.locator("dd").all_inner_texts()
+    listed = dict(zip(kinds, words, strict=True))
+    assert {"⇥", "≈", "◆"} == set(signs) <= set(listed)
+    assert (listed["⇥"], listed["–"]) == ("at the end of the motion", "the event is dropped")
+    assert len(listed) == 11
+
+
 def test_a_kiosk_shows_the_character_alone(server: Server, page: Page) -> None:
     page.goto(f"{server.url}/?kiosk")
     until(page, "window.__viewer?.ready")

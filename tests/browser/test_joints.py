@@ -147,3 +147,38 @@ def test_a_click_chooses_a_joint_and_another_beside_all_chooses_none(server: Ser
     page.mouse.click(box["x"] + 5, box["y"] + 0.5 * box["height"])
     until(page, "__viewer.joint() === ''")
     until(page, "'B swing' in __viewer.handles()")
+
+
+LINE = """() => {
+  const canvas = document.querySelector('.joint-plot canvas');
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const colour = getComputedStyle(document.querySelector('.joint-plot p b')).color.match(/\\d+/g);
+  return data.filter((_, k) => k % 4 === 0 && colour.every((v, i) => Math.abs(data[k + i] - v) < 40)).length;
+}"""
+"""how many pixels of the plot have the colour of its first line"""
+
+
+def test_a_joint_of_a_walker_is_plotted_and_its_path_is_drawn(viewer: Page) -> None:
+    """The line through the latest places stays in the paused picture until it is turned off."""
+    viewer.keyboard.press("3")  # bones
+    viewer.mouse.click(*viewer.evaluate("__viewer.circle('Left.hand')"))
+    until(viewer, "__viewer.joint() === 'Left.hand'")
+    panel = viewer.locator("#joint")
+    for name in ("plot", "path"):
+        panel.get_by_role("button", name=name).click()
+    viewer.keyboard.down("ArrowUp")
+    away = "Math.hypot(...__viewer.joints().Head.map((at, i) => at - arg[i])) > 1"
+    until(viewer, away, viewer.evaluate("__viewer.joints().Head"))
+    viewer.keyboard.press("p")
+    viewer.wait_for_selector("[data-link=paused]")
+    viewer.keyboard.up("ArrowUp")
+    until(viewer, "__viewer.posed() === __viewer.head()")
+    until(viewer, f"({LINE})() > 100")
+    x, y = viewer.evaluate("__viewer.circle('Left.hand')")
+    clip = {"x": x - 60, "y": y - 60, "width": 120, "height": 90}
+    drawn = viewer.screenshot(clip=clip)
+    assert viewer.screenshot(clip=clip) == drawn
+    panel.get_by_role("button", name="path").click()
+    wait_for(lambda: viewer.screenshot(clip=clip) != drawn)
+    viewer.keyboard.press("p")
+    viewer.wait_for_selector("[data-link=live]")

@@ -1,7 +1,10 @@
 """Ctrl-K finds what has a name, and does it: with the keyboard, with the mouse."""
 
+from collections.abc import Callable
+
+import httpx
 import pytest
-from browser.conftest import passing, until
+from browser.conftest import Server, leave, passing, until
 from playwright.sync_api import Page
 
 
@@ -58,6 +61,47 @@ def found(page: Page, words: str) -> None:
     page.keyboard.type(words)
     page.keyboard.press("Enter")
     until(page, "!document.querySelector('dialog.chooser[open]')")
+
+
+def picked(page: Page, name: str, does: str) -> None:
+    """Finds what has a name, and picks with the mouse what it does."""
+    page.keyboard.press("Control+k")
+    page.get_by_role("combobox", name="find a command").wait_for()
+    page.keyboard.type(name)
+    page.locator("#choices [role=option]").filter(has_text=does).first.click()
+    until(page, "!document.querySelector('dialog.chooser[open]')")
+
+
+def test_a_state_an_event_and_a_clip_are_found_too(standing: Page) -> None:
+    """A state and a clip are shown in the inspector, and the state in the graph; an event is sent."""
+    standing.keyboard.press("Escape")
+    shown = standing.locator("#cell h2")
+    picked(standing, "crch", "state: show")
+    shown.filter(has_text="CRCH").wait_for()
+    standing.wait_for_selector("#graph .state[data-state=CRCH][aria-pressed=true]")
+    with passing(standing, "CRCH"):
+        picked(standing, "crouch", "event: send")
+    picked(standing, "jump-left-2", "clip: show JUMP, which plays it")
+    shown.filter(has_text="JUMP").wait_for()
+
+
+def test_an_actor_a_stage_and_a_scene_are_found_too(server: Server, opened: Callable[[str], Page]) -> None:
+    """All three are watched at once."""
+    pair = [
+        {"machine": "faq-walker", "name": name, "position": [x, 0, 0]} for name, x in (("Ada", 0), ("Bea", 1))
+    ]
+    ids = [
+        httpx.post(f"{server.url}/api/stages", json={"name": name, "actors": pair}, timeout=60).json()["id"]
+        for name in ("First", "Rehearsal")
+    ]
+    page = opened(f"{server.url}/?stage={ids[0]}")
+    picked(page, "bea", "actor: watch")
+    until(page, "document.querySelector('#picker [aria-label=actor]').value === '2'")
+    picked(page, "rehearsal", "stage: watch faq-walker")
+    until(page, "__viewer.stage() === arg && __viewer.ready", ids[1])
+    picked(page, "geese", "scene: watch")
+    until(page, "document.querySelector('#picker select').value === 'scene:geese' && __viewer.ready")
+    leave(page, *(f"{server.url}/api/stages/{stage}" for stage in ids))
 
 
 def test_what_is_done_with_a_span_is_found_too(standing: Page) -> None:

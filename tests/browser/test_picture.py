@@ -5,8 +5,10 @@ and film strips are saved.
 import struct
 from collections.abc import Callable
 
-from browser.conftest import controls, mean_colour, until
+import httpx
+from browser.conftest import Server, controls, leave, mean_colour, until
 from playwright.sync_api import Page
+from serving import wait_for
 
 BRIGHTNESS = "__viewer.pixels().colour.reduce((a, b) => a + b)"
 
@@ -72,3 +74,37 @@ def test_a_picture_and_a_film_strip_are_saved(viewer: Page) -> None:
     assert high > height
     assert colour[3] > 20  # the line of seconds has 12 of it
     until(page, "__viewer.looking() === null")
+
+
+def bright(page: Page, joint: str, wide: int, high: int) -> float:
+    """How bright the page's picture is at a joint and below it."""
+    x, y = page.evaluate("arg => __viewer.circle(arg)", joint)
+    clip = {"x": x - wide / 2, "y": y, "width": wide, "height": high}
+    return sum(mean_colour(page, page.screenshot(clip=clip))[:3])
+
+
+def test_exposure_shadow_and_a_gradient_change_the_picture(
+    server: Server, opened: Callable[[str], Page]
+) -> None:
+    """The character is brighter or dark; ground without a shadow is brighter; a gradient ends darker."""
+    standing = {"clock": "manual", "actors": [{"machine": "faq-walker"}]}
+    made = httpx.post(f"{server.url}/api/stages", json=standing, timeout=60).raise_for_status()
+    page = opened(f"{server.url}/?stage={made.json()['id']}")
+    page.keyboard.press("v")
+    shin, ground = ("Right.lowerleg", 12, 20), ("Left.foot", 80, 30)
+    leg, shaded = bright(page, *shin), bright(page, *ground)
+    exposure = page.get_by_label("exposure", exact=True)
+    exposure.press("End")
+    wait_for(lambda: bright(page, *shin) > 1.2 * leg)
+    exposure.press("Home")
+    wait_for(lambda: bright(page, *shin) < 0.5 * leg)
+    page.get_by_role("button", name="reset", exact=True).click()
+    wait_for(lambda: bright(page, *shin) == leg)
+    page.get_by_label("shadow", exact=True).uncheck()
+    wait_for(lambda: bright(page, *ground) > shaded + 20)
+    page.get_by_label("background", exact=True).select_option("gradient")
+    page.get_by_label("colour", exact=True).fill("#00ff00")
+    red, green, blue, _ = corner(page)
+    assert (red, blue) == (0, 0)
+    assert 115 < green < 200
+    leave(page, f"{server.url}{made.headers['Location']}")

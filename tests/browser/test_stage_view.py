@@ -31,6 +31,17 @@ def test_it_is_in_the_page_as_well(viewer: Page) -> None:
     assert viewer.locator("#stage-view").screenshot() != shot
 
 
+def test_the_page_says_that_the_character_is_hidden_and_shows_it_again(viewer: Page) -> None:
+    note = viewer.get_by_role("status").filter(has_text="the character is hidden")
+    assert note.is_hidden()
+    viewer.keyboard.press("1")
+    note.wait_for()
+    until(viewer, "__viewer.pixels().covered === 0")
+    viewer.get_by_role("button", name="show the skin").click()
+    until(viewer, "__viewer.pixels().covered > 0.02")
+    note.wait_for(state="hidden")
+
+
 def test_software_rendering_means_low_quality(viewer: Page) -> None:
     assert viewer.evaluate("__viewer.quality()") == "low"
 

@@ -11,6 +11,13 @@ from playwright.sync_api import Page
 
 LENGTH = "(bar => bar.max - bar.min)(document.querySelector('.scrub'))"
 
+RULER = """() => {
+  const canvas = document.querySelector('#lanes canvas');
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, 16 * devicePixelRatio);
+  return String.fromCharCode(...data.filter((_, k) => k % 4 === 3));
+}"""
+"""what is drawn of the marks at round seconds, above the lanes"""
+
 
 def shift_drag(page: Page, begin: float, end: float) -> None:
     """Drags over the lanes with shift, from one share of their width to another."""
@@ -35,10 +42,11 @@ def test_a_part_of_the_past_is_found_looped_and_saved(
     until(page, "__viewer.head() > 150")
     page.keyboard.press("p")
     page.wait_for_selector("[data-link=paused]")
-    whole = page.evaluate(LENGTH)
+    whole, ruler = page.evaluate(LENGTH), page.evaluate(RULER)
     page.hover("#lanes")
     page.mouse.wheel(0, -400)
     until(page, f"{LENGTH} < 0.7 * arg", whole)
+    until(page, f"({RULER})() !== arg", ruler)
     newest = page.evaluate("document.querySelector('.scrub').max")
     page.keyboard.press("[")
     until(page, "Number(document.querySelector('.scrub').max) < arg", int(newest))

@@ -49,6 +49,21 @@ def test_a_click_on_the_timeline_tells_why(still: Page) -> None:
     until(still, "__viewer.looking() === 11")
 
 
+def test_a_stay_is_told_without_a_reason(server: Server, still: Page) -> None:
+    """A second FORWARD changes nothing: the result says all that there is to say."""
+    stage, head = still.evaluate("[__viewer.stage(), __viewer.head()]")
+    url = f"{server.url}/api/stages/{stage}"
+    httpx.post(f"{url}/events", json={"event": "FORWARD"}).raise_for_status()
+    httpx.post(f"{url}/step", json={"ticks": 2}).raise_for_status()
+    still.locator("#verdict").filter(has_text="stays in STWK").wait_for()
+    why(still, head + 1)
+    told = still.locator(".event-why[data-about=FORWARD]")
+    told.filter(has_text="taken").wait_for()
+    rows = dict(zip(told.locator("dt").all_inner_texts(), told.locator("dd").all_inner_texts(), strict=True))
+    assert rows["so"] == "stays in STWK"
+    assert "because" not in rows
+
+
 def test_the_cell_is_shown_in_the_table(still: Page) -> None:
     why(still, 11)
     still.locator(".event-why .where").click()

@@ -1,5 +1,7 @@
 """The inspector of the selected cell or state: each field makes one edit, and tells at once what is wrong."""
 
+from typing import Any
+
 import httpx
 import pytest
 from browser.conftest import Server, until
@@ -63,6 +65,46 @@ def test_an_alternative_has_the_fields_of_a_cell(own: Server, table: Page) -> No
     assert (first["curve"], first["enter"], first["action"]) == ("quintic", 0.5, "shout")
     assert (last["curve"], last["enter"], last["action"]) == ("cubic", "match", None)
     assert first["blend"] == last["blend"]
+
+
+def ways(server: Server, member: str) -> list[tuple[str, Any]]:
+    """Where the alternatives of the cell lead, each with a member of it."""
+    cell = machine(server)["table"]["WALK"]["LEFT"]
+    return [(way["to"], way[member]) for way in cell["alternatives"]]
+
+
+def test_conditions_are_put_into_another_order_and_deleted(own: Server, table: Page) -> None:
+    """The first one has no button that would move it."""
+    inspect(table, CELL)
+    for times, condition in enumerate(("look > 0.5", "look < 0.2"), 1):
+        table.get_by_label("new: if").fill(condition)
+        table.keyboard.press("Enter")
+        edited(table, times)
+    (last, _), (first, _), otherwise = ways(own, "condition")
+    assert ways(own, "condition") == [(last, "look < 0.2"), (first, "look > 0.5"), otherwise]
+    ones, twos = (table.get_by_role("group", name=f"alternative {number}") for number in (1, 2))
+    assert ones.get_by_role("button", name="earlier").count() == 0
+    twos.get_by_role("button", name="earlier").click()
+    edited(table, 3)
+    assert ways(own, "condition") == [(first, "look > 0.5"), (last, "look < 0.2"), otherwise]
+    table.get_by_role("button", name=f"delete {last}").click()
+    edited(table, 4)
+    assert ways(own, "condition") == [(first, "look > 0.5"), otherwise]
+
+
+def test_chances_have_weights(own: Server, table: Page) -> None:
+    """A cell becomes two chances of weight 1; a field changes a weight; chances have no order."""
+    inspect(table, CELL)
+    table.get_by_role("button", name="add a chance").click()
+    edited(table)
+    (one, _), (other, _) = made = ways(own, "weight")
+    assert made == [("TLFT", 1), (other, 1)]
+    table.locator("#cell legend").filter(has_text="by chance").wait_for()
+    assert table.locator("#cell").get_by_role("button", name="earlier").count() == 0
+    table.get_by_role("group", name="alternative 2").get_by_label("weight").fill("3")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    assert ways(own, "weight") == [(one, 1), (other, 3)]
 
 
 def test_a_state_tells_how_alike_left_and_right_move(table: Page) -> None:

@@ -1,5 +1,6 @@
 """The form of the machine: the keyboard alone makes and renames its parts; properties are proved there."""
 
+import pytest
 from browser.conftest import Server, until
 from browser.edit.conftest import edited, machine
 from playwright.sync_api import Locator, Page
@@ -101,6 +102,60 @@ def test_a_layer_is_added_renamed_moved_and_deleted(own: Server, table: Page) ->
     edited(table, 6)
     assert [layer["name"] for layer in machine(own)["layers"]] == ["base", "head"]
     table.get_by_role("tab", name="limbs").wait_for(state="detached")
+
+
+@pytest.mark.parametrize(
+    ("name", "first", "second"),
+    [("parameters", "pace", "lean"), ("senses", "NEAR: look > 0.5", "FAR: look < 0.1")],
+)
+def test_a_parameter_or_a_sense_is_added_renamed_moved_and_deleted(
+    own: Server, table: Page, name: str, first: str, second: str
+) -> None:
+    section = open_section(table, name)
+    one, two = (text.partition(":")[0] for text in (first, second))
+    before = list(entries(own, name))
+    for times, text in enumerate((first, second), 1):
+        section.get_by_label("new").fill(text)
+        table.keyboard.press("Enter")
+        edited(table, times)
+    section.get_by_role("button", name=f"move {two} up").click()
+    edited(table, 3)
+    assert entries(own, name) == [*before, two, one]
+    section.get_by_role("group", name=two).get_by_label("name").fill(f"{two}2")
+    table.keyboard.press("Enter")
+    edited(table, 4)
+    assert entries(own, name) == [*before, f"{two}2", one]
+    section.get_by_role("button", name=f"delete {one}").click()
+    edited(table, 5)
+    assert entries(own, name) == [*before, f"{two}2"]
+    section.get_by_role("group", name=one, exact=True).wait_for(state="detached")
+
+
+def entries(server: Server, section: str) -> list[str]:
+    """The names in a section of the file, in their order; those of a point once."""
+    found = machine(server)[section]
+    if section == "senses":
+        return list(found)
+    return list(dict.fromkeys(entry["vector"] or entry["name"] for entry in found))
+
+
+def test_a_kept_property_is_shown_proved_edited_and_deleted(own: Server, table: Page) -> None:
+    properties = open_section(table, "properties")
+    count, before = properties.locator("summary output"), machine(own)["properties"]
+    count.filter(has_text=f"{len(before)} of {len(before)} proved").wait_for()
+    properties.get_by_label("new").fill("never STAT -> FLY")
+    table.keyboard.press("Enter")
+    edited(table)
+    kept = properties.get_by_role("group", name="never STAT -> FLY")
+    kept.locator(".verdict").filter(has_text="proved").wait_for()
+    count.filter(has_text=f"{len(before) + 1} of {len(before) + 1} proved").wait_for()
+    kept.get_by_role("textbox").fill("never LAND -> FLY")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    assert machine(own)["properties"] == [*before, "never LAND -> FLY"]
+    properties.get_by_role("button", name="delete never LAND -> FLY").click()
+    edited(table, 3)
+    assert machine(own)["properties"] == before
 
 
 def test_a_default_column_is_made_and_taken_away(own: Server, table: Page) -> None:

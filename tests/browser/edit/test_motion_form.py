@@ -94,3 +94,23 @@ def test_a_ground_speed_moves_the_actor_at_once(own: Server, table: Page, allowe
     table.keyboard.press("Enter")
     edited(table, 2)
     assert state(own, "STAT")["ground_speed"] is None
+
+
+def test_a_clip_is_put_into_a_blend_and_taken_out(own: Server, table: Page) -> None:
+    """It gets a place between the others, which the pad shows; a blend keeps two clips."""
+    before = state(own, "TLFT")
+    inspect(table, "th[data-state=TLFT]")
+    form = table.locator("#cell")
+    assert form.get_by_role("button", name="take").count() == 0
+    form.get_by_label("one more").select_option("stand")
+    edited(table)
+    assert state(own, "TLFT")["clips"] == [*before["clips"], "stand"]
+    table.locator(".blend-pad [data-clip=stand]").wait_for()
+    form.get_by_label("stand", exact=True).fill("0.7")
+    table.keyboard.press("Enter")
+    edited(table, 2)
+    assert state(own, "TLFT")["points"]["stand"] == [0.7]
+    form.get_by_role("button", name="take stand out").click()
+    edited(table, 3)
+    assert state(own, "TLFT") == before
+    form.get_by_role("button", name="take").first.wait_for(state="detached")
