@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Self
+from zlib import crc32
 
 import httpx
 import pytest
@@ -202,9 +203,10 @@ def allowed() -> list[str]:
 
 
 @pytest.fixture
-def window() -> dict[str, Any]:
-    """The size of a page's window, and whether fingers touch it."""
-    return {"viewport": SIZE}
+def window(request: pytest.FixtureRequest) -> dict[str, Any]:
+    """The size of a page's window, and its theme: about half of the tests see the dark one."""
+    theme = ("light", "dark")[crc32(request.node.name.encode()) % 2]
+    return {"viewport": SIZE, "color_scheme": theme}
 
 
 @pytest.fixture

@@ -65,14 +65,15 @@ def test_two_fingers_zoom_the_graph_and_one_moves_a_state(phone: Page) -> None:
 
 
 def test_a_finger_draws_an_arrow_from_the_dot_of_a_state(phone: Page) -> None:
-    """A tap shows the dot; the arrow asks for its event."""
+    """A tap shows the dot; the arrow asks for its event, which the phone's keyboard types."""
     phone.locator("#graph .state[data-state=STUP]").tap()
     dot = phone.locator("#graph .state[data-state=STUP] .dot")
     until(phone, "getComputedStyle(arg).visibility === 'visible'", dot.element_handle())
     target = inside(phone.locator("#graph .state[data-state=WALK] .box"))
     swipe(phone, line(inside(dot), target))
     phone.get_by_placeholder("STUP to WALK on").wait_for()
-    phone.locator("#choices").get_by_text("LEFT", exact=True).tap()
+    phone.keyboard.type("LEFT")
+    phone.keyboard.press("Enter")
     until(phone, "document.querySelector('#graph .edge[data-from=STUP][data-to=WALK]') !== null")
     made = httpx.get(f"{phone.url.split('?')[0]}api/machines/{MACHINE}").json()["table"]["STUP"]["LEFT"]
     assert made["to"] == "WALK"

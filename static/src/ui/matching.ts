@@ -6,8 +6,8 @@ export interface Named {
   note: string;
 }
 
-/** Ranks of a match: at the start, at the start of a word, inside, letters with gaps; a note is worse than a name. */
-const [START, WORD, INSIDE, LETTERS, NOTE] = [0, 1, 2, 3, 10];
+/** Ranks of a match: at the start, at the start of a word, inside; in the note; letters of the name with gaps. */
+const [START, WORD, INSIDE, NOTE, LETTERS] = [0, 1, 2, 10, 15];
 
 /** Returns the rank of `part` in `text`, null if `text` lacks its letters in their order. */
 function rankIn(text: string, part: string): number | null {
@@ -26,8 +26,8 @@ function rankOf({ name, note }: Named, parts: readonly string[]): number | null 
   let sum = 0;
   for (const part of parts) {
     const [inName, inNote] = [rankIn(name.toLowerCase(), part), note.toLowerCase().indexOf(part)];
-    const rank = inName ?? (inNote < 0 ? null : NOTE);
-    if (rank === null) return null;
+    const rank = Math.min(inName ?? Infinity, inNote < 0 ? Infinity : NOTE);
+    if (rank === Infinity) return null;
     sum += rank;
   }
   return sum;
