@@ -2,11 +2,12 @@
 
 `python benchmarks/page_memory.py --minutes 20`
 
-A round walks, jumps, scrubs time, forks, goes back, edits a cell and undoes it, visits another machine
-and comes back. After each round, garbage is collected, and the script prints the JavaScript heap, what the
-graphics hold, DOM nodes and listeners; then errors of the console. Each round makes two versions of the table
-and a fork. The stages that nobody watches any more are deleted: a server holds no more than 64. The list of
-versions gets rows. Chromium without a graphics card, with a server of its own.
+A round walks, jumps, scrubs time, forks, goes back, edits a cell and undoes it, finds a state, opens the
+text, the plot of a joint and the look at a model, visits another machine and comes back. After each round,
+garbage is collected, and the script prints the JavaScript heap, what the graphics hold, DOM nodes and
+listeners; then errors of the console. Each round makes two versions of the table and a fork. The stages
+that nobody watches any more are deleted: a server holds no more than 64. The list of versions gets rows.
+Chromium without a graphics card, with a server of its own.
 """
 
 from __future__ import annotations
@@ -18,11 +19,13 @@ import time
 import httpx
 from page import CHROMIUMS, SIZE, served, wait
 from playwright.sync_api import CDPSession, Page, sync_playwright
+from statwalk.services.library.load import shipped_machines_folder
 
 OWN, OTHER = "memory-walker", "faq-printed"
 MACHINE = "#picker select[title=machine]"
 CELL = "td[data-state=WALK][data-column=CROUCH]"
 WALK_S, CRAWL_S = 2, 1
+MODEL = shipped_machines_folder() / "playground" / "door" / "door.glb"
 
 
 def walk_and_jump(page: Page) -> None:
@@ -79,6 +82,25 @@ def visit_another(page: Page) -> None:
         page.wait_for_timeout(1000 * CRAWL_S)
 
 
+def open_panels(page: Page) -> None:
+    """Reads the file's text, finds a joint, plots it, and looks at a dropped model; closes all of it."""
+    page.get_by_role("button", name="versions").click()
+    page.get_by_role("tab", name="YAML").click()
+    page.locator(".yaml-editor .cm-line").first.wait_for()
+    page.locator("#drawer-tabs").get_by_label("close").click()
+    page.keyboard.press("Control+k")
+    page.keyboard.type("head joint show")
+    page.keyboard.press("Enter")
+    page.locator("#joint").get_by_role("button", name="plot").click()
+    page.wait_for_timeout(1000 * CRAWL_S)
+    page.keyboard.press("Escape")
+    with page.expect_file_chooser() as chosen:
+        page.get_by_role("button", name="add your own character").first.click()
+    chosen.value.set_files(MODEL)
+    page.get_by_role("button", name="Make a machine").wait_for()
+    page.keyboard.press("Escape")
+
+
 def delete_unwatched(url: str) -> None:
     """Deletes what the round has left behind."""
     for stage in httpx.get(f"{url}/api/stages", timeout=60).raise_for_status().json():
@@ -86,7 +108,7 @@ def delete_unwatched(url: str) -> None:
             httpx.delete(f"{url}/api/stages/{stage['id']}", timeout=60).raise_for_status()
 
 
-ROUND = (walk_and_jump, fork_with_ghost, edit_and_undo, visit_another)
+ROUND = (walk_and_jump, fork_with_ghost, edit_and_undo, open_panels, visit_another)
 
 
 def megabytes(page: Page, devtools: CDPSession) -> str:
