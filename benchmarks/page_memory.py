@@ -2,12 +2,12 @@
 
 `python benchmarks/page_memory.py --minutes 20`
 
-A round walks, jumps, scrubs time, forks, goes back, edits a cell and undoes it, finds a state, opens the
-text, the plot of a joint and the look at a model, visits another machine and comes back. After each round,
-garbage is collected, and the script prints the JavaScript heap, what the graphics hold, DOM nodes and
-listeners; then errors of the console. Each round makes two versions of the table and a fork. The stages
-that nobody watches any more are deleted: a server holds no more than 64. The list of versions gets rows.
-Chromium without a graphics card, with a server of its own.
+A round walks, jumps, scrubs time, forks, goes back, edits a cell and undoes it, opens the text, the plot of
+a joint and the look at a model, visits another machine and comes back. After each round, garbage is
+collected, and the script prints the JavaScript heap, what the graphics hold, DOM nodes and listeners; then
+errors of the console. Each round makes two versions of the table and a fork. The stages that nobody watches
+any more are deleted: a server holds no more than 64. The list of versions gets rows. Chromium without a
+graphics card, with a server of its own.
 """
 
 from __future__ import annotations

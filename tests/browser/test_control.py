@@ -49,7 +49,7 @@ def test_a_button_does_what_its_key_does(standing: Page) -> None:
 
 
 def test_markers_of_motions_are_no_buttons(server: Server, opened: Callable[[str], Page]) -> None:
-    """What a step of the walk raises nobody wants to press; what a key sends has its button."""
+    """A marker that the walk raises has no button; an event that a key sends has one."""
     page = opened(f"{server.url}/?machine=walker-layers")
     made = httpx.get(f"{server.url}/api/machines/walker-layers").json()
     markers = {

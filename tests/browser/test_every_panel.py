@@ -53,7 +53,7 @@ def open_machine_form(page: Page) -> None:
 
 
 def unfold(page: Page, panel: str) -> None:
-    """Opens all that is folded in a panel."""
+    """Opens each folded part of a panel."""
     page.locator(f"{panel} details").first.wait_for()
     page.evaluate(
         "panel => document.querySelectorAll(`${panel} details`).forEach(one => (one.open = true))", panel
@@ -207,7 +207,7 @@ ROLES: tuple[Literal["button", "tab", "menuitem"], ...] = ("button", "tab", "men
 
 
 def tapped(*names: str) -> Callable[[Page], object]:
-    """Taps what has these names, one after the other."""
+    """Returns an opener that taps the controls of these names, one after the other."""
 
     def tap(page: Page) -> None:
         for name in names:

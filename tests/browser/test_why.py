@@ -50,7 +50,7 @@ def test_a_click_on_the_timeline_tells_why(still: Page) -> None:
 
 
 def test_a_stay_is_told_without_a_reason(server: Server, still: Page) -> None:
-    """A second FORWARD changes nothing: the result says all that there is to say."""
+    """A second FORWARD changes nothing: the page says so in the result, and gives no reason."""
     stage, head = still.evaluate("[__viewer.stage(), __viewer.head()]")
     url = f"{server.url}/api/stages/{stage}"
     httpx.post(f"{url}/events", json={"event": "FORWARD"}).raise_for_status()

@@ -132,7 +132,7 @@ def test_a_parameter_or_a_sense_is_added_renamed_moved_and_deleted(
 
 
 def entries(server: Server, section: str) -> list[str]:
-    """The names in a section of the file, in their order; those of a point once."""
+    """Lists the names in a section of the file, in order; three entries of a point are one name."""
     found = machine(server)[section]
     if section == "senses":
         return list(found)

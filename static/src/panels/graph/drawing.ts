@@ -32,7 +32,7 @@ const boxShape = (width: number): Record<string, number> => ({
   rx: ROUND,
 });
 
-/** Draws what is seen by the pointer only: a state that is drawn small can still be hit. */
+/** Draws the invisible rim by which a pointer hits a state that is drawn small. */
 export function drawHalo({ name, width }: Box): SVGElement {
   return svg("rect", { class: "halo", "data-state": name, ...boxShape(width) });
 }

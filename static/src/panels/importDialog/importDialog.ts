@@ -200,7 +200,7 @@ export class ImportDialog {
       error instanceof api.ApiError
         ? error.places.map(({ field }) => field).filter((field) => field && !reason.includes(field))
         : [];
-    this.step.value = null; // the same alert, drawn anew, is read out again
+    this.step.value = null; // a screen reader reads an alert again only if the page draws a new one
     const place = html`<p class="import-place">at <code .textContent=${places.join(", ")}></code></p>`;
     this.show({
       title: "You cannot use this file",
