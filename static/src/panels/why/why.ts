@@ -73,9 +73,12 @@ class WhyPanel {
     const lost =
       typeof answer === "string" ? null : answer.events.find(({ verdict }) => verdict === "dropped");
     this.remedies.about(Math.max(1, tick), lost?.event);
-    if (typeof answer !== "string") return this.show(answer);
-    this.states.value = "";
-    this.events.value = [html`<p .textContent=${answer}></p>`];
+    if (typeof answer === "string") {
+      this.states.value = "";
+      this.events.value = [html`<p .textContent=${answer}></p>`];
+    } else {
+      this.show(answer);
+    }
   }
 
   /** Shows the panel and gives it the focus, so that Escape closes it. */
