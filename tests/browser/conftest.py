@@ -24,7 +24,7 @@ REPORT_VIOLATIONS = (
     "window.violations = []; addEventListener('securitypolicyviolation', e => "
     "violations.push(e.violatedDirective + ' ' + e.blockedURI))"
 )
-SIZE = {"width": 960, "height": 640}
+SIZES = [{"width": 960, "height": 640}, {"width": 1024, "height": 700}, {"width": 1440, "height": 900}]
 WIDE = {"width": 1280, "height": 900}
 
 
@@ -204,9 +204,9 @@ def allowed() -> list[str]:
 
 @pytest.fixture
 def window(request: pytest.FixtureRequest) -> dict[str, Any]:
-    """The size of a page's window, and its theme: about half of the tests see the dark one."""
-    theme = ("light", "dark")[crc32(request.node.name.encode()) % 2]
-    return {"viewport": SIZE, "color_scheme": theme}
+    """The size and theme of a page's window: each of the six pairs is seen by about a sixth of the tests."""
+    pair = crc32(request.node.name.encode())
+    return {"viewport": SIZES[pair // 2 % len(SIZES)], "color_scheme": ("light", "dark")[pair % 2]}
 
 
 @pytest.fixture

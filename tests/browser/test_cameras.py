@@ -20,8 +20,10 @@ FAR = "view=free&camera=0,1.4,4,0,0.9,0"
 """a camera in front of a walker who has walked away from where the walker of `main` stands"""
 
 
-def test_each_camera_looks_from_its_side(viewer: Page) -> None:
+def test_each_camera_looks_from_its_side(server: Server, opened: Callable[[str], Page]) -> None:
     """Front, side and top; a free camera stays and loses the character, the next one finds it again."""
+    viewer = opened(f"{server.url}?machine=faq-walker")  # on a stage of his own he has not turned
+    until(viewer, "__viewer.state() === 'STAT'")
     for key, axis in (("7", 2), ("8", 0), ("9", 1)):
         viewer.keyboard.press(key)
         until(viewer, f"{AWAY}[{axis}] > 0.99")

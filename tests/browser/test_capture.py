@@ -13,10 +13,13 @@ from browser.test_import import drop, own
 from browser.test_other_character import SHOWN, choose, made
 from paths import ASSETS, GLTF, needs_assets
 from playwright.sync_api import Page
+from serving import wait_for
 
 __all__ = ["made", "own"]
 WALK = ASSETS / "bvh" / "cmu_12_01_walk.bvh"
 PLAYS = "__viewer.stage() !== 'main' && __viewer.ready && __viewer.state() === arg"
+UNKNOWN = {"Hips": "bone_a", "LeftUpLeg": "bone_b", "RightUpLeg": "bone_c"}
+"""names of joints that do not tell which bones they are"""
 MOVED = (
     "Object.entries(__viewer.joints()).some(([name, at]) => "
     "Math.hypot(...at.map((v, i) => v - arg[name][i])) > 0.2)"
@@ -56,8 +59,7 @@ def test_the_same_walk_plays_on_a_robot_of_other_size_and_names(
 
 
 def test_the_dialog_asks_for_bones_without_known_names(own: Callable[[], set[str]], viewer: Page) -> None:
-    names = {"Hips": "bone_a", "LeftUpLeg": "bone_b", "RightUpLeg": "bone_c"}
-    drop(viewer, "odd.bvh", captures.walk(names).encode())
+    drop(viewer, "odd.bvh", captures.walk(UNKNOWN).encode())
     viewer.get_by_text("Which joint is which bone?").wait_for()
     viewer.get_by_text("arms, spine, head and fingers").click()
     viewer.set_viewport_size(LARGE)
@@ -68,6 +70,16 @@ def test_the_dialog_asks_for_bones_without_known_names(own: Callable[[], set[str
     viewer.get_by_role("button", name="Carry it over").click()
     until(viewer, PLAYS, "ODD")
     assert {name for name in own() if "odd" in name} == {"machines/walker-odd", "characters/walker-odd"}
+
+
+def test_a_capture_that_is_given_up_leaves_nothing(own: Callable[[], set[str]], viewer: Page) -> None:
+    before = own()
+    drop(viewer, "given-up.bvh", captures.walk(UNKNOWN).encode())
+    viewer.get_by_text("Which joint is which bone?").wait_for()
+    with viewer.expect_response(lambda answer: answer.request.method == "DELETE"):
+        viewer.keyboard.press("Escape")
+    viewer.get_by_role("dialog").wait_for(state="detached")
+    wait_for(lambda: own() == before)
 
 
 def test_what_does_not_move_is_said_and_may_be_mapped(own: Callable[[], set[str]], viewer: Page) -> None:

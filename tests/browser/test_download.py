@@ -3,9 +3,10 @@
 from pathlib import Path
 
 import numpy as np
+from browser.axe import TWO_FRAMES
 from browser.conftest import until
 from browser.test_import import drop, own  # noqa: F401 - a fixture
-from playwright.sync_api import Page
+from playwright.sync_api import Page, Route
 from statwalk.files.bvh import read_bvh
 from statwalk.files.chunk import read_chunk_file
 
@@ -14,6 +15,23 @@ def downloaded(viewer: Page, words: str) -> Path:
     with viewer.expect_download() as waiting:
         viewer.get_by_role("link", name=words).click()
     return Path(waiting.value.path())
+
+
+def test_formats_that_come_late_are_not_shown_for_another_character(viewer: Page) -> None:
+    late: list[Route] = []
+    viewer.route("**/formats", lambda route: late.append(route), times=1)
+    with viewer.expect_request("**/formats"):
+        viewer.get_by_role("button", name="download…").click()
+    viewer.keyboard.press("Escape")
+    viewer.get_by_label("machine", exact=True).first.select_option("gearbox")
+    until(viewer, "__viewer.stage() !== 'main' && __viewer.ready")
+    viewer.get_by_role("button", name="download…").click()
+    links = viewer.get_by_role("dialog").get_by_role("link")
+    links.first.wait_for()
+    with viewer.expect_response(late[0].request.url):
+        late[0].continue_()
+    viewer.evaluate(TWO_FRAMES)
+    assert {link.get_attribute("href").split("/")[-2] for link in links.all()} == {"gearbox"}
 
 
 def test_a_downloaded_character_comes_back_by_dropping(viewer: Page, own: object) -> None:  # noqa: F811

@@ -90,6 +90,10 @@ def test_states_can_be_renamed_and_are_checked_in_place(
     viewer.get_by_role("button", name="Make a machine").click()
     viewer.locator("[aria-invalid]").wait_for()
     viewer.locator(".map-row:has([aria-invalid]) .map-says").filter(has_text="already").wait_for()
+    viewer.get_by_label("Dance", exact=True).fill("no name")
+    viewer.keyboard.press("Enter")
+    viewer.locator(".map-row:has([aria-invalid]) .map-says").filter(has_text="no name").wait_for()
+    assert viewer.locator("[aria-invalid]").count() == 1
     viewer.locator("[aria-invalid]").fill("DISCO")
     viewer.get_by_label("Dance", exact=True).fill("WALTZ")
     viewer.keyboard.press("Enter")

@@ -2,16 +2,18 @@
 streams.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import pytest
-from browser.conftest import controls, until
+from browser.conftest import Server, controls, until
 from playwright.sync_api import Page
 
 
 @pytest.fixture(params=["pose", "glb"])
-def still(viewer: Page, request: pytest.FixtureRequest) -> Iterator[Page]:
-    """The paused page in one of the streams."""
+def still(server: Server, opened: Callable[[str], Page], request: pytest.FixtureRequest) -> Iterator[Page]:
+    """The paused page in one of the streams; on a stage of his own the walker has not turned."""
+    viewer = opened(f"{server.url}?machine=faq-walker")
+    until(viewer, "__viewer.state() === 'STAT'")
     viewer.keyboard.press("p")
     viewer.wait_for_selector("[data-link=paused]")
     until(viewer, "__viewer.posed() === __viewer.head()")

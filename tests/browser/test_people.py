@@ -74,8 +74,10 @@ def test_a_free_camera_that_is_followed_stays_when_the_character_goes(viewer: Pa
     wait_for(lambda: camera.input_value() == "free")
     wait_for(lambda: viewer.evaluate("__viewer.camera()") == other.evaluate("__viewer.camera()"))
     stood = other.evaluate("__viewer.camera().position")
+    root = "Object.values(__viewer.joints())[0]"
+    start = viewer.evaluate(root)
     other.keyboard.down("ArrowUp")
-    until(viewer, "Object.values(__viewer.joints())[0][2] > 1")
+    until(viewer, f"Math.hypot(...{root}.map((place, i) => place - arg[i])) > 1", start)
     other.keyboard.up("ArrowUp")
     stand = [page.evaluate("__viewer.camera().position") for page in (viewer, other)]
     assert stand == [stood, stood]

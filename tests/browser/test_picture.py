@@ -59,7 +59,7 @@ def test_a_picture_and_a_film_strip_are_saved(viewer: Page) -> None:
     box = page.locator("#stage-view").bounding_box()
     assert box is not None
     (width, height), colour = saved(page, lambda: page.keyboard.press("n"))
-    assert (width, height) == (round(box["width"]), round(box["height"]))
+    assert (width, height) == (int(box["width"]), int(box["height"]))
     assert colour[3] == 255
     page.keyboard.press("v")
     page.get_by_label("transparent", exact=True).check()

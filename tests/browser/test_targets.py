@@ -70,8 +70,9 @@ def drag(page: Page, handle: str, right: float, down: float) -> None:
     )
 
 
-def test_a_dragged_handle_moves_its_point(server: Server, viewer: Page) -> None:
-    until(viewer, "__viewer.ready")
+def test_a_dragged_handle_moves_its_point(server: Server, opened: Callable[[str], Page]) -> None:
+    viewer = opened(f"{server.url}?machine=faq-walker")
+    until(viewer, "__viewer.state() === 'STAT'")
     viewer.get_by_role("button", name="drag gaze").click()
     before = len(gazes(server, viewer))
     drag(viewer, "gaze", -40, 20)

@@ -12,6 +12,8 @@ const PATHS = {
     "M2 6V2h4v1.5H3.5V6zM10 2h4v4h-1.5V3.5H10zM12.5 10H14v4h-4v-1.5h2.5zM3.5 10v2.5H6V14H2v-4z" +
     "M8 5.6a2.4 2.4 0 1 1 0 4.8 2.4 2.4 0 0 1 0-4.8Z",
   turn: "M8 2.6a5.4 5.4 0 1 1-5.2 4h1.6A3.9 3.9 0 1 0 8 4.1v1.8L4.9 3.3 8 .8z",
+  undo: "M6.2 2.8v2.5h3.3a4 4 0 0 1 0 8H5v-1.6h4.5a2.4 2.4 0 0 0 0-4.8H6.2v2.5L2 6.1z",
+  redo: "M9.8 2.8v2.5H6.5a4 4 0 0 0 0 8H11v-1.6H6.5a2.4 2.4 0 0 1 0-4.8h3.3v2.5L14 6.1z",
 } as const;
 
 export type IconName = keyof typeof PATHS;

@@ -1,7 +1,10 @@
 """Cells of the table: a double click opens one where it is; what one person types, another one sees; an edit
-leaves the graph as it is.
+leaves the graph as it is, and what is said of it moves nothing.
 """
 
+import re
+
+import pytest
 from browser.conftest import Server, until
 from browser.edit.conftest import CELL, NEXT_CELL, edited, machine, type_in_cell
 from browser.test_dropped_look import TWO_FRAMES
@@ -67,3 +70,18 @@ def test_two_people_type_into_two_cells_at_once(own: Server, table: Page) -> Non
             until(page, f"document.querySelector('{cell}').textContent === arg", text)
     rows = {row[0]: row for row in machine(own)["rows"]}
     assert rows["WALK"][2:4] == ["TRGT at end", "STAT at end"]
+
+
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1024, 700)])
+def test_what_is_said_of_an_edit_moves_nothing(table: Page, width: int, height: int) -> None:
+    table.set_viewport_size({"width": width, "height": height})
+    until(table, "innerWidth === arg", width)
+    boxes = [table.locator(part) for part in ("#graph", "#version", "#table")]
+    before = [box.bounding_box() for box in boxes]
+    table.locator("td[data-state=WALK][data-column=JUMP]").focus()
+    table.keyboard.press("Delete")
+    table.keyboard.press("Enter")
+    edited(table)
+    table.get_by_role("button", name=re.compile("findings: .* warnings")).wait_for()
+    assert [box.bounding_box() for box in boxes] == before
+    assert table.locator("#version").evaluate("bar => bar.scrollWidth <= bar.clientWidth")

@@ -22,22 +22,26 @@ export function downloadPanel(host: HTMLElement, { machine, commands }: App): vo
   const clips = signal<readonly string[]>([]);
   /** The clip that comes first in the file. */
   const first = signal("");
+  /** Counts the questions to the server, so that only the answer to the last one is shown. */
+  let asked = 0;
 
   /** Opens the dialog, and asks the server for the formats. */
   async function open(): Promise<void> {
     const character = machine.info.value?.character;
     if (character === undefined) return;
+    const request = ++asked;
     title.value = `Download ${character}`;
     problem.value = "";
     rows.value = clips.value = [];
     dialog.showModal();
     try {
       const [found, facts] = await Promise.all([formats(character), known(character)]);
+      if (request !== asked) return;
       clips.value = facts.clips.map(({ name }) => name);
       first.value = clips.value[0] ?? "";
       rows.value = found;
     } catch (error) {
-      problem.value = reasonOf(error);
+      if (request === asked) problem.value = reasonOf(error);
     }
   }
 

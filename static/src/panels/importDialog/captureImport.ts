@@ -98,23 +98,29 @@ async function carry(
   }
 }
 
-/**
- * Uploads the capture, carries it over to `target`, and makes a machine of the character with the new clip. The
- * uploaded capture itself is removed again; a character that no machine was made of as well.
- */
-export async function importCapture(file: File, target: string, stage: Stage): Promise<Carried> {
-  const source = await freeName(file.name);
-  await putCharacter(source, file, stage.progress, stage.signal);
-  let character = "";
+/** Makes a machine of the character with the carried clip; removes the character again if there can be none. */
+async function machineOf(character: string, report: CarriedClip): Promise<Carried> {
   try {
-    character = await freeName(`${target.replace(/\.[0-9a-f]{8}$/, "")}-${file.name}`);
-    const report = await carry(file, target, source, character, stage);
     const { mapping } = await api.mapping(character);
     await machines.fromCharacter(character, character, mapping, report.root);
     return { machine: character, state: mapping[report.clip] ?? "", report };
   } catch (error) {
-    if (character) await api.removeCharacter(character).catch(() => undefined);
+    await api.removeCharacter(character).catch(() => undefined);
     throw error;
+  }
+}
+
+/**
+ * Uploads the capture, carries it over to `target`, and makes a machine of the character with the new clip. The
+ * uploaded capture itself is removed again.
+ */
+export async function importCapture(file: File, target: string, stage: Stage): Promise<Carried> {
+  const source = await freeName(file.name);
+  await putCharacter(source, file, stage.progress, stage.signal);
+  try {
+    const character = await freeName(`${target.replace(/\.[0-9a-f]{8}$/, "")}-${file.name}`);
+    const report = await carry(file, target, source, character, stage);
+    return await machineOf(character, report);
   } finally {
     await api.removeCharacter(source).catch(() => undefined);
   }

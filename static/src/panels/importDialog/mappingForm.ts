@@ -71,6 +71,11 @@ export class MappingForm {
     return Object.fromEntries([...this.typed.value].map(([clip, state]) => [clip, state.trim()]));
   }
 
+  /** Takes away the errors of the last try. */
+  forgive(): void {
+    this.errors.value = new Map();
+  }
+
   /** Shows an error beside its clip; returns false if `field` is not in this form. */
   refuse(field: string, message: string): boolean {
     const clips = [...this.typed.value.keys()];

@@ -41,6 +41,7 @@ export function mappingStep(
     const machine = (fields.get("name") as string).trim();
     isBusy.value = true;
     wrong.value = "";
+    form.forgive();
     try {
       if (fields.has("switched"))
         await putCharacter(name, file, () => undefined, closed, { inbetween: "switched" });

@@ -5,6 +5,7 @@ import { html } from "lit-html";
 import { reasonOf } from "../../net/reason";
 import type { Drawer } from "../../state/inspection";
 import { draw } from "../../ui/draw";
+import { icon } from "../../ui/icons";
 import type { App } from "../../view/app";
 import { countWords } from "./findings";
 
@@ -27,6 +28,7 @@ function editWords({ machine, editing }: App): string {
 export function versionBar(host: HTMLElement, app: App, showFindings: () => void): void {
   const { editing, machine, inspection } = app;
   const measuring = signal(false);
+  const [undoIcon, redoIcon] = [icon("undo"), icon("redo")];
 
   async function measure(): Promise<void> {
     measuring.value = true;
@@ -55,7 +57,7 @@ export function versionBar(host: HTMLElement, app: App, showFindings: () => void
       ></button>
       <button
         type="button"
-        class="plain"
+        class="plain measure"
         title="play every transition, and measure it: feet, knees, hands, jumps"
         ?disabled=${measuring.value}
         .textContent=${measuring.value ? "measuring …" : "measure"}
@@ -63,21 +65,23 @@ export function versionBar(host: HTMLElement, app: App, showFindings: () => void
       ></button>
       <button
         type="button"
-        class="undo"
+        class="plain"
+        aria-label="undo"
         title="undo: the version before (Ctrl+Z)"
         ?disabled=${!info?.undo}
         @click=${() => void editing.undo()}
       >
-        undo
+        ${undoIcon}
       </button>
       <button
         type="button"
-        class="redo"
+        class="plain"
+        aria-label="redo"
         title="redo: take the undo back (Ctrl+Shift+Z)"
         ?disabled=${!info?.redo}
         @click=${() => void editing.redo()}
       >
-        redo
+        ${redoIcon}
       </button>
       <button
         type="button"
