@@ -1,13 +1,17 @@
 """A dropped model is looked at before it has a machine: its clips play, its meshes hide, its face changes."""
 
+import re
 from collections.abc import Callable
 
+import pygltflib
 from browser.conftest import until
+from browser.test_download import downloaded
 from browser.test_import import ROBOT, drop, own
 from paths import GLTF, needs_assets
 from playwright.sync_api import Locator, Page
 
 __all__ = ["own"]
+KNIGHT = GLTF / "KayKit_Knight.glb"
 TIME = "Number(document.querySelector('.look-controls input[type=range]').value)"
 LENGTH = "Number(document.querySelector('.look-controls input[type=range]').max)"
 LONGEST_STEP = f"""async frames => {{
@@ -19,6 +23,8 @@ LONGEST_STEP = f"""async frames => {{
   return Math.max(...steps);
 }}"""
 """the longest step of the clip's time within some frames, seconds; a frame lasts 0.1 s at most"""
+DRAWN_ALONE = "__viewer.pixels() && __viewer.detail().triangles"
+"""the triangles of a picture of the characters alone"""
 TWO_FRAMES = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
 
 
@@ -104,3 +110,38 @@ def test_what_a_dropped_model_holds_can_be_read(own: Callable[[], set[str]], vie
     assert picture(viewer) != seen
     shows.uncheck()
     assert picture(viewer) == seen
+
+
+def triangles_at(model: bytes) -> dict[str, int]:
+    """The triangles at each node of a .glb by its name, read by pygltflib."""
+    read = pygltflib.GLTF2().load_from_bytes(model)
+    return {
+        node.name: sum(read.accessors[one.indices].count // 3 for one in read.meshes[node.mesh].primitives)
+        for node in read.nodes
+        if node.mesh is not None
+    }
+
+
+@needs_assets
+def test_hidden_meshes_stay_away_from_the_machine_and_its_files(
+    own: Callable[[], set[str]], viewer: Page, allowed: list[str]
+) -> None:
+    """Also after a name that the server refused, and another choice of meshes."""
+    allowed.append("422")
+    drop(viewer, "knight.glb", KNIGHT.read_bytes())
+    viewer.get_by_text("15 meshes").click()
+    hidden = ("1H_Sword", "Round_Shield")
+    for weapon in (*hidden, "2H_Sword"):
+        viewer.get_by_role("checkbox", name=re.compile(f"^{weapon} ")).uncheck()
+    viewer.get_by_label("name", exact=True).fill("no name")
+    viewer.get_by_role("button", name="Make a machine").click()
+    viewer.get_by_role("alert").filter(has_text="no name").wait_for()
+    viewer.get_by_role("checkbox", name="2H_Sword").check()
+    viewer.get_by_label("name", exact=True).fill("knight")
+    viewer.get_by_role("button", name="Make a machine").click()
+    until(viewer, "__viewer.stage() !== 'main' && __viewer.ready")
+    left = {name: count for name, count in triangles_at(KNIGHT.read_bytes()).items() if name not in hidden}
+    assert viewer.evaluate(DRAWN_ALONE) == sum(left.values())
+    viewer.get_by_role("button", name="download…").click()
+    assert triangles_at(downloaded(viewer, "glTF binary").read_bytes()) == left
+    assert "machines/knight" in own()

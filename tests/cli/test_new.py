@@ -1,5 +1,6 @@
 """`statwalk new`: a folder that verifies and plays."""
 
+import pygltflib
 from command_line import statwalk
 from paths import GLTF, MACHINES, needs_assets
 
@@ -48,3 +49,20 @@ def test_a_model_that_stays_where_it_is_is_named_from_the_folder(tmp_path):
 
 def test_the_version(tmp_path):
     assert statwalk("--version", cwd=tmp_path).stdout.startswith("statwalk 0.")
+
+
+@needs_assets
+def test_a_mesh_is_left_out_of_the_copy(tmp_path):
+    knight = GLTF / "KayKit_Knight.glb"
+    made = statwalk("new", knight, "knight", "--without", "1H_Sword", "--without", "2H_Sword", cwd=tmp_path)
+    assert made.returncode == 0, made.stderr
+    nodes = pygltflib.GLTF2().load(str(tmp_path / "knight" / "KayKit_Knight.glb")).nodes
+    drawn = {node.name for node in nodes if node.mesh is not None}
+    assert "1H_Sword_Offhand" in drawn
+    assert not {"1H_Sword", "2H_Sword"} & drawn
+
+
+def test_without_a_copy_nothing_is_left_out(tmp_path):
+    made = statwalk("new", WALKER, "robot", "--no-copy", "--without", "x", cwd=tmp_path)
+    assert (made.returncode, "--no-copy" in made.stderr) == (2, True)
+    assert not (tmp_path / "robot").exists()

@@ -82,6 +82,7 @@ REACHED_BY = {
     "LARGEST_BODY_BYTES": "web/test_matrix.py::test_a_body_without_a_length_is_cut_off_at_the_limit",
     "LARGEST_UPLOAD_BYTES": "web/routes/test_uploads.py"
     "::test_a_body_without_a_length_is_cut_off_at_the_limit",
+    "MOST_LEFT_OUT": "web/routes/test_uploads_without.py::test_so_many_meshes_are_left_out_and_no_more",
     "MOST_VALUES": "web/test_bounded_json.py::test_more_than_any_model_asks_for_is_refused",
     "DEEPEST": "web/test_bounded_json.py::test_the_deepest_that_is_allowed_is_read",
     "MOST_AT_ONCE": f"{HERE}::test_one_upload_more_at_once_is_refused",

@@ -21,18 +21,20 @@ _BEGINS = {b"HIERARCHY": ".bvh", b"PATHFILETYPE": ".trc"}
 
 @dataclass(frozen=True)
 class Reading:
-    """How a file is read: a capture, or an .md2.
+    """How a file is read: a capture, an .md2, or any file with meshes.
 
     position   whether BVH position channels replace a joint's offset, or are added to it
     scale      multiplies all lengths
     filter     what is taken out of a capture's clip
     inbetween  whether the vertices of an .md2 go from frame to frame, or switch
+    without    the meshes to leave out (`files.without_meshes`)
     """
 
     position: Position = "replace"
     scale: float = 1.0
     filter: Filter = field(default_factory=Filter)
     inbetween: Inbetween = "linear"
+    without: tuple[str, ...] = ()
 
 
 def kind_of(start: bytes) -> str:

@@ -62,7 +62,7 @@ def model_facts(character: Character) -> ModelFacts:
     """Returns what is in the model of a character; the materials are in the order of the parts' indices."""
     resources, images = textures_of(character.model_glb)
     return ModelFacts(
-        _mesh_names(character.model_glb),
+        mesh_names(character.model_glb),
         [_material(material, resources["textures"]) for material in character.materials],
         [
             ImageFacts(
@@ -73,7 +73,8 @@ def model_facts(character: Character) -> ModelFacts:
     )
 
 
-def _mesh_names(model: bytes) -> dict[int, str]:
+def mesh_names(model: bytes) -> dict[int, str]:
+    """Returns the names of the meshes of a .glb by their numbers, without the unnamed ones."""
     if not container.is_glb(model):
         return {}
     text, _ = container.split(model)

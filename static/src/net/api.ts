@@ -146,6 +146,9 @@ export const formats = (name: string) => ask("get", "/api/characters/{name}/form
 export const mapping = (name: string) => ask("get", "/api/characters/{name}/mapping", { name });
 export const removeCharacter = (name: string) => ask("delete", "/api/characters/{name}", { name });
 export const character = (name: string) => ask("get", "/api/characters/{name}", { name });
+/** Reads the model of a character, as the server keeps it. */
+export const storedModel = async (name: string): Promise<Blob> =>
+  (await send("get", filled("/api/characters/{name}/model.glb", { name }, {}))).blob();
 /** Reads how alike left and right move in a clip. */
 export const twinning = (name: string, clip: string) =>
   ask("get", "/api/characters/{name}/twinning", { name }, { query: { clip } });

@@ -48,10 +48,11 @@ function bodyOf(request: XMLHttpRequest): unknown {
   }
 }
 
-/** How the server reads a file: frames of an .md2, positions of a .bvh. */
+/** How the server reads a file: frames of an .md2, positions of a .bvh, meshes to leave out. */
 export interface HowToRead {
   inbetween?: "linear" | "switched";
   position?: "replace" | "add";
+  without?: readonly string[];
 }
 
 /** Sends `file` to an address; `progress` gets the share sent, 0…1. Rejects with the server's reason. */
@@ -90,7 +91,9 @@ export async function putCharacter(
   how: HowToRead = {},
 ): Promise<UploadedCharacter> {
   const address = new URL(`api/characters/${encodeURIComponent(name)}`, document.baseURI);
-  address.search = new URLSearchParams({ ...how }).toString();
+  const { without = [], ...others } = how;
+  const query = [...Object.entries(others), ...without.map((mesh) => ["without", mesh])];
+  address.search = new URLSearchParams(query).toString();
   return (await put(address, file, progress, signal)) as UploadedCharacter;
 }
 

@@ -88,3 +88,15 @@ it("draws a skin where its bones are, whatever the transform of its node", () =>
   beforeDrawing();
   expect(skin.matrixWorld).toEqual(new THREE.Matrix4());
 });
+
+it("tells each mesh by its place in the file: meshes of one node come after each other", () => {
+  const [scene, body, lid, skin, buckle] = [0, 0, 0, 0, 0].map(() => new THREE.Group());
+  const meshes = [1, 2, 3].map(() => new THREE.Mesh());
+  body!.add(meshes[0]!, meshes[1]!, lid!);
+  lid!.add(meshes[2]!);
+  skin!.add(buckle!);
+  scene!.add(body!, skin!);
+  const nodes = [skin, body, meshes[2]];
+  const { meshes: looked } = new LookedModel({ scene, animations: [], nodes } as unknown as Model);
+  expect(looked.map(({ place }) => place)).toEqual(["1/0", "1/1", "2/0"]);
+});

@@ -11,6 +11,8 @@ export interface LookedMesh {
   name: string;
   triangles: number;
   object: Body;
+  /** NODE/PRIMITIVE, the numbers in the file; names may come twice. */
+  place: string;
 }
 
 /** Returns the number of triangles; of lines and points: none. */
@@ -25,11 +27,21 @@ function trianglesOf(object: Body): number {
 const nameOf = ({ name, userData, type }: THREE.Object3D): string =>
   typeof userData["name"] === "string" ? userData["name"] : name || type;
 
-function drawnIn(scene: THREE.Object3D): LookedMesh[] {
+/** Returns NODE/PRIMITIVE: a node of several primitives has an object for each below it, in their order. */
+function placeOf(object: THREE.Object3D, numbers: ReadonlyMap<THREE.Object3D, number>): string {
+  let node = object;
+  while (!numbers.has(node) && node.parent) node = node.parent;
+  const primitive = node === object ? 0 : object.parent!.children.indexOf(object);
+  return `${numbers.get(node)}/${primitive}`;
+}
+
+function drawnIn({ scene, nodes }: Model): LookedMesh[] {
   const meshes: LookedMesh[] = [];
+  const numbers = new Map(nodes.map((node, number) => [node, number]));
   scene.traverse((object) => {
     if (!isBody(object)) return;
-    meshes.push({ name: nameOf(object), triangles: trianglesOf(object), object });
+    const place = placeOf(object, numbers);
+    meshes.push({ name: nameOf(object), triangles: trianglesOf(object), object, place });
   });
   return meshes;
 }
@@ -68,7 +80,7 @@ export class LookedModel {
   private readonly mixer: THREE.AnimationMixer;
 
   constructor(private readonly model: Model) {
-    this.meshes = drawnIn(model.scene);
+    this.meshes = drawnIn(model);
     this.meshes.forEach(prepareSkin);
     const targets = this.meshes.flatMap(({ object }) => Object.keys(object.morphTargetDictionary ?? {}));
     this.targets = [...new Set(targets)];

@@ -5,7 +5,7 @@ This module joins files and stage, which do not import each other.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -21,6 +21,7 @@ from statwalk.files.machine_yaml.capture_lines import with_captures
 from statwalk.files.machine_yaml.machine_file import FILE_NAME as MACHINE_FILE
 from statwalk.files.machine_yaml.machine_file import MachineFile, load_machine, machine_of
 from statwalk.files.md2 import md2_file
+from statwalk.files.without_meshes import without_meshes
 
 PACKAGE = Path(__file__).resolve().parents[2]
 GLTF_SUFFIXES = (".glb", ".gltf")
@@ -64,6 +65,7 @@ def load(
     position: Position | None = None,
     scale: float | None = None,
     inbetween: md2_file.Inbetween | None = None,
+    without: Sequence[str] = (),
 ) -> Character | Role:
     """Loads a Character from a model of any format (.glb, .gltf, .zip, .bvh, .trc …: `model_formats`), a
     folder with one model, or a character file (.yaml); loads a Role from a machine folder or a shipped
@@ -72,7 +74,8 @@ def load(
     `text`: the text of another version of the machine, as `replay` finds it in a log under `name@2`. The
     others say how a capture or an .md2 is read (`OPTIONS`): `position` "replace" (the default: a joint's
     position channels replace its offset) or "add"; `scale` multiplies all lengths, 1 by default; `inbetween`
-    "linear" (the default: vertices go from frame to frame) or "switched" (they switch half-way).
+    "linear" (the default: vertices go from frame to frame) or "switched" (they switch half-way). `without`
+    leaves meshes out of a character: `without_meshes`.
 
     :raises ContentError: when a file is refused, or an option that its format does not have is given.
     :raises UnknownNameError: when no file, folder or shipped machine has this name.
@@ -81,6 +84,8 @@ def load(
     options = {"position": position, "scale": scale, "inbetween": inbetween}
     given: dict[str, Any] = {name: value for name, value in options.items() if value is not None}
     _check_options("" if text else path.suffix.lower(), given, str(source))
+    if without:
+        return _without(load(source, text, **given), without, str(source))
     if text:
         return _load_version(str(source).partition("@")[0], text)
     if path.suffix.lower() in captures.SUFFIXES:
@@ -109,6 +114,16 @@ def _check_options(suffix: str, given: Mapping[str, Any], source: str) -> None:
         if values and value not in values:
             words = " or ".join(map(repr, values))
             raise ContentError(f"{name}= should be {words}, it is {str(value)[:40]!r}", file=source)
+
+
+def _without(loaded: Character | Role, meshes: Sequence[str], source: str) -> Character:
+    """Returns a character without some meshes; a machine's own file says what its character is."""
+    if not isinstance(loaded, Character):
+        raise ContentError("without= is an option of characters, not of machines: leave it out", file=source)
+    try:
+        return without_meshes(loaded, meshes)
+    except ContentError as error:
+        raise error.in_file(source) from None
 
 
 def character_from(source: str | Path) -> Character:

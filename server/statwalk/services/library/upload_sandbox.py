@@ -19,7 +19,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +30,7 @@ from statwalk.files.character_archive import write_character
 from statwalk.files.character_file import load_zip
 from statwalk.files.md2 import md2_header, read_md2
 from statwalk.files.md2.md2_file import Inbetween
+from statwalk.files.without_meshes import without_meshes
 from statwalk.motion.filter_clip import Filter
 from statwalk.services.cancel import NEVER, CancelToken
 from statwalk.services.work.limited_process import limit_self, started
@@ -56,7 +57,7 @@ def read_in_child(
     upload: Path, out: Path, name: str, token: CancelToken = NEVER, how: captures.Reading | None = None
 ) -> dict[str, Any]:
     """Has a child read `upload`, and write `out`, a self-contained .glb, and `checked_beside(out)`; returns
-    facts about the character. `how` says how a capture is read.
+    facts about the character. `how` says how it is read.
 
     Blocks for at most 60 s.
 
@@ -154,22 +155,29 @@ def answer_as_child(
 
 def _reading(text: str) -> captures.Reading:
     members = json.loads(text)
-    return captures.Reading(**{**members, "filter": Filter(**members.get("filter", {}))})
+    made = {"filter": Filter(**members.get("filter", {})), "without": tuple(members.get("without", ()))}
+    return captures.Reading(**{**members, **made})
 
 
 def read_upload(upload: Path, name: str, how: captures.Reading | None = None) -> Character:
-    """Reads the character of a zip, or of a file of any format that stands alone (`model_formats`).
+    """Reads the character of a zip, or of a file of any format that stands alone (`model_formats`), without
+    the meshes to leave out.
 
     :raises ContentError: when the file is refused.
     """
+    how = how or captures.Reading()
+    return without_meshes(_read_whole(upload, name, replace(how, without=())), how.without)
+
+
+def _read_whole(upload: Path, name: str, how: captures.Reading) -> Character:
     with upload.open("rb") as file:
         start = file.read(64)
     kind = captures.kind_of(start)
     if kind:
         return captures.read_capture(upload.read_bytes(), kind, name, how)
     if start.startswith(md2_header.START):
-        return read_md2(upload.read_bytes(), name, *_of_md2(how or captures.Reading()))
-    if how is not None and how != captures.Reading():
+        return read_md2(upload.read_bytes(), name, *_of_md2(how))
+    if how != captures.Reading():
         raise ContentError("position, scale and filters are for captures, .bvh and .trc; inbetween for .md2")
     if not archive.is_zip(start):
         return model_formats.format_that_starts(start).read_bytes(upload.read_bytes(), name)

@@ -12,6 +12,7 @@ import anyio
 from anyio import CancelScope, CapacityLimiter, to_thread
 from fastapi import APIRouter, Depends, Query, Request, Response
 from fastapi import Path as PathParameter
+from pydantic import StringConstraints
 from starlette.requests import ClientDisconnect
 
 from statwalk.files.bvh.bvh_file import Position
@@ -36,6 +37,8 @@ router = APIRouter(prefix="/api/characters", tags=["characters"], route_class=Bo
 CatalogueDep = Annotated[Catalogue, Depends(catalogue_of)]
 CHUNK_BYTES = 1 << 20
 ARRIVAL_SECONDS = 600.0
+MOST_LEFT_OUT = 500
+MeshName = Annotated[str, StringConstraints(min_length=1, max_length=200)]
 BODY = {
     "requestBody": {
         "required": True,
@@ -119,15 +122,17 @@ async def put_character(
     low_pass: Annotated[float, Query(ge=0, le=HIGHEST_CUTOFF)] = 0.0,
     spikes: Flag = False,
     inbetween: Inbetween = "linear",
+    without: Annotated[list[MeshName] | None, Query(max_length=MOST_LEFT_OUT)] = None,
 ) -> UploadView:
     """Uploads a character: a .glb, a self-contained .gltf, a zip of a .gltf or of a character file (.yaml)
     with its files, an .md2, a .chunk, a DirectX .x in text form, or a capture (.bvh, .trc), as the raw body.
 
     Replaces an uploaded character with the same name. The query is for captures: whether BVH position
     channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of
-    spikes. For an .md2: the scale, and whether its vertices go from frame to frame or switch.
+    spikes. For an .md2: the scale, and whether its vertices go from frame to frame or switch. `without`
+    leaves a mesh out: the name of its node, or its own, or `NODE/PRIMITIVE` of one of the `parts`.
     """
-    how = Reading(position, scale, Filter(low_pass, spikes), inbetween)
+    how = Reading(position, scale, Filter(low_pass, spikes), inbetween, tuple(without or ()))
     store = model_store_of(catalogue)
     await to_thread.run_sync(check_free, check_name(name), catalogue, store)
     limiter = upload_limiter_of(request)

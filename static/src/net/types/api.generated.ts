@@ -44,7 +44,8 @@ export interface paths {
          *
          *     Replaces an uploaded character with the same name. The query is for captures: whether BVH position
          *     channels replace offsets, a scale of all lengths, a low-pass filter in Hz (0: none), and removal of
-         *     spikes. For an .md2: the scale, and whether its vertices go from frame to frame or switch.
+         *     spikes. For an .md2: the scale, and whether its vertices go from frame to frame or switch. `without`
+         *     leaves a mesh out: the name of its node, or its own, or `NODE/PRIMITIVE` of one of the `parts`.
          */
         put: operations["put_character_api_characters__name__put"];
         post?: never;
@@ -4927,6 +4928,7 @@ export interface operations {
                 low_pass?: number;
                 spikes?: boolean;
                 inbetween?: "linear" | "switched";
+                without?: string[] | null;
             };
             header?: never;
             path: {

@@ -160,10 +160,12 @@ export class ImportDialog {
         return new Look(facts, this.quality);
       };
       const character = await offerRig(uploaded, lookAt, this.show.bind(this), signal);
+      // What the server has rigged is no longer in the file.
+      const content = character === uploaded ? file : await api.storedModel(name);
       const mapping = await api.mapping(name);
       const look = await lookAt();
       this.show(
-        mappingStep(character, mapping, look, file, signal, async (machine) => {
+        mappingStep(character, mapping, look, { name: file.name, content }, signal, async (machine) => {
           this.pending = null;
           await this.finish(machine);
         }),

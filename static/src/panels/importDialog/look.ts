@@ -67,6 +67,11 @@ export class Look {
     this.ends.push(draw(host, template));
   }
 
+  /** The meshes that are hidden, by their places in the file. */
+  get hidden(): string[] {
+    return [...(this.shown.value?.model.hidden.value ?? [])].map(({ place }) => place).sort();
+  }
+
   /** Ends the picture, and its loading. */
   end(): void {
     this.ended = true;

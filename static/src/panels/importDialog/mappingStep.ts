@@ -6,7 +6,7 @@ import * as api from "../../net/api";
 import * as machines from "../../net/machines";
 import type { Mapping, UploadedCharacter } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
-import { putCharacter } from "../../net/upload";
+import { type HowToRead, putCharacter } from "../../net/upload";
 import { plural } from "../../ui/amounts";
 import type { Look } from "./look";
 import { MappingForm } from "./mappingForm";
@@ -16,18 +16,19 @@ const frameSwitch = html`<label class="import-switch">
   <input type="checkbox" name="switched" /> switch from frame to frame
 </label>`;
 
-/** `made` gets the name of the new machine. */
+/** `file` is what the character was read from; `made` gets the name of the new machine. */
 export function mappingStep(
   { name, clips, joints, vertices }: UploadedCharacter,
   mapping: Mapping,
   look: Look,
-  file: File,
+  file: { name: string; content: Blob },
   closed: AbortSignal,
   made: (machine: string) => Promise<void>,
 ): Step {
   const form = new MappingForm(mapping, (clip) => look.playButton(clip));
   const wrong = signal("");
   const isBusy = signal(false);
+  let asRead = "{}";
 
   /** Shows each error beside its input, other errors below the form. */
   function blame(error: unknown): void {
@@ -37,14 +38,25 @@ export function mappingStep(
     if (places.some(({ field }) => field === "name")) document.getElementById("import-name")?.focus();
   }
 
+  /** Has the server read the file again if it should be read in another way. */
+  async function readAgain(isSwitched: boolean): Promise<void> {
+    const how: HowToRead = {
+      ...(isSwitched ? { inbetween: "switched" } : {}),
+      ...(look.hidden.length ? { without: look.hidden } : {}),
+    };
+    const wanted = JSON.stringify(how);
+    if (wanted === asRead) return;
+    await putCharacter(name, file.content, () => undefined, closed, how);
+    asRead = wanted;
+  }
+
   async function make(fields: FormData): Promise<void> {
     const machine = (fields.get("name") as string).trim();
     isBusy.value = true;
     wrong.value = "";
     form.forgive();
     try {
-      if (fields.has("switched"))
-        await putCharacter(name, file, () => undefined, closed, { inbetween: "switched" });
+      await readAgain(fields.has("switched"));
       await machines.fromCharacter(machine, name, form.states());
       await made(machine);
     } catch (error) {
