@@ -54,7 +54,7 @@ def test_weights_stay_with_their_mesh(kept: int, names: tuple[str], rest: float,
 def test_nodes_that_share_a_mesh_may_lose_different_primitives() -> None:
     root, binary = tiny_model.document()
     root["meshes"][0]["primitives"] *= 2
-    root["nodes"].append({"name": "other", "mesh": 0})
+    root["nodes"].append({"name": "other", "mesh": 0, "skin": 0})
     root["scenes"][0]["nodes"].append(3)
     whole = read_model(tiny_model.glb(root, binary), "pair")
     fewer = with_parts(whole, [1, 2, 3])
