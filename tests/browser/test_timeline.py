@@ -1,13 +1,15 @@
 """The timeline: zoomed and panned by wheel and keys, folded; a span is selected, looped and saved."""
 
 import json
+import re
 import struct
 from collections.abc import Callable
 from pathlib import Path
 
 import httpx
 from browser.conftest import Server, leave, until
-from playwright.sync_api import Page
+from playwright.sync_api import Page, Route
+from serving import wait_for
 
 LENGTH = "(bar => bar.max - bar.min)(document.querySelector('.scrub'))"
 
@@ -85,6 +87,46 @@ def test_a_part_of_the_past_is_found_looped_and_saved(
     page.keyboard.press("l")
     page.keyboard.press("p")
     page.wait_for_selector("[data-link=live]")
+
+
+PAST = """(() => {
+  const canvas = document.querySelector('#lanes canvas');
+  const row = y => canvas.getContext('2d')
+    .getImageData(0, y * devicePixelRatio, 0.8 * canvas.width, 1).data;
+  const colours = new Set(new Uint32Array(row(19).buffer));
+  return [colours.size > 1, row(39).some((value, k) => k % 4 === 3 && value > 0)].join();
+})()"""
+"""whether the lane has states of several colours, and marks of events, left of the playhead at its end"""
+
+
+def test_the_past_of_a_stage_that_stands_still_is_drawn_when_it_is_known(
+    server: Server, page: Page, opened: Callable[[str], Page]
+) -> None:
+    """Also when the page goes to it again; each answer comes after the lane was drawn without it."""
+    walker = {"actors": [{"machine": "faq-walker"}], "clock": "manual"}
+    made = httpx.post(f"{server.url}/api/stages", json=walker, timeout=60).raise_for_status()
+    stage = f"{server.url}{made.headers['Location']}"
+    for ticks in (20, 60):
+        httpx.post(f"{stage}/step", json={"ticks": ticks}).raise_for_status()
+        httpx.post(f"{stage}/events", json={"event": "FORWARD"}).raise_for_status()
+    held: list[Route] = []
+    page.route(re.compile(rf"{stage}/(history|log)\b"), lambda route: held.append(route))
+
+    def shows_the_past() -> None:
+        until(page, "document.querySelector('.scrub').value === '80'")
+        for drawn in ("false,false", "true,false"):
+            until(page, f"{PAST} === arg", drawn)
+            wait_for(lambda: page.evaluate("true") and held)
+            held.pop().continue_()
+        until(page, f"{PAST} === 'true,true'")
+
+    opened(f"{server.url}/?stage={made.json()['id']}")
+    shows_the_past()
+    page.keyboard.press("h")
+    until(page, "__viewer.stage() === 'main' && __viewer.ready")
+    page.go_back()
+    shows_the_past()
+    leave(page, stage)
 
 
 LANES = "document.querySelector('#lanes canvas').toDataURL()"

@@ -1,7 +1,7 @@
 /** What this page knows of the stage's past: the runs of states, and the events of its actors. */
 
 import * as api from "../net/api";
-import type { Hello, StateHistory, Verdict } from "../net/protocol";
+import type { Action, Hello, StateHistory, Verdict } from "../net/protocol";
 import type { CastFrame } from "../net/wire";
 import { blendTicks } from "./blendTicks";
 import { EventLog } from "./eventLog";
@@ -13,6 +13,8 @@ import type { WatchedStage } from "./watchedStage";
 export class Past {
   readonly runs = new History();
   readonly events = new EventLog();
+  /** Grows with all that is learned: who draws the past draws again, also while the stage stands still. */
+  learned = 0;
 
   constructor(
     private readonly stage: WatchedStage,
@@ -23,6 +25,7 @@ export class Past {
   forget(): void {
     this.runs.clear();
     this.events.clear();
+    this.learned++;
   }
 
   /** Fetches the stage's history and, if the page knows nothing of it yet, its log. */
@@ -34,6 +37,7 @@ export class Past {
     if (!withLog || !isWatched()) return;
     const log = await api.log(stage).catch(() => null);
     if (log && isWatched()) this.events.remember(log, tick);
+    this.learned++;
   }
 
   /** Enters the server's state changes. */
@@ -44,6 +48,7 @@ export class Past {
       if (lanes.get(lane)?.push({ tick, state }) === undefined) lanes.set(lane, [{ tick, state }]);
     }
     lanes.forEach((known, lane) => this.runs.fill(lane, known, head));
+    this.learned++;
   }
 
   /** Enters the states of every actor of cast number `c`. */
@@ -58,11 +63,18 @@ export class Past {
   /** Enters a verdict; returns the index of the state that it leads to, or -1. */
   judge(verdict: Verdict): number {
     const { actor, layer, tick, to } = verdict;
+    this.learned++;
     const known = this.selection.place(actor) !== null && this.machine.isActors;
     this.events.judge(verdict, known ? blendTicks(this.machine.info.value, verdict, this.stage.rate) : 0);
     const led = verdict.verdict === "taken" && to ? this.selection.stateIndex(actor, to, layer) : -1;
     if (led >= 0) this.runs.enter(laneKey(actor, layer), tick, to);
     return led;
+  }
+
+  /** Enters an action. */
+  act(action: Action): void {
+    this.events.act(action);
+    this.learned++;
   }
 
   /** Ticks from `from` to `to` in which `actor` entered a state or got a verdict. */

@@ -159,7 +159,7 @@ export class Session {
   }
 
   private act(action: Action): void {
-    this.parts.past.events.act(action);
+    this.parts.past.act(action);
     if (this.parts.playback.isLive) this.actions.emit(action);
   }
 

@@ -130,11 +130,12 @@ class Timeline {
 
   /** Draws if something changed, at most once per interval. */
   private update(now: number): void {
-    const { stage, playback, selection, timeline } = this.app;
+    const { stage, past, playback, selection, timeline } = this.app;
     const { head, first, tick } = stage;
     const { span, selected, kept, folded, filter } = timeline;
     const shown = [span, selected.value, kept.value, [...folded.value], filter.value];
-    const key = JSON.stringify([head, first, tick, playback.looking.value, selection.actor.value, shown]);
+    const at = [head, first, tick, playback.looking.value, selection.actor.value];
+    const key = JSON.stringify([at, past.learned, shown]);
     if (key === this.drawn || (now - this.lastDraw < this.interval_ms && this.drawn)) return;
     this.drawn = key;
     this.lastDraw = now;
