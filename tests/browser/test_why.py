@@ -20,7 +20,7 @@ CLICK_AT = """async tick => {
 
 @pytest.fixture
 def still(server: Server, opened: Callable[[str], Page]) -> Iterator[Page]:
-    """A page at a stage that moves only when it is told to: FORWARD in tick 11, JUMP in tick 31, 60 ticks in
+    """A page at a stage that moves only when it is told to: FORWARD in tick 11, JUMP in tick 31, 50 ticks in
     all.
     """
     machine = httpx.get(f"{server.url}/api/machines").json()[0]["name"]
@@ -72,6 +72,23 @@ def test_the_cell_is_shown_in_the_table(still: Page) -> None:
         "document.activeElement?.dataset.state === 'STAT' && document.activeElement.dataset.column === "
         "'FORWARD'",
     )
+
+
+def test_it_follows_the_shown_tick_of_the_past_and_stays_while_the_page_is_live(still: Page) -> None:
+    told = still.locator("#why .event-why[data-about=FORWARD]")
+    why(still, 11)
+    told.wait_for()
+    still.get_by_role("button", name="one tick forward").click()
+    still.get_by_role("heading", name="why, in tick 12").wait_for()
+    told.wait_for(state="detached")
+    still.keyboard.press(",")
+    still.get_by_role("heading", name="why, in tick 11").wait_for()
+    told.wait_for()
+    still.keyboard.press("l")
+    until(still, "__viewer.looking() === null && __viewer.tick() === 50")
+    still.keyboard.press(".")
+    until(still, "__viewer.tick() === 51")
+    assert still.get_by_role("heading", name="why, in tick 11").is_visible()
 
 
 def test_escape_closes_it(still: Page) -> None:

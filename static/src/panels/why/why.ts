@@ -7,6 +7,7 @@ import "./why.css";
 import { signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit-html";
 import * as actors from "../../net/actors";
+import { Latest } from "../../net/latest";
 import type { Why } from "../../net/protocol";
 import { reasonOf } from "../../net/reason";
 import type { App } from "../../view/app";
@@ -15,12 +16,15 @@ import { explanation } from "./explanation";
 import { Remedies } from "./remedies";
 
 const LOOK_AROUND_TICKS = 100_000;
+/** A drag through the past, or a replay, passes many ticks; not each is explained. */
+const MOST_PER_SECOND = 4;
 
 class WhyPanel {
   private readonly tick = signal(0);
   private readonly states = signal("");
   private readonly events = signal<readonly TemplateResult[]>([]);
   private readonly remedies: Remedies;
+  private readonly asking = new Latest<number>((tick) => void this.ask(tick), MOST_PER_SECOND);
   private requests = 0;
 
   constructor(
@@ -36,8 +40,9 @@ class WhyPanel {
     app.selection.actor.subscribe(() => this.leave());
     app.inspection.why.subscribe((tick) => {
       if (tick === null) this.close();
-      else void this.open(tick);
+      else this.open(tick);
     });
+    app.playback.looking.subscribe((tick) => this.follow(tick));
   }
 
   private leave(): void {
@@ -63,11 +68,22 @@ class WhyPanel {
   }
 
   /** Opens for `tick` of the watched actor. */
-  private async open(tick: number): Promise<void> {
-    const [actor, request] = [this.app.selection.actor.value, ++this.requests];
-    if (actor === null) return;
+  private open(tick: number): void {
+    if (this.app.selection.actor.value === null) return;
     this.tick.value = tick;
     if (this.host.hidden) this.appear();
+    this.asking.put(tick);
+  }
+
+  /** Explains the tick that the page shows of the past; the present goes by. */
+  private follow(tick: number | null): void {
+    const { why } = this.app.inspection;
+    if (tick !== null && why.value !== null) why.value = tick;
+  }
+
+  private async ask(tick: number): Promise<void> {
+    const [actor, request] = [this.app.selection.actor.value, ++this.requests];
+    if (actor === null || tick !== this.app.inspection.why.value) return; // closed meanwhile
     const answer = await actors.why(this.app.stage.id, actor, tick).catch(reasonOf);
     if (request !== this.requests) return;
     const lost =
