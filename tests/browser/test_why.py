@@ -91,6 +91,29 @@ def test_it_follows_the_shown_tick_of_the_past_and_stays_while_the_page_is_live(
     assert still.get_by_role("heading", name="why, in tick 11").is_visible()
 
 
+EXPLAINS_11 = "window.__viewer?.ready && (({ hidden, dataset }) => !hidden && dataset.tick === '11')(why)"
+
+
+def test_a_copied_link_leads_to_the_explained_tick_and_back_opens_it_again(still: Page) -> None:
+    """Also while the page shows another tick."""
+    still.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    why(still, 11)
+    still.keyboard.press("l")
+    until(still, "__viewer.looking() === null && __viewer.tick() === 50")
+    still.keyboard.press("y")
+    still.get_by_text("Copied: a link to tick 11,").wait_for()
+    other = still.context.new_page()
+    other.goto(still.evaluate("navigator.clipboard.readText()"))
+    until(other, f"{EXPLAINS_11} && __viewer.posed() === 11")
+    until(still, "location.search.includes('why=11') && !location.search.includes('tick=')")
+    still.keyboard.press("h")
+    until(still, "__viewer.stage() === 'main' && __viewer.ready && why.hidden")
+    still.go_back()
+    until(still, f"__viewer.stage() !== 'main' && {EXPLAINS_11} && __viewer.looking() === null")
+    still.go_forward()
+    until(still, "__viewer.stage() === 'main' && __viewer.ready && why.hidden")
+
+
 def test_escape_closes_it(still: Page) -> None:
     why(still, 11)
     still.locator("#why [aria-label^=close]").focus()

@@ -3,7 +3,7 @@ import { beforeEach, expect, it } from "vitest";
 import { type Address, addressWith, readAddress } from "./address";
 
 const none: Address = {
-  ...{ stage: null, opening: null, actor: null, layer: null, tick: null },
+  ...{ stage: null, opening: null, actor: null, layer: null, tick: null, why: null },
   ...{ camera: null, view: null },
 };
 
@@ -11,7 +11,7 @@ beforeEach(() => history.replaceState(null, "", "/?quality=low"));
 
 it("writes and reads the same parts, and keeps others", () => {
   const whole: Address = {
-    ...{ stage: "a1", opening: { machine: "walker" }, actor: 3, layer: "head", tick: 77 },
+    ...{ stage: "a1", opening: { machine: "walker" }, actor: 3, layer: "head", tick: 77, why: 70 },
     ...{ camera: [0, 1.25, 3, 0, 1, 0], view: "free" },
   };
   const { search } = addressWith(whole);
@@ -25,5 +25,5 @@ it("leaves out what is as the page shows it anyway", () => {
 });
 
 it("reads wrong parts as left out", () => {
-  expect(readAddress("?actor=x&tick=-4&camera=1,2&view=up")).toEqual(none);
+  expect(readAddress("?actor=x&tick=-4&why=no&camera=1,2&view=up")).toEqual(none);
 });

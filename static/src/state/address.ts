@@ -14,6 +14,8 @@ export interface Address {
   layer: string | null;
   /** Null: the present. */
   tick: number | null;
+  /** The tick that is explained; null: none. */
+  why: number | null;
   /** Where the camera stands and what it looks at, metres from the actor's root; null: as the page frames it. */
   camera: readonly number[] | null;
   /** What the camera does while the actor moves; null: it follows. */
@@ -45,6 +47,7 @@ export function readAddress(search: string = location.search): Address {
     actor: countOf(query.get("actor")),
     layer: query.get("layer"),
     tick: countOf(query.get("tick")),
+    why: countOf(query.get("why")),
     camera: cameraOf(query.get("camera")),
     view: CAMERA_MODES.find((mode) => mode === query.get("view")) ?? null,
   };

@@ -34,12 +34,14 @@ it("replaces a stage that is gone", () => {
   expect([readAddress().stage, history.length - before]).toEqual([null, 0]);
 });
 
-it("looks at the tick and the actor of the address that Back leads to, from its camera", async () => {
+it("looks at the tick and the actor of the address that Back leads to, from its camera, and explains", async () => {
   const casts = [cast({ actors: [1, 2].map((id) => ({ id, name: `actor ${id}` })) })];
-  history.replaceState(null, "", "?actor=2&tick=40&camera=1,2,3,0,1,0&view=free");
+  history.replaceState(null, "", "?actor=2&tick=40&why=30&camera=1,2,3,0,1,0&view=free");
   window.dispatchEvent(new PopStateEvent("popstate"));
   app.stage.greet(hello({ head: 90, casts }));
   await Promise.resolve();
-  expect([app.selection.actor.value, app.playback.looking.value]).toEqual([2, 40]);
+  expect([app.selection.actor.value, app.playback.looking.value, app.inspection.why.value]).toEqual([
+    2, 40, 30,
+  ]);
   expect([app.viewpoint.take(), app.viewpoint.mode.value]).toEqual([[1, 2, 3, 0, 1, 0], "free"]);
 });

@@ -11,7 +11,8 @@ import type { State } from "./state";
 const REST_MS = 350;
 
 /** Returns the address of what the page shows. */
-export function shownAddress({ stage, stages, selection, playback, viewpoint }: State): Address {
+export function shownAddress(state: State): Address {
+  const { inspection, stage, stages, selection, playback, viewpoint } = state;
   const { stage: id = "main" } = stage.hello.value ?? {};
   const actor = selection.actor.value;
   return {
@@ -20,6 +21,7 @@ export function shownAddress({ stage, stages, selection, playback, viewpoint }: 
     actor: actor === stage.firstActor ? null : actor,
     layer: selection.layer.value > 0 ? (selection.cast?.layers[selection.layer.value] ?? null) : null,
     tick: playback.looking.value,
+    why: inspection.why.value,
     camera: viewpoint.chosen.value,
     view: viewpoint.mode.value === "follow" ? null : viewpoint.mode.value,
   };
@@ -27,7 +29,7 @@ export function shownAddress({ stage, stages, selection, playback, viewpoint }: 
 
 /** Opens what the address names, and keeps the address from then on. */
 export function keepAddress(state: State): void {
-  const { stage, stages, session, selection, machine, playback, viewpoint } = state;
+  const { inspection, stage, stages, session, selection, machine, playback, viewpoint } = state;
   // You did not choose the next stage now: the address did, or the server.
   let isLed = true;
   let asked: Address | null = null;
@@ -45,7 +47,7 @@ export function keepAddress(state: State): void {
     layer = null;
   }
 
-  function arrive({ actor, tick, camera, view, ...rest }: Address): void {
+  function arrive({ actor, tick, why, camera, view, ...rest }: Address): void {
     viewpoint.ask(camera);
     viewpoint.mode.value = view ?? "follow";
     if (actor !== null) selection.actor.value = actor;
@@ -54,6 +56,7 @@ export function keepAddress(state: State): void {
     queueMicrotask(() => {
       showLayer();
       if (tick !== null) playback.look(tick);
+      if (why !== null) inspection.why.value = why;
     });
   }
 
