@@ -47,6 +47,26 @@ def test_a_fork_gets_a_name_and_a_key_leads_back_to_main(viewer: Page) -> None:
     until(viewer, AT_MAIN)
 
 
+def test_the_last_verdict_stays_at_its_stage(server: Server, opened: Callable[[str], Page]) -> None:
+    """The stages stand still, so that the origin has no verdict of its own that would take the place."""
+    walker = {"actors": [{"machine": "faq-walker"}], "clock": "manual"}
+    made = httpx.post(f"{server.url}/api/stages", json=walker, timeout=60).raise_for_status().json()["id"]
+    page = opened(f"{server.url}/?stage={made}")
+    page.keyboard.press("o")
+    page.get_by_label("name of the fork").press("Enter")
+    until(page, "__viewer.stage() !== arg && __viewer.ready", made)
+    fork = f"{server.url}/api/stages/{page.evaluate('__viewer.stage()')}"
+    httpx.post(f"{fork}/events", json={"event": "FORWARD"}).raise_for_status()
+    httpx.post(f"{fork}/step", json={"ticks": 2}).raise_for_status()
+    page.locator("#verdict[data-tick]").filter(has_text="FORWARD: STAT → STWK").wait_for()
+    assert page.locator("#table td.last, #graph .edge.last").count() == 2
+    page.go_back()
+    until(page, "__viewer.stage() === arg && __viewer.ready", made)
+    assert page.locator("#table td.last, #graph .edge.last, #verdict[data-tick]").count() == 0
+    assert page.locator("#verdict").text_content() == ""
+    leave(page, fork, f"{server.url}/api/stages/{made}")
+
+
 def test_who_deletes_the_watched_fork_is_led_to_its_origin(server: Server, viewer: Page) -> None:
     made = fork(viewer)
     viewer.keyboard.press("o")

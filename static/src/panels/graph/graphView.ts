@@ -43,6 +43,7 @@ export class GraphView {
     effect(() => this.changed());
     effect(() => this.mark());
     app.session.verdicts.on((verdict) => this.fire(verdict));
+    app.session.leaving.on(() => host.querySelector(".edge.last")?.classList.remove("last"));
     new ResizeObserver(() => this.resized()).observe(host);
   }
 

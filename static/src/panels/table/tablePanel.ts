@@ -29,6 +29,14 @@ export function tablePanel(_host: HTMLElement, app: App): void {
     table.go({ state, event, layer: app.machine.info.value?.layers[layer]?.name ?? "" });
     if (text !== null) editor.propose(table.cell(state, event), text);
   });
+  // The last verdict is one of the stage that the page leaves.
+  app.session.leaving.on(() => {
+    const line = byId("verdict");
+    line.textContent = "";
+    delete line.dataset["verdict"];
+    delete line.dataset["tick"];
+    byId("table").querySelector(".last")?.classList.remove("last");
+  });
   const why = (): void => {
     const { tick } = byId("verdict").dataset;
     if (tick) app.inspection.why.value = Number(tick);
