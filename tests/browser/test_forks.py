@@ -127,6 +127,33 @@ def test_the_ghost_of_the_origin_stands_at_the_same_tick_and_is_compared_by_join
     until(viewer, "__viewer.ghost() === -1")
 
 
+def test_a_ghost_is_outside_the_picture_at_the_shown_tick_alone(
+    server: Server, opened: Callable[[str], Page]
+) -> None:
+    """Its first frame is the newest of its stage, where it has walked out of the picture."""
+    walker = {"actors": [{"machine": "faq-walker"}], "clock": "manual"}
+    made = httpx.post(f"{server.url}/api/stages", json=walker, timeout=60).raise_for_status().json()["id"]
+    origin = f"{server.url}/api/stages/{made}"
+    httpx.post(f"{origin}/events", json={"event": "FORWARD"}).raise_for_status()
+    httpx.post(f"{origin}/step", json={"ticks": 600}, timeout=60).raise_for_status()
+    other = httpx.post(f"{origin}/fork", json={"tick": 1}, timeout=60).raise_for_status().json()["id"]
+    page = opened(f"{server.url}/?stage={other}")
+    told = page.get_by_text("The ghost is outside the picture")
+    for _ in range(2):  # the second time its model is there before its frames
+        page.keyboard.press("x")
+        until(page, "__viewer.ghost() === 1")
+        assert told.count() == 0
+        page.keyboard.press("x")
+        until(page, "__viewer.ghost() === -1")
+    page.keyboard.press("x")
+    fork = f"{server.url}/api/stages/{other}"
+    httpx.post(f"{fork}/events", json={"event": "STOP"}).raise_for_status()
+    httpx.post(f"{fork}/step", json={"ticks": 500}, timeout=60).raise_for_status()
+    until(page, "__viewer.tick() > 500 && __viewer.ghost() === __viewer.tick()")
+    told.first.wait_for()
+    leave(page, fork, origin)
+
+
 TREE = """() => [...document.querySelectorAll('#stages li')].map(row => [
   row.querySelector('b').textContent,
   row.querySelector('b').getBoundingClientRect().left,

@@ -49,10 +49,15 @@ export class Ghost {
     this.stage.value = this.hello.value = this.pose = null;
   }
 
-  /** Asks for the tick that the page shows, as far as the ghost's stage has it. */
+  /** The tick that the page shows, as far as the ghost's stage has it. */
+  get wanted(): number {
+    return Math.min(this.head, Math.max(this.first, this.watched.tick));
+  }
+
+  /** Asks for the wanted tick. */
   follow(): void {
     if (this.hello.value === null) return;
-    const tick = Math.min(this.head, Math.max(this.first, this.watched.tick));
+    const tick = this.wanted;
     if (tick !== this.scrubber.looking.value) this.scrubber.look(tick);
   }
 

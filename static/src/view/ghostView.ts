@@ -16,6 +16,9 @@ export function isInPicture(points: Float32Array, camera: Camera): boolean {
   return false;
 }
 
+/** Farther from the wanted tick, seconds, a ghost is still on its way to it. */
+const NEAR_S = 0.25;
+
 export class GhostView {
   /** The tick that is drawn; -1: none. */
   posed = -1;
@@ -49,14 +52,17 @@ export class GhostView {
     this.scene.invalidate();
   }
 
-  /** Says so, once, when the ghost of the watched actor is nowhere in the picture. */
+  /**
+   * Says so, once, when the ghost of the watched actor is nowhere in the picture. The first frame is the newest of the
+   * ghost's stage, and a jump leaves the ghost behind for a moment: there it may be anywhere.
+   */
   private tell(): void {
-    const actor = this.casting.actors.get(this.state.selection.actor.value ?? -1);
-    if (!actor) return;
+    const { ghost, notices, selection, stage } = this.state;
+    const actor = this.casting.actors.get(selection.actor.value ?? -1);
+    if (!actor || Math.abs(this.posed - ghost.wanted) > NEAR_S * stage.rate) return;
     const joints = actor.jointPositions(new Float32Array(actor.cast.joints * 3));
     const isOutside = !isInPicture(joints, this.scene.view.camera);
-    if (isOutside && !this.isOutside)
-      this.state.notices.emit("The ghost is outside the picture: F frames both.");
+    if (isOutside && !this.isOutside) notices.emit("The ghost is outside the picture: F frames both.");
     this.isOutside = isOutside;
   }
 
