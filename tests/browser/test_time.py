@@ -52,3 +52,12 @@ def test_pause_stands_still_and_step_is_one_tick(paused: Page) -> None:
     before = paused.evaluate("__viewer.head()")
     paused.keyboard.press(".")
     until(paused, "__viewer.tick() === arg + 1", before)
+
+
+def test_space_is_the_characters_key_after_a_click_on_play(viewer: Page) -> None:
+    for link in ("paused", "live"):
+        viewer.locator("#transport .icon").nth(1).click()
+        viewer.wait_for_selector(f"[data-link={link}]")
+    viewer.keyboard.press(" ")
+    until(viewer, "document.querySelector('#verdict').textContent.startsWith('JUMP')")
+    assert viewer.locator("[data-link=live]").count()

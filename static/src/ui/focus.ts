@@ -24,7 +24,7 @@ export function freeFocus(): void {
     releaseFocus();
   });
   document.addEventListener("click", (click) => {
-    const button = click.target instanceof HTMLElement ? click.target.closest("button") : null;
+    const button = click.target instanceof Element ? click.target.closest("button") : null;
     if (button && click.detail > 0 && !keepsFocus(button)) button.blur();
   });
   document.addEventListener("change", ({ target }) => {

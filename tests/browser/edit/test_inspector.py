@@ -157,7 +157,7 @@ def drag(page: Page, part: str, across: float, up: float) -> None:
 
 
 def test_the_mouse_moves_a_blend_over_two_parameters_and_a_clip_of_it(own: Server, table: Page) -> None:
-    """The cross sets both parameters of the actor; a clip that is dragged is one edit."""
+    """A clip that is dragged is one edit; the cross, also on a clip, sets both parameters of the actor."""
     inspect(table, "th[data-state=WALK]")
     table.get_by_label("blend with").select_option("stand")
     edited(table)
@@ -169,7 +169,7 @@ def test_the_mouse_moves_a_blend_over_two_parameters_and_a_clip_of_it(own: Serve
     edited(table, 3)
     place = {state["name"]: state for state in machine(own)["states"]}["WALK"]["points"]["stand"]
     assert place == pytest.approx([0.75, 1], abs=0.02)
-    drag(table, ".ground", 0.25, 0.6)
+    drag(table, ".cross", 0.25, 0.6)
     at = pytest.approx({"pace": 0.25, "turn": 0.6}, abs=0.02)
     sliders = table.locator("#parameters")
     assert {name: float(sliders.get_by_label(name).input_value()) for name in ("pace", "turn")} == at
@@ -180,6 +180,7 @@ def test_the_mouse_moves_a_blend_over_two_parameters_and_a_clip_of_it(own: Serve
         return at == {name: found[name] for name in ("pace", "turn")}
 
     wait_for(reached)
+    assert machine(own)["version"] == table.evaluate("window.start") + 3
 
 
 def test_a_marker_is_added_moved_and_deleted(own: Server, table: Page) -> None:

@@ -52,3 +52,19 @@ def test_tab_leads_to_the_report(table: Page) -> None:
     assert table.locator(".cell-field").input_value() == "TLXT"
     table.keyboard.press("Escape")
     until(table, "document.querySelector('.cell-field').hidden")
+
+
+def test_a_refuted_property_leads_to_its_line_of_the_file(table: Page) -> None:
+    table.locator("td[data-state=STAT][data-column=JUMP]").click()
+    table.keyboard.type("JUMP")
+    refuted = table.locator("#cell-inspector .new").filter(has_text="JUMP only after WALK")
+    refuted.get_by_role("button", name="line").click()
+    table.locator(".cm-activeLine").filter(has_text="JUMP only after WALK").wait_for()
+
+
+def test_escape_hides_the_findings(table: Page) -> None:
+    table.get_by_role("button", name="findings").click()
+    report = table.locator("#cell-inspector .findings")
+    report.wait_for()
+    table.keyboard.press("Escape")
+    report.wait_for(state="hidden")

@@ -1,7 +1,7 @@
 """The table makes structure: the menus of its heads add, rename, move and delete states and events."""
 
 import pytest
-from browser.conftest import Server, until
+from browser.conftest import Server, passing, until
 from browser.edit.conftest import edited, machine
 from playwright.sync_api import Page
 
@@ -140,3 +140,14 @@ def test_a_default_fills_blank_cells(
     assert {state: len(cells[state]) for state in filled} == filled
     assert cells["FLY"]["END"]["to"] == "LAND"
     assert cells["FLY"]["JUMP"]["to"] == "CRCH"
+
+
+def test_the_characters_keys_work_after_a_menu_of_the_table(table: Page) -> None:
+    """The head keeps the focus, and the keys that it has a use for."""
+    table.locator("th[data-column=JUMP]").click()
+    table.get_by_role("menuitem").first.wait_for()
+    table.keyboard.press("Escape")
+    with passing(table, "CRCH"):
+        table.keyboard.press("c")
+    table.keyboard.press("ArrowLeft")
+    until(table, "document.activeElement.dataset.column === 'STOP'")

@@ -73,13 +73,16 @@ export class BlendPad {
       @pointerup=${this.drop} @pointercancel=${this.drop} />`;
   }
 
+  /** Drawn last: where it stands on a clip, the pointer takes the cross. */
   private cross(): TemplateResult {
     const { axes } = this;
     const place = this.values();
     return svg`<g class="cross" tabindex="0" role="button" transform=${this.at(clamped(axes, place))}
       aria-label=${`the blend at ${this.told(place)}; arrow keys move it`}
+      @pointerdown=${(press: PointerEvent) => this.take(press, null, place)}
+      @pointermove=${(pointer: PointerEvent) => this.pull(pointer, null)}
       @keydown=${(press: KeyboardEvent) => this.step(press, null, place)}>
-      <path d=${CROSS} />
+      <circle r="10" class="grip" /><path d=${CROSS} />
     </g>`;
   }
 

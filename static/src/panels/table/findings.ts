@@ -36,7 +36,7 @@ export function countWords(findings: readonly Finding[] | null): string {
   return words.filter(Boolean).join(", ") || "nothing is wrong";
 }
 
-/** Makes the list of findings; `go` shows a finding's cell. */
+/** Makes the list of findings; `go` shows a finding's cell, or its line of the file. */
 export function findingItems(
   findings: readonly MarkedFinding[],
   go: (finding: Finding) => void,
@@ -46,9 +46,12 @@ export function findingItems(
     const place = [state && event ? `${state}/${event}` : (state ?? ""), line ? `line ${line}` : ""]
       .filter(Boolean)
       .join(", ");
-    const where = state
-      ? html`<button type="button" class="where" .textContent=${place} @click=${() => go(finding)}></button>`
-      : html`<span class="where" .textContent=${place}></span>`;
+    const where = html`<button
+      type="button"
+      class="where"
+      .textContent=${place}
+      @click=${() => go(finding)}
+    ></button>`;
     return html`<li data-severity=${severity} class=${isNew ? "new" : nothing}>
       <i class="severity" aria-hidden="true"></i>
       <span class="said"><b>${isNew ? "new " : ""}${severity}: </b>${message}</span>

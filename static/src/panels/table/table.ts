@@ -170,7 +170,7 @@ export class Table {
     this.menu({ kind, name: state ?? column ?? "" }, head);
   }
 
-  /** Handles the keys of the focused cell; they do not reach the character. */
+  /** Handles the keys of the focused cell or head; the keys that it has no use for reach the character. */
   private pressed(press: KeyboardEvent): void {
     const cell = press.target;
     if (press.altKey && press.key === "Enter") {
@@ -186,9 +186,10 @@ export class Table {
       press.key === "Tab"
     )
       return;
+    if (press.key === "Escape") cell.blur();
+    else if (this.move(cell, press.key) || this.act(cell, press.key)) press.preventDefault();
+    else return;
     press.stopPropagation();
-    if (press.key === "Escape") return cell.blur();
-    if (this.move(cell, press.key) || this.act(cell, press.key)) press.preventDefault();
   }
 
   private move(cell: HTMLTableCellElement, key: string): boolean {

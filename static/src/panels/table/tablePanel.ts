@@ -15,7 +15,10 @@ export function tablePanel(_host: HTMLElement, app: App): void {
   const inspector = new TrialReport(
     byId("cell-inspector"),
     app.editing,
-    (finding) => table.go(finding),
+    (finding) => {
+      if (finding.state) table.go(finding);
+      else app.inspection.readLine(finding.line);
+    },
     () => {
       editor.leave();
       app.inspection.drawer.value = "cell";

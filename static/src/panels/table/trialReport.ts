@@ -122,9 +122,11 @@ export class TrialReport {
     this.isOpen.value = false;
   }
 
-  /** Shows or hides the findings about the table. */
+  /** Shows the findings about the table, and takes the focus, so that Escape hides them; or hides them. */
   toggle(): void {
-    if (!this.trial.value) this.isOpen.value = !this.isOpen.value;
+    if (this.trial.value) return;
+    this.isOpen.value = !this.isOpen.value;
+    if (this.isOpen.value) this.host.focus({ preventScroll: true });
   }
 
   private change(part: Partial<Trial>): void {

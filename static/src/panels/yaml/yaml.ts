@@ -40,6 +40,12 @@ export function yamlPanel(host: HTMLElement, app: App): void {
     tell(app.editing.findings.value, "");
   }
 
+  function showLine(line: number | null): void {
+    if (!editor || line === null) return;
+    app.inspection.line.value = null;
+    editor.go(line);
+  }
+
   function tell(findings: readonly Finding[], said: string): void {
     editor?.mark(findings);
     words.value = said;
@@ -85,6 +91,7 @@ export function yamlPanel(host: HTMLElement, app: App): void {
     const { YamlEditor } = await import("./yamlEditor");
     editor = new YamlEditor(place, { typed, keep: () => void send(false) });
     show();
+    showLine(app.inspection.line.value);
   }
 
   draw(
@@ -103,6 +110,7 @@ export function yamlPanel(host: HTMLElement, app: App): void {
   effect(() => {
     if (app.inspection.drawer.value === "text" && !loading) void load();
   });
+  app.inspection.line.subscribe(showLine);
   app.machine.info.subscribe(() => show());
   app.editing.findings.subscribe((findings) => !isDirty() && editor?.mark(findings));
   place.addEventListener("focusout", (leave) => {

@@ -75,6 +75,17 @@ export class YamlEditor {
     if (changes) this.view.dispatch({ changes, annotations: SHOWN.of(true) });
   }
 
+  /** Puts the cursor into a line, 1 is the first, and brings it into sight. */
+  go(line: number): void {
+    const { doc } = this.view.state;
+    const anchor = doc.line(Math.min(line, doc.lines)).from;
+    this.view.dispatch({
+      selection: { anchor },
+      effects: EditorView.scrollIntoView(anchor, { y: "center" }),
+    });
+    this.view.focus();
+  }
+
   /** Marks the lines of findings. */
   mark(findings: readonly Finding[]): void {
     const { doc } = this.view.state;
