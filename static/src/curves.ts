@@ -7,9 +7,10 @@ import "./style/layout.css";
 import "./panels/curves/curves.css";
 import { compareCurves } from "./net/api";
 import type { CurvesView } from "./net/types/api.generated";
+import { read, written } from "./panels/curves/curvesAddress";
 import { Figures } from "./panels/curves/figures";
 import { KeyStrip } from "./panels/curves/keyStrip";
-import { fault, KeyTable, type Key } from "./panels/curves/keyTable";
+import { EXAMPLES, fault, KeyTable, type Key } from "./panels/curves/keyTable";
 import { METHODS } from "./panels/curves/methods";
 import { Plots } from "./panels/curves/plots";
 import { byId, canvasById, el, reducedMotion, say } from "./ui/dom";
@@ -87,20 +88,44 @@ class Asker {
   }
 }
 
-function nameButtons(plots: Plots): void {
-  for (const [row, { words, colour }] of METHODS.entries()) {
+/** Makes a button for each interpolation, which shows and hides it. */
+function nameButtons(): void {
+  for (const [row, { name, words, colour }] of METHODS.entries()) {
     const swatch = el("span", { class: "swatch" });
     swatch.style.background = colour;
-    const button = el("button", { type: "button", "aria-pressed": "true" }, swatch, words);
+    const button = el("button", { type: "button" }, swatch, words);
+    const show = (): void => {
+      const isShown = !hidden.has(name);
+      button.setAttribute("aria-pressed", String(isShown));
+      plots.toggle(row, isShown);
+      figures.toggle(row, isShown);
+    };
     button.addEventListener("click", () => {
-      const shown = button.getAttribute("aria-pressed") !== "true";
-      button.setAttribute("aria-pressed", String(shown));
-      plots.toggle(row, shown);
+      if (!hidden.delete(name)) hidden.add(name);
+      show();
+      keep();
     });
+    show();
     byId("names").append(el("li", {}, button));
   }
 }
 
+/** Keeps in the address what is compared. */
+function keep(): void {
+  history.replaceState(null, "", written(compared, hidden));
+  say(byId("link"), "copy a link");
+}
+
+async function copyLink(): Promise<void> {
+  const copied = await navigator.clipboard.writeText(location.href).then(
+    () => "copied",
+    () => "the link is in the address bar",
+  );
+  say(byId("link"), copied);
+}
+
+const { keys: asked, hidden } = read(location.search);
+let compared = asked ?? EXAMPLES["a wave"]!;
 const figures = new Figures(canvasById("figures"));
 const plots = new Plots(await loadPlotting(), byId("plots"));
 const clock = new Clock(byId("clock"));
@@ -114,10 +139,13 @@ const asker = new Asker((curves, keys) => {
   const refused = curves.curves.find((curve) => curve.refused);
   say(byId("refused"), refused ? `${refused.interpolation}: ${refused.refused}` : "");
   document.body.dataset["curves"] = String(curves.curves.length);
+  compared = keys.map((key) => ({ ...key }));
+  keep();
 });
-nameButtons(plots);
+nameButtons();
+byId("link").addEventListener("click", () => void copyLink());
 const strip = new KeyStrip(byId("strip"), (row, time) => table.move(row, time));
-const table = new KeyTable(byId("keys"), byId("examples"), (keys) => {
+const table = new KeyTable(byId("keys"), byId("examples"), compared, (keys) => {
   strip.show(keys);
   asker.ask(keys);
 });

@@ -71,12 +71,14 @@ def test_the_plots_and_the_figures_are_drawn(curves: Page) -> None:
     assert curves.evaluate(DRAWN) > 1000
 
 
-def test_a_hidden_curve_leaves_all_plots(curves: Page) -> None:
+def test_a_hidden_curve_leaves_all_plots_and_has_no_arm(curves: Page) -> None:
     before = [curves.evaluate(INK, name) for name in QUANTITIES]
+    drawn = curves.evaluate(DRAWN)
     for name in METHODS[1:]:
         curves.get_by_role("button", name=name, exact=True).click()
     after = [curves.evaluate(INK, name) for name in QUANTITIES]
     assert all(now < then for now, then in zip(after, before, strict=True))
+    until(curves, f"(await ({DRAWN})()) < 0.5 * arg", drawn)
     curves.get_by_role("button", name="slerp", exact=True).click()
     until(curves, "document.querySelectorAll('#names button[aria-pressed=true]').length === 2")
 
@@ -133,3 +135,19 @@ def test_nothing_is_wider_than_the_window(curves: Page, width: int) -> None:
     curves.set_viewport_size({"width": width, "height": 900})
     until(curves, "document.querySelector('.uplot').clientWidth <= innerWidth")
     until(curves, "document.documentElement.scrollWidth <= arg", width)
+
+
+def test_a_link_shows_the_same_keys_and_curves(curves: Page) -> None:
+    curves.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    answered(curves, lambda: curves.get_by_label("z° of key 2").fill("-80.5"))
+    until(curves, "location.search.includes('-80.5')")
+    curves.get_by_role("button", name="slerp", exact=True).click()
+    curves.get_by_role("button", name="copy a link").click()
+    curves.get_by_role("button", name="copied").wait_for()
+    link = curves.evaluate("navigator.clipboard.readText()")
+    curves.goto("about:blank")
+    curves.goto(link)
+    until(curves, "document.body.dataset.curves === '8'")
+    assert curves.get_by_label("z° of key 2").input_value() == "-80.5"
+    hidden = curves.locator("#names [aria-pressed=false]")
+    assert hidden.all_inner_texts() == ["slerp"]

@@ -1,4 +1,4 @@
-/** Seven arms side by side; each turns as the server's samples of one interpolation say, and its hand leaves
+/** Eight arms side by side; each turns as the server's samples of one interpolation say, and its hand leaves
  * the path that it takes. */
 
 import * as THREE from "three";
@@ -35,6 +35,7 @@ export class Figures {
   );
   private readonly stands: THREE.Group[] = [];
   private turns: THREE.Quaternion[][] = [];
+  private readonly hidden = new Set<number>();
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -65,8 +66,20 @@ export class Figures {
       const path = this.paths[at]!;
       path.geometry.dispose();
       path.geometry = new THREE.BufferGeometry().setFromPoints(points);
-      path.visible = this.arms[at]!.visible = turns.length > 0;
+      this.reveal(at);
     }
+  }
+
+  /** Shows or hides the arm of a curve. */
+  toggle(row: number, shown: boolean): void {
+    if (shown) this.hidden.delete(row);
+    else this.hidden.add(row);
+    this.reveal(row);
+  }
+
+  private reveal(row: number): void {
+    const isShown = !this.hidden.has(row) && (this.turns[row] ?? []).length > 0;
+    this.paths[row]!.visible = this.arms[row]!.visible = isShown;
   }
 
   /** Draws all figures at the fraction `part` (0…1) of the time. */

@@ -49,6 +49,7 @@ export const EXAMPLES: Readonly<Record<string, readonly Key[]>> = {
 /** Says what is wrong with keys; an empty text if nothing is. */
 export function fault(keys: readonly Key[]): string {
   if (keys.length < 2) return "two keys are needed";
+  if (keys.length > MOST_KEYS) return `at most ${MOST_KEYS} keys`;
   for (const [row, one] of keys.entries()) {
     const wrong = FIELDS.find(
       ({ name, min, max }) => !(Number.isFinite(one[name]) && one[name] >= min && one[name] <= max),
@@ -66,9 +67,10 @@ export class KeyTable {
   constructor(
     private readonly root: HTMLElement,
     examples: HTMLElement,
+    first: readonly Key[],
     private readonly changed: (keys: readonly Key[]) => void,
   ) {
-    this.keys = EXAMPLES["a wave"]!.map((one) => ({ ...one }));
+    this.keys = first.map((one) => ({ ...one }));
     for (const [name, keys] of Object.entries(EXAMPLES)) {
       const button = el("button", { type: "button" }, name);
       button.addEventListener("click", () => this.take(keys));
