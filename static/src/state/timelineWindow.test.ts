@@ -46,6 +46,31 @@ describe("TimelineWindow", () => {
     expect([timeline.isAll, timeline.span.from]).toEqual([true, 0]);
   });
 
+  it("stands still while the past is shown", () => {
+    const { timeline, playback, stage } = window();
+    const before = timeline.span;
+    playback.look(19_000);
+    stage.moved(20_500, 20_500);
+    expect(timeline.span).toEqual(before);
+    timeline.pan(0.05);
+    expect(timeline.span.to).toBe(20_360);
+    timeline.pan(0.5);
+    expect(timeline.span.to).toBe(20_500);
+    playback.live();
+    timeline.recent();
+    expect(timeline.span.to).toBe(20_500);
+  });
+
+  it("makes room for a newer tick that is shown", () => {
+    const { timeline, playback, stage } = window();
+    timeline.all();
+    playback.look(19_000);
+    stage.moved(20_500, 20_500);
+    expect(timeline.span).toEqual({ from: 0, to: 20_000 });
+    playback.look(20_400);
+    expect(timeline.span).toEqual({ from: 0, to: 20_400 });
+  });
+
   it("loops what is selected, from its begin, until the page goes live", () => {
     const { timeline, playback } = window();
     timeline.select(700, 600);

@@ -48,6 +48,8 @@ export class TimelineWindow {
   private isOwn = false;
   /** Where a span begins whose end is not marked yet. */
   private begun: number | null = null;
+  /** The newest tick when the page began to show the past: from then on nothing slides away under the pointer. */
+  private stood: number | null = null;
   readonly selected = signal<Span | null>(null);
   /** What a selected span is compared with. */
   readonly kept = signal<Span | null>(null);
@@ -69,12 +71,21 @@ export class TimelineWindow {
       this.folded.value = new Set(hello.casts.flatMap(({ layers }) => layers.slice(1)));
       this.recent();
     });
+    playback.looking.subscribe((tick) => {
+      this.stood = tick === null ? null : (this.stood ?? stage.head);
+    });
   }
 
   get span(): Span {
-    const { first, head, rate } = this.stage;
+    const { first, rate } = this.stage;
     const length = this.isOwn ? this.length.value : FIRST_S * rate;
-    return spanOf(first, head, length, this.end.value, this.playback.looking.value);
+    return spanOf(first, this.newest, length, this.end.value, this.playback.looking.value);
+  }
+
+  /** The newest tick that the timeline has room for. */
+  private get newest(): number {
+    if (this.stood === null) return this.stage.head;
+    return Math.max(this.stood, this.playback.looking.value ?? 0, this.end.value ?? 0);
   }
 
   /** Whether all of the history is shown. */
@@ -125,6 +136,7 @@ export class TimelineWindow {
     this.isOwn = true;
     this.length.value = length;
     this.end.value = to >= head ? null : Math.max(first + length, to);
+    if (to >= head && this.stood !== null) this.stood = head;
   }
 
   /** Selects the ticks between two, or none if they are one. */
