@@ -39,7 +39,7 @@ def change_a_key(page: Page) -> None:
 
 def open_pad(page: Page) -> None:
     page.click("#table th[data-state=TLFT]")
-    page.get_by_role("menuitem", name="clip, loop, markers").click()
+    page.get_by_role("menuitem", name="clip, blend, markers").click()
 
 
 def open_yaml(page: Page) -> None:
@@ -219,7 +219,7 @@ def tapped(*names: str) -> Callable[[Page], object]:
 
 def tap_a_state(page: Page) -> None:
     page.locator("#table th[data-state=WALK]").tap()
-    page.get_by_role("menuitem", name="clip, loop, markers").tap()
+    page.get_by_role("menuitem", name="clip, blend, markers").tap()
 
 
 PHONE: dict[str, tuple[Callable[[Page], object], str]] = {

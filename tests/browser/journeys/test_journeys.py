@@ -50,7 +50,7 @@ def test_fix_the_printed_table(user: User) -> None:
 def test_a_walk_and_a_run_blend_on_a_pad(user: User) -> None:
     page = user.page
     user.add_model(ROBOT, "STAT")
-    user.take_from_menu(page.locator("th[data-state=WALK]"), "clip, loop, markers")
+    user.take_from_menu(page.locator("th[data-state=WALK]"), "clip, blend, markers")
     user.choose(page.get_by_label("blend with"), "Running")
     user.press_button("see it: go to WALK")
     user.until("__viewer.state() === 'WALK'")

@@ -170,6 +170,7 @@ export function machineMenuPanel(host: HTMLElement, app: App): void {
           : html`<label>
               <span>${words}</span>
               <input
+                class="text-input"
                 required
                 maxlength="64"
                 pattern=${NAMES.pattern}

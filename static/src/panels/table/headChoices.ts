@@ -78,7 +78,7 @@ function stateChoices(state: string, { name: layer, states, composites, initial 
   };
   return [
     ...(layer === "base" ? [{ words: "go there", run: (app: App) => void app.travel.go(state) }] : []),
-    { words: "clip, loop, markers …", run: select(layer, state, null) },
+    { words: "clip, blend, markers …", run: select(layer, state, null) },
     { words: "rename …", ask: renamed },
     { words: "add a state above …", ask: newState(layer, state) },
     { words: "move up", off: at === 0, operations: move(row[at - 1]) },
