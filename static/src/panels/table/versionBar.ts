@@ -65,7 +65,7 @@ export function versionBar(host: HTMLElement, app: App, showFindings: () => void
       ></button>
       <button
         type="button"
-        class="plain"
+        class="plain undo"
         aria-label="undo"
         title="undo: the version before (Ctrl+Z)"
         ?disabled=${!info?.undo}
@@ -75,7 +75,7 @@ export function versionBar(host: HTMLElement, app: App, showFindings: () => void
       </button>
       <button
         type="button"
-        class="plain"
+        class="plain redo"
         aria-label="redo"
         title="redo: take the undo back (Ctrl+Shift+Z)"
         ?disabled=${!info?.redo}
