@@ -98,7 +98,7 @@ function nameButtons(): void {
       const isShown = !hidden.has(name);
       button.setAttribute("aria-pressed", String(isShown));
       plots.toggle(row, isShown);
-      figures.toggle(row, isShown);
+      figures.reveal(row);
     };
     button.addEventListener("click", () => {
       if (!hidden.delete(name)) hidden.add(name);
@@ -126,7 +126,7 @@ async function copyLink(): Promise<void> {
 
 const { keys: asked, hidden } = read(location.search);
 let compared = asked ?? EXAMPLES["a wave"]!;
-const figures = new Figures(canvasById("figures"));
+const figures = new Figures(canvasById("figures"), hidden);
 const plots = new Plots(await loadPlotting(), byId("plots"));
 const clock = new Clock(byId("clock"));
 const asker = new Asker((curves, keys) => {

@@ -151,3 +151,9 @@ def test_a_link_shows_the_same_keys_and_curves(curves: Page) -> None:
     assert curves.get_by_label("z° of key 2").input_value() == "-80.5"
     hidden = curves.locator("#names [aria-pressed=false]")
     assert hidden.all_inner_texts() == ["slerp"]
+
+
+@pytest.mark.parametrize(("width", "height"), [(390, 844), (320, 640)])
+def test_a_phone_has_room_for_the_whole_bar(curves: Page, width: int, height: int) -> None:
+    curves.set_viewport_size({"width": width, "height": height})
+    until(curves, "innerWidth === arg && document.querySelector('.bar').scrollWidth <= arg", width)

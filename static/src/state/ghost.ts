@@ -49,7 +49,7 @@ export class Ghost {
     this.stage.value = this.hello.value = this.pose = null;
   }
 
-  /** The tick that the page shows, as far as the ghost's stage has it. */
+  /** The tick that the page shows, or the nearest one that the ghost's stage has. */
   get wanted(): number {
     return Math.min(this.head, Math.max(this.first, this.watched.tick));
   }

@@ -28,16 +28,16 @@ export class Inspection {
   /** Whether light and background are chosen. */
   readonly isSceneShown = signal(false);
   /** The line of machine.yaml that shall be shown, or null. */
-  readonly line = signal<number | null>(null);
+  readonly fileLine = signal<number | null>(null);
   /** The tick that is explained, or null. */
   readonly why = signal<number | null>(null);
   /** Emitted if a cell of the table shall be shown. */
   readonly cells = new Event<CellRequest>();
 
   /** Opens the machine's file at a line. */
-  readLine(line: number): void {
+  showFileLine(line: number): void {
     this.drawer.value = "text";
-    this.line.value = line;
+    this.fileLine.value = line;
   }
 
   /** Keeps the selected state or cell selected under its new name. */

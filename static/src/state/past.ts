@@ -13,7 +13,7 @@ import type { WatchedStage } from "./watchedStage";
 export class Past {
   readonly runs = new History();
   readonly events = new EventLog();
-  /** Grows with all that is learned: who draws the past draws again, also while the stage stands still. */
+  /** Counts what the page has learned of the past. The timeline draws again when it grows, also while the stage is paused. */
   learned = 0;
 
   constructor(

@@ -48,7 +48,10 @@ export class TimelineWindow {
   private isOwn = false;
   /** Where a span begins whose end is not marked yet. */
   private begun: number | null = null;
-  /** The newest tick when the page began to show the past: from then on nothing slides away under the pointer. */
+  /**
+   * The newest tick when the page began to show the past; null: it shows the present. The timeline ends there, so that
+   * nothing slides away under the pointer.
+   */
   private stood: number | null = null;
   readonly selected = signal<Span | null>(null);
   /** What a selected span is compared with. */
@@ -82,7 +85,7 @@ export class TimelineWindow {
     return spanOf(first, this.newest, length, this.end.value, this.playback.looking.value);
   }
 
-  /** The newest tick that the timeline has room for. */
+  /** The tick at which the timeline ends. */
   private get newest(): number {
     if (this.stood === null) return this.stage.head;
     return Math.max(this.stood, this.playback.looking.value ?? 0, this.end.value ?? 0);

@@ -16,7 +16,7 @@ export function isInPicture(points: Float32Array, camera: Camera): boolean {
   return false;
 }
 
-/** Farther from the wanted tick, seconds, a ghost is still on its way to it. */
+/** A ghost that is at most so many seconds from the wanted tick has arrived there. */
 const NEAR_S = 0.25;
 
 export class GhostView {

@@ -11,7 +11,7 @@ export interface LookedMesh {
   name: string;
   triangles: number;
   object: Body;
-  /** NODE/PRIMITIVE, the numbers in the file; names may come twice. */
+  /** NODE/PRIMITIVE: the numbers of both in the file, which tell meshes of the same name apart. */
   place: string;
 }
 

@@ -72,7 +72,7 @@ def test_two_people_type_into_two_cells_at_once(own: Server, table: Page) -> Non
     assert rows["WALK"][2:4] == ["TRGT at end", "STAT at end"]
 
 
-@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1024, 700)])
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1280, 800), (1024, 700)])
 def test_what_is_said_of_an_edit_moves_nothing(table: Page, width: int, height: int) -> None:
     table.set_viewport_size({"width": width, "height": height})
     until(table, "innerWidth === arg", width)

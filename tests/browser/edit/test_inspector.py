@@ -169,10 +169,11 @@ def test_the_mouse_moves_a_blend_over_two_parameters_and_a_clip_of_it(own: Serve
     edited(table, 3)
     place = {state["name"]: state for state in machine(own)["states"]}["WALK"]["points"]["stand"]
     assert place == pytest.approx([0.75, 1], abs=0.02)
-    drag(table, ".cross", 0.25, 0.6)
-    at = pytest.approx({"pace": 0.25, "turn": 0.6}, abs=0.02)
     sliders = table.locator("#parameters")
-    assert {name: float(sliders.get_by_label(name).input_value()) for name in ("pace", "turn")} == at
+    for part, pace, turn in ((".cross", 0.25, 0.3), (".ground", 0.3, 0.6)):
+        drag(table, part, pace, turn)
+        at = pytest.approx({"pace": pace, "turn": turn}, abs=0.02)
+        assert {name: float(sliders.get_by_label(name).input_value()) for name in ("pace", "turn")} == at
     actor = f"{own.url}/api/stages/main/actors/1"
 
     def reached() -> bool:

@@ -35,9 +35,12 @@ export class Figures {
   );
   private readonly stands: THREE.Group[] = [];
   private turns: THREE.Quaternion[][] = [];
-  private readonly hidden = new Set<number>();
 
-  constructor(private readonly canvas: HTMLCanvasElement) {
+  /** `hidden`: the names of the curves without an arm. */
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly hidden: ReadonlySet<string>,
+  ) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.camera.position.set(0, 1.4, 8);
@@ -70,15 +73,9 @@ export class Figures {
     }
   }
 
-  /** Shows or hides the arm of a curve. */
-  toggle(row: number, shown: boolean): void {
-    if (shown) this.hidden.delete(row);
-    else this.hidden.add(row);
-    this.reveal(row);
-  }
-
-  private reveal(row: number): void {
-    const isShown = !this.hidden.has(row) && (this.turns[row] ?? []).length > 0;
+  /** Shows the arm of a curve unless the curve is hidden or was refused. */
+  reveal(row: number): void {
+    const isShown = !this.hidden.has(METHODS[row]!.name) && (this.turns[row] ?? []).length > 0;
     this.paths[row]!.visible = this.arms[row]!.visible = isShown;
   }
 

@@ -160,7 +160,7 @@ export class ImportDialog {
         return new Look(facts, this.quality);
       };
       const character = await offerRig(uploaded, lookAt, this.show.bind(this), signal);
-      // What the server has rigged is no longer in the file.
+      // The stored model has the skeleton that the server made; the dropped file has none.
       const content = character === uploaded ? file : await api.storedModel(name);
       const mapping = await api.mapping(name);
       const look = await lookAt();

@@ -38,7 +38,7 @@ export function mappingStep(
     if (places.some(({ field }) => field === "name")) document.getElementById("import-name")?.focus();
   }
 
-  /** Has the server read the file again if it should be read in another way. */
+  /** Has the server read the file again if the user wants it read in another way than it was. */
   async function readAgain(isSwitched: boolean): Promise<void> {
     const how: HowToRead = {
       ...(isSwitched ? { inbetween: "switched" } : {}),

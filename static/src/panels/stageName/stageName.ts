@@ -24,7 +24,10 @@ export function stageNamePanel(host: HTMLElement, app: App): void {
     { keys: ["y"], words: "copy a link to this moment", act: () => void copyLink() },
     { keys: ["h"], words: "back to the stage main", act: () => stage.id === "main" || session.watch("main") },
   );
-  /** Copies the address with the tick that is explained, or else shown; a browser that has no clipboard for the page shows it. */
+  /**
+   * Copies the address with the tick that *why* explains, or else with the shown tick; where the browser has no clipboard
+   * for the page, shows the address.
+   */
   async function copyLink(): Promise<void> {
     const tick = inspection.why.value ?? stage.tick;
     const link = addressWith({ ...shownAddress(app), tick }).href;

@@ -17,7 +17,7 @@ export function tablePanel(_host: HTMLElement, app: App): void {
     app.editing,
     (finding) => {
       if (finding.state) table.go(finding);
-      else app.inspection.readLine(finding.line);
+      else app.inspection.showFileLine(finding.line);
     },
     () => {
       editor.leave();
@@ -32,7 +32,7 @@ export function tablePanel(_host: HTMLElement, app: App): void {
     table.go({ state, event, layer: app.machine.info.value?.layers[layer]?.name ?? "" });
     if (text !== null) editor.propose(table.cell(state, event), text);
   });
-  // The last verdict is one of the stage that the page leaves.
+  // The shown verdict belongs to the stage that the page leaves.
   app.session.leaving.on(() => {
     const line = byId("verdict");
     line.textContent = "";

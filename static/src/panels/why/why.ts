@@ -16,7 +16,7 @@ import { explanation } from "./explanation";
 import { Remedies } from "./remedies";
 
 const LOOK_AROUND_TICKS = 100_000;
-/** A drag through the past, or a replay, passes many ticks; not each is explained. */
+/** How many ticks are explained in a second while the playhead is dragged, or the past is replayed. */
 const MOST_PER_SECOND = 4;
 
 class WhyPanel {
@@ -75,7 +75,7 @@ class WhyPanel {
     this.asking.put(tick);
   }
 
-  /** Explains the tick that the page shows of the past; the present goes by. */
+  /** Explains `tick`, which the page shows of the past; null, the present, changes nothing. */
   private follow(tick: number | null): void {
     const { why } = this.app.inspection;
     if (tick !== null && why.value !== null) why.value = tick;

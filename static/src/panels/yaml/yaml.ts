@@ -42,7 +42,7 @@ export function yamlPanel(host: HTMLElement, app: App): void {
 
   function showLine(line: number | null): void {
     if (!editor || line === null) return;
-    app.inspection.line.value = null;
+    app.inspection.fileLine.value = null;
     editor.go(line);
   }
 
@@ -91,7 +91,7 @@ export function yamlPanel(host: HTMLElement, app: App): void {
     const { YamlEditor } = await import("./yamlEditor");
     editor = new YamlEditor(place, { typed, keep: () => void send(false) });
     show();
-    showLine(app.inspection.line.value);
+    showLine(app.inspection.fileLine.value);
   }
 
   draw(
@@ -110,7 +110,7 @@ export function yamlPanel(host: HTMLElement, app: App): void {
   effect(() => {
     if (app.inspection.drawer.value === "text" && !loading) void load();
   });
-  app.inspection.line.subscribe(showLine);
+  app.inspection.fileLine.subscribe(showLine);
   app.machine.info.subscribe(() => show());
   app.editing.findings.subscribe((findings) => !isDirty() && editor?.mark(findings));
   place.addEventListener("focusout", (leave) => {
