@@ -128,9 +128,10 @@ def test_a_clicked_arrow_shows_its_cell_which_gets_another_blend(graph: Page, wa
     until(graph, "document.querySelector('#graph .edge[aria-pressed=true]')?.dataset.from === 'CRCH'")
     graph.get_by_role("button", name="inspect").click()
     graph.locator("#cell h2").filter(has_text="CRCH END").wait_for()
+    before = newest(walker)
     graph.get_by_label("blend, s").fill("0.35")
     graph.keyboard.press("Enter")
-    until(graph, "__viewer.version() > arg", newest(walker))
+    until(graph, "__viewer.version() > arg", before)
     found = httpx.get(f"{walker.url}/api/machines/faq-walker").json()["table"]["CRCH"]["END"]
     assert (found["blend"], found["to"]) == (0.35, "STUP")
     assert arrow.get_attribute("aria-pressed") == "true"
