@@ -47,3 +47,17 @@ test("the check of a machine that is about to go is given up", () => {
   editing().editing.abandon();
   expect(checks.map((check) => check.aborted)).toEqual([true]);
 });
+
+test("a text that was typed while another one was on its way goes on from it", async () => {
+  const matched: (string | null)[] = [];
+  vi.stubGlobal("fetch", (_url: URL, { method, headers }: RequestInit) => {
+    if (method !== "PUT") return new Promise(() => undefined);
+    matched.push(new Headers(headers).get("If-Match"));
+    return Promise.resolve(
+      Response.json({ name: "other", version: matched.length + 1, result: "kept", findings: [] }),
+    );
+  });
+  const { editing: typed } = editing();
+  await Promise.all([typed.text("first", 1, false), typed.text("second", 1, false)]);
+  expect(matched).toEqual(['"1"', '"2"']);
+});

@@ -18,8 +18,13 @@ import type { WatchedMachine } from "./watchedMachine";
 const REST_MS = 700;
 
 /** A change of a machine that makes one version: operations, or a whole text in place of that of `version`. */
-export type Edit =
-  { machine: string; operations: readonly Operation[] } | { machine: string; text: string; version: number };
+export type Edit = { machine: string; operations: readonly Operation[] } | TextEdit;
+
+interface TextEdit {
+  machine: string;
+  text: string;
+  version: number;
+}
 
 export class Editing {
   /** The versions of the machine that is shown, oldest first. */
@@ -34,6 +39,8 @@ export class Editing {
   readonly queue: EditQueue<Edit, Answer>;
   /** Emitted with the operations of each edit of the shown machine that is kept. */
   readonly kept = new Event<readonly Operation[]>();
+  /** The version that a text of this page made, by machine and the version before. */
+  private readonly followers = new Map<string, number>();
   private checked = "";
   private checking = new AbortController();
 
@@ -173,10 +180,20 @@ export class Editing {
   }
 
   private async sent(edit: Edit, key: string | null) {
-    if ("text" in edit) return edits.putMachine(edit.machine, edit.version, edit.text, key);
+    if ("text" in edit) return this.sentText(edit, key);
     const known = this.machine.info.value;
     const { version } = known?.name === edit.machine ? known : await api.machine(edit.machine);
     return edits.patchMachine(edit.machine, version, edit.operations, key);
+  }
+
+  /** Sends a text. It takes the place of this page's text before it, which may have been on its way while it was typed. */
+  private async sentText({ machine, text, version }: TextEdit, key: string | null) {
+    let before = version;
+    for (let next; (next = this.followers.get(`${machine} ${before}`));) before = next;
+    const edited = await edits.putMachine(machine, before, text, key);
+    if (key !== null && edited.result !== "refused")
+      this.followers.set(`${machine} ${before}`, edited.version);
+    return edited;
   }
 
   private async reload(name: string): Promise<void> {

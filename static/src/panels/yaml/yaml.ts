@@ -1,4 +1,7 @@
-/** The machine's file beside its table: what is typed is tried at once, and kept by Ctrl+S or when you leave it. */
+/**
+ * The machine's file beside its table: what is typed is tried at once, and kept as soon as you pause and nothing is
+ * wrong, by Ctrl+S, or when you leave it.
+ */
 
 import "./yaml.css";
 import { effect, signal } from "@preact/signals-core";
@@ -12,6 +15,8 @@ import type { App } from "../../view/app";
 import type { YamlEditor } from "./yamlEditor";
 
 const TRIAL_PAUSE_MS = 300;
+/** How long nothing is typed, after a trial that found no error, until the text is kept. */
+const KEEP_PAUSE_MS = 700;
 
 export function yamlPanel(host: HTMLElement, app: App): void {
   const [bar, place] = [el("div", { class: "yaml-bar" }), el("div", { class: "yaml-editor" })];
@@ -23,6 +28,8 @@ export function yamlPanel(host: HTMLElement, app: App): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   /** What the text in the editor was made from. */
   let base = { name: "", version: 0, text: "" };
+  /** The text that was sent last, to be kept: what is typed meanwhile goes on from it. */
+  let sent = "";
 
   const isDirty = (): boolean => editor !== null && editor.text !== base.text;
 
@@ -30,7 +37,7 @@ export function yamlPanel(host: HTMLElement, app: App): void {
     const info = app.machine.info.value;
     if (!editor || !info) return;
     if (info.name === base.name && isDirty()) {
-      if (info.text !== base.text && info.text !== editor.text) stale.value = true;
+      if (![base.text, sent, editor.text].includes(info.text)) stale.value = true;
       else base = { name: info.name, version: info.version, text: info.text };
       return;
     }
@@ -51,12 +58,14 @@ export function yamlPanel(host: HTMLElement, app: App): void {
     words.value = said;
   }
 
-  function answered(answer: Answer | null, kept: boolean): void {
+  function answered(answer: Answer | null, kept: boolean, text: string): void {
     if (!answer) return;
     if (answer.kind === "stale") stale.value = true;
     const first = answer.findings[0];
     const refused = first?.line ? `line ${first.line}: ${first.message}` : (first?.message ?? answer.words);
-    tell(answer.findings, answer.kind === "refused" ? refused : kept ? "kept" : "Ctrl+S keeps it");
+    tell(answer.findings, answer.kind === "refused" ? refused : kept ? "kept" : "");
+    const goesOn = editor?.text !== text;
+    if (answer.kind === "fine" && !kept && !stale.value && !goesOn) after(KEEP_PAUSE_MS, false);
   }
 
   async function send(dry: boolean): Promise<void> {
@@ -65,15 +74,17 @@ export function yamlPanel(host: HTMLElement, app: App): void {
       words.value = "";
       return;
     }
+    const { text } = editor;
+    if (!dry) sent = text;
     const answer = await app.editing
-      .text(editor.text, base.version, dry)
+      .text(text, base.version, dry)
       .catch((error: unknown): Answer => ({ kind: "refused", words: reasonOf(error), findings: [] }));
-    answered(answer, !dry);
+    answered(answer, !dry, text);
   }
 
-  function typed(): void {
+  function after(pause: number, dry: boolean): void {
     clearTimeout(timer);
-    timer = setTimeout(() => void send(true), TRIAL_PAUSE_MS);
+    timer = setTimeout(() => void send(dry), pause);
   }
 
   /** Drops what is typed for the newest text, or (`mine`) puts it in place of that. */
@@ -89,7 +100,10 @@ export function yamlPanel(host: HTMLElement, app: App): void {
   async function load(): Promise<void> {
     loading = true;
     const { YamlEditor } = await import("./yamlEditor");
-    editor = new YamlEditor(place, { typed, keep: () => void send(false) });
+    editor = new YamlEditor(place, {
+      typed: () => after(TRIAL_PAUSE_MS, true),
+      keep: () => void send(false),
+    });
     show();
     showLine(app.inspection.fileLine.value);
   }
