@@ -6,7 +6,7 @@ import { nothing, svg, type TemplateResult } from "lit-html";
 import type { StateInfo } from "../../net/protocol";
 import type { App } from "../../view/app";
 import { along, type Axis, axesOf, clamped, type Place, putClip, stepped, valueAt } from "./blendSpace";
-import { weightsAt } from "./blendWeights";
+import { weightsAt, wholePercent } from "./blendWeights";
 
 /** Units of the drawing; a blend over one value is a line. */
 const [WIDTH, HEIGHT, LINE_HEIGHT, EDGE] = [300, 200, 72, 24];
@@ -37,6 +37,7 @@ export class BlendPad {
     const [across, up] = axes;
     const isDrivable = axes.every(({ parameter }) => parameter !== null);
     const shares = isDrivable ? weightsAt(state.points, clamped(axes, this.values())) : null;
+    const percent = shares && wholePercent(shares);
     return svg`<svg class="blend-pad" viewBox="0 0 ${WIDTH} ${height}" role="group"
       aria-label=${`blend over ${axes.map(({ name }) => name).join(" and ")}`}>
       <rect class="room" x=${EDGE} width=${WIDTH - 2 * EDGE} y=${up ? EDGE : height / 2 - 1}
@@ -44,13 +45,13 @@ export class BlendPad {
       ${isDrivable ? this.ground() : nothing}
       <text class="axis" x=${WIDTH - EDGE} y=${height - 6} text-anchor="end" .textContent=${words(across!)}></text>
       ${up ? svg`<text class="axis" x="4" y="14" .textContent=${words(up)}></text>` : nothing}
-      ${state.clips.map((clip) => this.point(clip, shares?.[clip]))} ${isDrivable ? this.cross() : nothing}
+      ${state.clips.map((clip) => this.point(clip, shares?.[clip], percent?.[clip]))} ${isDrivable ? this.cross() : nothing}
     </svg>`;
   }
 
-  /** `share`: how much of the blend the clip has, 0…1. */
-  private point(clip: string, share?: number): TemplateResult {
-    const has = share === undefined ? "" : `${(100 * share).toFixed(0)} %`;
+  /** `share`: how much of the blend the clip has, 0…1; `percent`: as the pad says it. */
+  private point(clip: string, share?: number, percent?: number): TemplateResult {
+    const has = percent === undefined ? "" : `${percent} %`;
     const held = this.drag.value;
     const place = held?.clip === clip ? held.place : (this.state.points[clip] ?? []);
     return svg`<g class="clip" tabindex="0" role="button" data-clip=${clip} transform=${this.at(place)}

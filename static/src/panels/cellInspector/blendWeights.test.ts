@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { weightsAt } from "./blendWeights";
+import { weightsAt, wholePercent } from "./blendWeights";
 
 const LINE = { walk: [1], run: [3], stand: [0] };
 const PLANE = { stand: [0, 0], walk: [0, 1], left: [-1, 0], right: [1, 0] };
@@ -16,3 +16,18 @@ test.each([
   const found = weightsAt(points, at);
   for (const [clip, weight] of Object.entries(weights)) expect(found[clip]).toBeCloseTo(weight, 9);
 });
+
+test.each([
+  [
+    { a: 1 / 3, b: 1 / 3, c: 1 / 3 },
+    { a: 34, b: 33, c: 33 },
+  ],
+  [
+    { a: 0.625, b: 0.375 },
+    { a: 63, b: 37 },
+  ],
+  [
+    { a: 1, b: 0 },
+    { a: 100, b: 0 },
+  ],
+])("%j is %j per cent, which sum to 100", (shares, percent) => expect(wholePercent(shares)).toEqual(percent));

@@ -13,6 +13,18 @@ export function weightsAt(points: StateInfo["points"], place: Place): Record<str
   return Object.fromEntries(clips.map(([clip], i) => [clip, weights[i]! / total]));
 }
 
+/** Returns shares (0…1, sum 1) as whole per cent that sum to 100: what is lost by rounding goes to the largest remainders. */
+export function wholePercent(shares: Record<string, number>): Record<string, number> {
+  const exact = Object.entries(shares).map(([clip, share]) => ({
+    clip,
+    share: 100 * share,
+    whole: Math.floor(100 * share),
+  }));
+  const left = 100 - exact.reduce((sum, { whole }) => sum + whole, 0);
+  const byRemainder = exact.sort((a, b) => b.share - b.whole - (a.share - a.whole));
+  return Object.fromEntries(byRemainder.map(({ clip, whole }, i) => [clip, whole + (i < left ? 1 : 0)]));
+}
+
 type Clips = readonly (readonly [string, Place])[];
 
 /** Linear between the neighbours. */
