@@ -58,7 +58,7 @@ class Clock {
   }
 }
 
-/** Asks the server for the curves, once the keys have rested for a moment; an old answer is dropped. */
+/** Asks the server for the curves, once the keys have rested for a moment; an old answer is dropped, also once a key is wrong. */
 class Asker {
   private timer = 0;
   private asked = 0;
@@ -69,7 +69,8 @@ class Asker {
     window.clearTimeout(this.timer);
     const wrong = fault(keys);
     say(byId("refused"), wrong);
-    if (!wrong) this.timer = window.setTimeout(() => void this.send(keys), ASK_MS);
+    if (wrong) this.asked++;
+    else this.timer = window.setTimeout(() => void this.send(keys), ASK_MS);
   }
 
   private async send(keys: readonly Key[]): Promise<void> {

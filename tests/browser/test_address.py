@@ -22,7 +22,7 @@ def test_a_link_shows_the_same_moment_from_the_same_place(viewer: Page) -> None:
     viewer.evaluate(SCRUB, tick)
     until(viewer, f"__viewer.posed() === {tick} && {MOMENT}")
     other = viewer.context.new_page()
-    other.goto(viewer.url)
+    other.goto(viewer.evaluate("location.href"))
     until(other, f"window.__viewer?.ready && __viewer.posed() === {tick}")
     assert other.evaluate("__viewer.joints()") == viewer.evaluate("__viewer.joints()")
     there, here = (page.evaluate("__viewer.camera()") for page in (other, viewer))

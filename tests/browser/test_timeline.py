@@ -137,7 +137,7 @@ DRAWN = f"""(({{ width, height }}) => {{
 
 
 def test_a_lane_is_folded_by_its_name_and_events_are_filtered(
-    server: Server, opened: Callable[[str], Page]
+    server: Server, page: Page, opened: Callable[[str], Page]
 ) -> None:
     """The filter takes the key n, which would make the character nod."""
     layers = {"actors": [{"machine": "walker-layers"}], "clock": "manual"}
@@ -147,7 +147,8 @@ def test_a_lane_is_folded_by_its_name_and_events_are_filtered(
         httpx.post(f"{stage}/events", json={"event": event}).raise_for_status()
         httpx.post(f"{stage}/step", json={"ticks": 40}).raise_for_status()
     inputs = httpx.get(stage).json()["inputs"]
-    page = opened(f"{server.url}/?stage={made.json()['id']}")
+    with page.expect_response(re.compile(r"/log\b")):
+        opened(f"{server.url}/?stage={made.json()['id']}")
     until(page, "__viewer.lanes().length > 1")
     names = page.get_by_role("group", name="lanes")
     head = names.get_by_role("button", name="head")

@@ -90,7 +90,7 @@ def test_a_stage_over_its_share_is_called_slow_until_it_fits(
         page = opened(server.url)
         until(page, f"{WORD} === 'slow'")
         until(page, "document.querySelector('#status .link').title.includes('Fewer actors help')")
-        httpx.post(f"{server.url}/api/stages/main/speed", json={"speed": 0.02}).raise_for_status()
+        httpx.post(f"{server.url}/api/stages/main/speed", json={"speed": 0.005}).raise_for_status()
         until(page, f"{WORD} === 'live'")
         leave(page)
 

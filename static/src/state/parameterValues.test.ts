@@ -1,11 +1,20 @@
+// @vitest-environment happy-dom
 import { signal } from "@preact/signals-core";
-import { describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { MachineInfo } from "../net/protocol";
 import type { Line } from "./line";
 import { ParameterValues } from "./parameterValues";
 import type { Selection } from "./selection";
 import type { WatchedMachine } from "./watchedMachine";
 import type { WatchedStage } from "./watchedStage";
+
+/** Answers the requests that wait. */
+let answers: ((answer: Response) => void)[];
+
+beforeEach(() => {
+  answers = [];
+  vi.stubGlobal("fetch", () => new Promise<Response>((done) => answers.push(done)));
+});
 
 const component = (vector: string, kind: string, name: string, value: number) => ({
   ...{ vector, kind, name: `${vector}.${name}`, minimum: -1, maximum: 1 },
@@ -20,15 +29,18 @@ const machine = {
   ],
 } as unknown as MachineInfo;
 
-function sentAfter(name: string, value: number): unknown[] {
-  const sent: unknown[] = [];
-  const values = new ParameterValues(
+function shown(sent: unknown[] = []): ParameterValues {
+  return new ParameterValues(
     { send: (message: unknown) => sent.push(message) } as unknown as Line,
     { id: "main", hello: signal(null) } as unknown as WatchedStage,
     { actor: signal(3) } as unknown as Selection,
     { info: signal(machine) } as unknown as WatchedMachine,
   );
-  values.set(name, value);
+}
+
+function sentAfter(name: string, value: number): unknown[] {
+  const sent: unknown[] = [];
+  shown(sent).set(name, value);
   return sent;
 }
 
@@ -40,4 +52,13 @@ describe("a parameter that is set", () => {
   ])("%s goes out whole, and within its range", (name, value, parameter, whole) => {
     expect(sentAfter(name, value)).toEqual([{ type: "set", parameter, value: whole, actor: 3 }]);
   });
+});
+
+it("a value that is set while the server's answer is on its way is kept, the others are taken from the answer", async () => {
+  const values = shown();
+  values.set("pace", 2);
+  const facts = { machine: "toy", parameters: { pace: 0, side: [1, 0, 0], turn: [0, 0, 0, 1] } };
+  for (const answer of answers) answer(Response.json(facts));
+  await vi.waitFor(() => expect(values.point("side")).toEqual([1, 0, 0]));
+  expect(values.get("pace")).toBe(2);
 });

@@ -23,6 +23,8 @@ export class ParameterValues {
   private readonly senders = new Map<string, Latest<() => void>>();
   private machine: MachineInfo | null = null;
   private turn = 0;
+  /** What this page has set since it asked the server: the answer may be older. */
+  private readonly touched = new Set<string>();
 
   constructor(
     private readonly line: Line,
@@ -75,6 +77,7 @@ export class ParameterValues {
   /** Takes what the server says. */
   private async read(): Promise<void> {
     const turn = ++this.turn;
+    this.touched.clear();
     const actor = this.selection.actor.value;
     if (actor === null || !this.machine?.parameters.length) return;
     const facts = await actorFacts(this.stage.id, actor).catch(() => null);
@@ -84,10 +87,12 @@ export class ParameterValues {
         ? value.map((number, place) => [`${name}.${"xyzw"[place]}`, number])
         : [[name, value]],
     );
-    this.all.value = new Map(known);
+    const own = [...this.all.value].filter(([name]) => this.touched.has(name));
+    this.all.value = new Map([...known, ...own]);
   }
 
   private take(values: readonly (readonly [string, number])[]): void {
+    for (const [name] of values) this.touched.add(name);
     this.all.value = new Map([...this.all.value, ...values]);
   }
 

@@ -45,6 +45,7 @@ def test_an_unknown_state_is_told_while_it_is_typed(table: Page) -> None:
 
 def test_the_graph_stays_while_a_cell_gets_another_text(table: Page) -> None:
     """The new arrow comes, and no state moves."""
+    table.wait_for_selector("#graph .state[data-state=WALK]")
     before = table.evaluate(PLACES)
     assert len(before) == 11
     type_in_cell(table, "STWK")

@@ -60,7 +60,7 @@ def test_a_software_renderer_lets_an_edit_go_first(table: Page) -> None:
     with table.expect_request(f"**/api/machines/{NAME}?dry=true"):
         table.locator(CELL).click()
         table.keyboard.type("TRGT")
-    assert table.evaluate(DRAWN_IN_FRAMES, 4) == 0
+    assert table.evaluate(DRAWN_IN_FRAMES, 20) <= 2  # a picture is at most a second old
     table.route(f"**/api/machines/{NAME}?dry=true", lambda route: route.continue_())
     for route in held:  # a slow page has tried what was typed so far, and tries the rest
         route.continue_()
@@ -206,6 +206,9 @@ def test_a_version_is_restored_from_the_list(own: Server, table: Page) -> None:
     table.keyboard.press("Enter")
     edited(table)
     table.get_by_role("button", name="versions").click()
+    until(
+        table, "document.querySelector('#versions .version-row b').textContent === 'v' + __viewer.version()"
+    )
     row = table.locator("#versions li").first
     row.locator(".version-row").click()
     row.get_by_role("button", name="WALK, LEFT").wait_for()
@@ -248,4 +251,4 @@ def test_a_layer_has_its_own_table_and_graph(table: Page) -> None:
     until(table, "document.querySelector('#table tr[aria-current] th')?.textContent === 'REST'")
     until(table, "document.querySelector('#graph .live text')?.textContent === 'REST'")
     table.locator("[data-event=NOD]").click()
-    until(table, "__viewer.layerStates()[1] === 'NOD'")
+    table.wait_for_selector("#graph .edge[data-from=REST][data-to=NOD][data-fired=NOD]", state="attached")

@@ -123,6 +123,7 @@ def test_a_film_strip_that_comes_late_moves_nothing(table: Page) -> None:
     before = below.bounding_box()
     strip = table.locator("#cell .strip").first
     assert not strip.evaluate("image => image.complete")
+    wait_for(lambda: table.evaluate("true") and late)
     late[0].continue_()
     strip.evaluate("image => image.decode()")
     assert below.bounding_box() == before
@@ -238,6 +239,7 @@ def test_when_a_foot_stands_is_corrected_and_found_again(own: Server, table: Pag
 def test_each_clip_of_a_blend_has_the_contacts_of_its_feet(table: Page) -> None:
     inspect(table, "th[data-state=TLFT]")
     summaries = table.locator("#cell details summary", has_text="when feet stand in")
+    summaries.nth(1).wait_for()
     assert summaries.all_inner_texts() == [
         "when feet stand in turn-left",
         "when feet stand in walk-turn-left",

@@ -65,7 +65,7 @@ def test_what_refutes_a_property_is_played_on_a_stage(table: Page, allowed: list
     properties.get_by_label("new").fill("never STAT -> STWK")
     table.evaluate(LOOKED)
     properties.get_by_role("button", name="play what refutes it").click()
-    until(table, "__viewer.stage() !== 'main' && window.least < 30")
+    until(table, "__viewer.stage() !== 'main' && window.least <= 30")
     until(table, "__viewer.lanes().some(([, , state]) => state === 'STWK')")
 
 

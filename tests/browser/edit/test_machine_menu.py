@@ -96,6 +96,7 @@ def test_a_machine_from_nothing_has_the_figure_in_the_picture_or_a_skeleton(own:
         motions[name] = httpx.get(f"{own.url}/api/machines/{name}").json()["states"][0]["motion"]
         choose(table, "delete")
         table.keyboard.press("Enter")
+        table.locator("#notices p").filter(has_text=f"{name} is deleted").wait_for()
         until(table, "__viewer.stage() === 'main' && __viewer.ready")
     assert motions == {"plain": None, "dressed": "stand"}
 
