@@ -157,9 +157,9 @@ PICK = """name => {
 
 def change_to(page: Page, machine: str) -> Any:
     """Changes to another machine or scene; returns what the GPU holds then."""
+    stage = page.evaluate("__viewer.stage()")
     page.evaluate(PICK, machine)
-    until(page, "__viewer.ready && document.querySelector('#picker select').value === arg", machine)
-    until(page, "__viewer.stage() !== 'main' && __viewer.ready")
+    until(page, "__viewer.stage() !== arg && __viewer.ready", stage)
     before = page.evaluate("__viewer.stats().drawn")
     until(page, "__viewer.stats().drawn > arg + 2", before)
     return page.evaluate("__viewer.held()")

@@ -15,7 +15,9 @@ def full(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     limits = ["--limit", "stages=3", "--limit", "rest_seconds=0.2"]
     with Server(tmp_path_factory.mktemp("full"), *limits) as running:
         for _ in range(2):
-            made = httpx.post(f"{running.url}/api/stages", json={"actors": [{"machine": "faq-walker"}]})
+            made = httpx.post(
+                f"{running.url}/api/stages", json={"actors": [{"machine": "faq-walker"}]}, timeout=60
+            )
             event = httpx.post(
                 f"{running.url}/api/stages/{made.json()['id']}/events", json={"event": "FORWARD"}
             )

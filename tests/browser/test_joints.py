@@ -16,7 +16,7 @@ Open = Callable[[str], Page]
 def opening(server: Server, opened: Open, machine: str) -> Page:
     """The page with one actor of a machine."""
     body = {"clock": "real", "actors": [{"machine": machine}]}
-    stage = httpx.post(f"{server.url}/api/stages", json=body).json()["id"]
+    stage = httpx.post(f"{server.url}/api/stages", json=body, timeout=60).json()["id"]
     return opened(f"{server.url}/?stage={stage}")
 
 

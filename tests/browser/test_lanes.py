@@ -16,7 +16,7 @@ def test_a_page_opened_late_knows_what_was(server: Server, opened: Callable[[str
         f"{server.url}/api/stages", json={"clock": "manual", "actors": [{"machine": machine}]}
     ).headers["Location"]
     httpx.post(f"{server.url}{stage}/events", json={"event": "FORWARD"})
-    httpx.post(f"{server.url}{stage}/step", json={"ticks": 240})
+    httpx.post(f"{server.url}{stage}/step", json={"ticks": 240}, timeout=60)
     page = opened(f"{server.url}/?stage={stage.rsplit('/', 1)[1]}")
     until(page, "__viewer.lanes().length > 2")
     told = httpx.get(f"{server.url}{stage}/history").json()["changes"]

@@ -18,7 +18,7 @@ def stage(server: Server) -> str:
     made = httpx.post(f"{server.url}/api/stages", json=setup, timeout=60)
     address = f"{server.url}{made.raise_for_status().headers['Location']}"
     httpx.post(f"{address}/events", json={"event": "BEND"}).raise_for_status()
-    httpx.post(f"{address}/step", json={"ticks": 150}).raise_for_status()
+    httpx.post(f"{address}/step", json={"ticks": 150}, timeout=60).raise_for_status()
     return address
 
 
@@ -70,5 +70,5 @@ def test_the_page_shows_the_weight_of_the_bulge(arms: Page, stage: str) -> None:
     """At -125 degrees the cubic is 1.7."""
     until(arms, f"Math.abs({WEIGHT} - 0.7) < 0.001")
     httpx.post(f"{stage}/events", json={"event": "STRETCH"}).raise_for_status()
-    httpx.post(f"{stage}/step", json={"ticks": 150}).raise_for_status()
+    httpx.post(f"{stage}/step", json={"ticks": 150}, timeout=60).raise_for_status()
     until(arms, f"Math.abs({WEIGHT}) < 0.001")

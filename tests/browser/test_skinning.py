@@ -18,7 +18,7 @@ def arm(server: Server, opened: Callable[[str], Page]) -> Iterator[Page]:
     made = httpx.post(f"{server.url}/api/stages", json=setup, timeout=60)
     stage = f"{server.url}{made.raise_for_status().headers['Location']}"
     httpx.post(f"{stage}/events", json={"event": "TWIST"}).raise_for_status()
-    httpx.post(f"{stage}/step", json={"ticks": 150}).raise_for_status()
+    httpx.post(f"{stage}/step", json={"ticks": 150}, timeout=60).raise_for_status()
     page = opened(f"{server.url}/?stage={stage.rsplit('/', 1)[1]}")
     until(page, "__viewer.posed() === 150")
     yield page

@@ -47,7 +47,7 @@ def test_names_are_text(server: Server, opened: Callable[[str], Page]) -> None:
         {"machine": machine, "name": HOSTILE},
         {"machine": machine, "name": "\u202etwo", "position": [1.5, 0, 0]},
     ]
-    made = httpx.post(f"{server.url}/api/stages", json={"actors": actors, "clock": "real"}).json()
+    made = httpx.post(f"{server.url}/api/stages", json={"actors": actors, "clock": "real"}, timeout=60).json()
     page = opened(f"{server.url}/?stage={made['id']}")
     options = page.locator("#picker select").nth(1).locator("option")
     options.nth(1).wait_for(state="attached")

@@ -39,7 +39,8 @@ def test_who_may_not_rename_a_machine_stays_on_its_stage(
     """A link led to the stage: the page did not make the stage, so it does not delete the stage."""
     allowed.append("status of 409")
     httpx.post(f"{own.url}/api/machines", json={"name": "linked"}).raise_for_status()
-    made = httpx.post(f"{own.url}/api/stages", json={"actors": [{"machine": "linked"}]}).json()["id"]
+    body = {"actors": [{"machine": "linked"}]}
+    made = httpx.post(f"{own.url}/api/stages", json=body, timeout=60).json()["id"]
     table.goto(f"{own.url}/?machine=linked&stage={made}&fps=6")
     until(table, "window.__viewer?.ready && __viewer.stage() === arg", made)
     choose(table, "rename")
