@@ -6,7 +6,7 @@ import typer
 from click.testing import Result
 from statwalk.character.character import Character
 from statwalk.cli.convert import convert
-from statwalk.services.library.load import load
+from statwalk.services.library.load import character_from, load
 from typer.testing import CliRunner
 
 app = typer.Typer()
@@ -44,3 +44,14 @@ def test_options_that_make_no_sense_are_refused(walk: Path) -> None:
     assert run(walk, "--onto", "faq-walker", "--bone", "Hips").exit_code == 2
     assert run(walk.with_name("out.glb"), "--scale", "2").exit_code == 2
     assert CliRunner().invoke(app, [str(walk), "out.txt"]).exit_code == 2
+
+
+@pytest.mark.parametrize("onto", [False, True], ids=["source", "target"])
+def test_a_part_is_left_out_of_what_is_written(walk: Path, onto: bool) -> None:
+    whole, out = character_from("faq-walker"), walk.with_name("out.glb")
+    source = [str(walk), str(out), "--onto", "faq-walker"] if onto else ["faq-walker", str(out)]
+    eye = whole.parts[-1]
+    done = CliRunner().invoke(app, [*source, "--without", f"{eye.node}/{eye.primitive}"])
+    assert done.exit_code == 0, done.output
+    fewer = character_from(out)
+    assert [len(part.positions) for part in fewer.parts] == [len(part.positions) for part in whole.parts[:-1]]

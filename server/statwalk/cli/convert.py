@@ -20,6 +20,7 @@ from statwalk.files.bvh.bvh_file import Position
 from statwalk.files.captures import SUFFIXES, Reading, load_capture
 from statwalk.files.gltf.add_clip import model_with_clip
 from statwalk.files.model_formats import WRITTEN
+from statwalk.files.without_meshes import without_meshes
 from statwalk.motion.filter_clip import Filter
 from statwalk.services.library.convert import convert as write_as
 from statwalk.services.library.load import character_from
@@ -31,6 +32,8 @@ EXAMPLES = """Examples:
   statwalk convert walk.bvh walk.glb --scale 0.0564
 
   statwalk convert walk.bvh robot-walks.glb --onto robot.glb --low-pass 6 --spikes
+
+  statwalk convert knight.glb knight.x --without 1H_Sword --without 2H_Sword
 
   statwalk convert walk.trc hero-walks.glb --onto hero.glb --bone Hips=pelvis --start 1 --end 2.2
 """
@@ -89,6 +92,10 @@ def convert(
         list[str] | None, typer.Option(help="BONE=JOINT of the source, where names do not tell.")
     ] = None,
     target_bone: Annotated[list[str] | None, typer.Option(help="BONE=JOINT of --onto.")] = None,
+    without: Annotated[
+        list[str] | None,
+        typer.Option(help="A mesh to leave out of what is written, by its name; several times for several."),
+    ] = None,
 ) -> None:
     """Writes a character in another format, and says what that cannot hold; a capture also carried over to
     another character.
@@ -100,9 +107,9 @@ def convert(
     if how != Reading() and source.suffix.lower() not in SUFFIXES:
         raise typer.BadParameter("position, scale, and filters without --onto are for captures (.bvh, .trc)")
     if onto is None:
-        _write(_read(source, how), out, clip)
+        _write(without_meshes(_read(source, how), without or ()), out, clip)
         return
-    target = _read(onto, Reading())
+    target = without_meshes(_read(onto, Reading()), without or ())
     if not target.model_glb:
         raise ContentError("this character has no model to write", file=str(onto))
     carried = Wish(_bones(bone or []), _bones(target_bone or []), start, end)
