@@ -75,3 +75,4 @@ def test_a_fault_stands_at_its_line(own: Server, table: Page) -> None:
     assert machine(own)["version"] == table.evaluate("window.start")
     for _ in range(3):
         table.keyboard.press("Backspace")
+    table.locator(".cm-lint-marker-error").wait_for(state="detached")

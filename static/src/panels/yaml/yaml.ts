@@ -58,20 +58,19 @@ export function yamlPanel(host: HTMLElement, app: App): void {
     words.value = said;
   }
 
-  function answered(answer: Answer | null, kept: boolean, text: string): void {
-    if (!answer) return;
+  function answered(answer: Answer, kept: boolean): void {
     if (answer.kind === "stale") stale.value = true;
     const first = answer.findings[0];
     const refused = first?.line ? `line ${first.line}: ${first.message}` : (first?.message ?? answer.words);
     tell(answer.findings, answer.kind === "refused" ? refused : kept ? "kept" : "");
-    const goesOn = editor?.text !== text;
-    if (answer.kind === "fine" && !kept && !stale.value && !goesOn) after(KEEP_PAUSE_MS, false);
+    if (answer.kind === "fine" && !kept && !stale.value) after(KEEP_PAUSE_MS, false);
   }
 
   async function send(dry: boolean): Promise<void> {
     clearTimeout(timer);
-    if (!editor || !isDirty()) {
-      words.value = "";
+    if (!editor) return;
+    if (!isDirty()) {
+      tell(app.editing.findings.value, "");
       return;
     }
     const { text } = editor;
@@ -79,7 +78,8 @@ export function yamlPanel(host: HTMLElement, app: App): void {
     const answer = await app.editing
       .text(text, base.version, dry)
       .catch((error: unknown): Answer => ({ kind: "refused", words: reasonOf(error), findings: [] }));
-    answered(answer, !dry, text);
+    const isOld = dry && editor.text !== text;
+    if (answer && !isOld) answered(answer, !dry);
   }
 
   function after(pause: number, dry: boolean): void {
