@@ -75,4 +75,14 @@ def test_a_fault_stands_at_its_line(own: Server, table: Page) -> None:
     assert machine(own)["version"] == table.evaluate("window.start")
     for _ in range(3):
         table.keyboard.press("Backspace")
+
+
+def test_a_text_that_is_right_again_loses_the_mark_of_its_fault(table: Page) -> None:
+    """A brace that is missing in one line is marked at the next one."""
+    open_text(table)
+    table.locator(".cm-line").filter(has_text="STWK:").click()
+    table.keyboard.press("End")
+    table.keyboard.press("Backspace")
+    table.locator(".cm-lint-marker-error").wait_for()
+    table.keyboard.type("}")
     table.locator(".cm-lint-marker-error").wait_for(state="detached")
