@@ -79,6 +79,7 @@ def test_a_fault_stands_at_its_line(own: Server, table: Page) -> None:
 
 def test_a_text_that_is_right_again_loses_the_mark_of_its_fault(table: Page) -> None:
     """A brace that is missing in one line is marked at the next one."""
+    until(table, "document.querySelector('#version .count').textContent !== '…'")
     open_text(table)
     table.locator(".cm-line").filter(has_text="STWK:").click()
     table.keyboard.press("End")
