@@ -58,7 +58,10 @@ class Clock {
   }
 }
 
-/** Asks the server for the curves, once the keys have rested for a moment; an old answer is dropped, also once a key is wrong. */
+/**
+ * Asks the server for the curves, once the keys have rested for a moment. An answer about earlier keys is dropped, also
+ * while a key is wrong.
+ */
 class Asker {
   private timer = 0;
   private asked = 0;

@@ -23,7 +23,8 @@ const storage = { getItem: () => null, setItem: () => undefined };
 
 function editing(): { editing: Editing; info: { value: MachineInfo | null } } {
   const info = signal<MachineInfo | null>(machine("old"));
-  return { editing: new Editing({ info } as unknown as WatchedMachine, new Event(), storage), info };
+  const take = (edited: MachineInfo): void => void (info.value = edited);
+  return { editing: new Editing({ info, take } as unknown as WatchedMachine, new Event(), storage), info };
 }
 
 test("the check of a machine ends when another machine is shown", () => {
@@ -48,16 +49,31 @@ test("the check of a machine that is about to go is given up", () => {
   expect(checks.map((check) => check.aborted)).toEqual([true]);
 });
 
-test("a text that was typed while another one was on its way goes on from it", async () => {
+/** Answers each text with the next version; returns the versions that the texts named. */
+function matchedVersions(): (string | null)[] {
   const matched: (string | null)[] = [];
   vi.stubGlobal("fetch", (_url: URL, { method, headers }: RequestInit) => {
     if (method !== "PUT") return new Promise(() => undefined);
     matched.push(new Headers(headers).get("If-Match"));
     return Promise.resolve(
-      Response.json({ name: "other", version: matched.length + 1, result: "kept", findings: [] }),
+      Response.json({ name: "old", version: matched.length + 1, result: "kept", findings: [] }),
     );
   });
+  return matched;
+}
+
+test("a text that was typed while another one was on its way goes on from it", async () => {
+  const matched = matchedVersions();
   const { editing: typed } = editing();
   await Promise.all([typed.text("first", 1, false), typed.text("second", 1, false)]);
   expect(matched).toEqual(['"1"', '"2"']);
+});
+
+test("a text of a machine that was made anew goes on from nothing before", async () => {
+  const matched = matchedVersions();
+  const { editing: typed, info } = editing();
+  await typed.text("of the machine before", 1, false);
+  info.value = machine("old");
+  await typed.text("of the new machine", 1, false);
+  expect(matched).toEqual(['"1"', '"1"']);
 });

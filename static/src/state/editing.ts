@@ -39,7 +39,7 @@ export class Editing {
   readonly queue: EditQueue<Edit, Answer>;
   /** Emitted with the operations of each edit of the shown machine that is kept. */
   readonly kept = new Event<readonly Operation[]>();
-  /** The version that a text of this page made, by machine and the version before. */
+  /** The versions that texts of this page made, by the machine and the version before. */
   private readonly followers = new Map<string, number>();
   private checked = "";
   private checking = new AbortController();
@@ -186,14 +186,23 @@ export class Editing {
     return edits.patchMachine(edit.machine, version, edit.operations, key);
   }
 
-  /** Sends a text. It takes the place of this page's text before it, which may have been on its way while it was typed. */
   private async sentText({ machine, text, version }: TextEdit, key: string | null) {
-    let before = version;
-    for (let next; (next = this.followers.get(`${machine} ${before}`));) before = next;
+    const before = this.followed(machine, version);
     const edited = await edits.putMachine(machine, before, text, key);
     if (key !== null && edited.result !== "refused")
       this.followers.set(`${machine} ${before}`, edited.version);
     return edited;
+  }
+
+  /**
+   * Returns the version that a text takes the place of: its own, or, if an earlier text of this page was still on its
+   * way when this one was typed, the version that the earlier one made.
+   */
+  private followed(machine: string, version: number): number {
+    const known = this.machine.info.value;
+    const isNewest = known?.name === machine && known.version === version;
+    const follower = isNewest ? undefined : this.followers.get(`${machine} ${version}`);
+    return follower === undefined ? version : this.followed(machine, follower);
   }
 
   private async reload(name: string): Promise<void> {

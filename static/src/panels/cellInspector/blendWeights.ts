@@ -13,7 +13,10 @@ export function weightsAt(points: StateInfo["points"], place: Place): Record<str
   return Object.fromEntries(clips.map(([clip], i) => [clip, weights[i]! / total]));
 }
 
-/** Returns shares (0…1, sum 1) as whole per cent that sum to 100: what is lost by rounding goes to the largest remainders. */
+/**
+ * Returns shares (0…1, sum 1) as whole per cent that sum to 100: what rounding down takes away goes to the largest
+ * remainders.
+ */
 export function wholePercent(shares: Record<string, number>): Record<string, number> {
   const exact = Object.entries(shares).map(([clip, share]) => ({
     clip,

@@ -15,7 +15,7 @@ import type { App } from "../../view/app";
 import type { YamlEditor } from "./yamlEditor";
 
 const TRIAL_PAUSE_MS = 300;
-/** How long nothing is typed, after a trial that found no error, until the text is kept. */
+/** How long typing has to pause, after a trial that found no error, until the text is kept. */
 const KEEP_PAUSE_MS = 700;
 
 export function yamlPanel(host: HTMLElement, app: App): void {
