@@ -108,15 +108,18 @@ def test_a_server_that_stands_still_is_noticed(server: Server, viewer: Page) -> 
     until(viewer, "__viewer.posed() > arg + 10", shown)
 
 
-def test_the_list_says_what_a_start_did_not_bring_back(tmp_path: Path, opened: Open) -> None:
+def test_the_list_says_what_a_start_did_not_bring_back(tmp_path: Path, page: Page) -> None:
     with Server(tmp_path) as first:
         body = {"clock": "manual", "actors": [{"machine": "elbow"}]}
         stage = httpx.post(f"{first.url}/api/stages", json=body).json()["id"]
     damaged(tmp_path, f"DELETE FROM commands WHERE stage = '{stage}'")
     with Server(tmp_path) as again:
         assert [lost["id"] for lost in httpx.get(f"{again.url}/api/losses").json()["stages"]] == [stage]
-        page = opened(again.url)
+        page.goto(
+            f"{again.url}?fps=6"
+        )  # the notice stands for some seconds, from before the character is drawn
         page.get_by_text("did not bring all back. The list of stages (O) says what").wait_for()
+        until(page, "window.__viewer?.ready")
         page.keyboard.press("o")
         said = page.locator("#losses")
         said.get_by_text(f"{stage} is kept, and did not come back").wait_for()

@@ -50,7 +50,7 @@ def test_what_is_typed_shows_in_the_table_as_soon_as_you_pause(own: Server, tabl
 
 
 def test_what_is_typed_while_the_server_keeps_the_text_goes_on_from_it(own: Server, table: Page) -> None:
-    """The first text comes back while more has been typed: that is nobody else's change."""
+    """The page does not take the text that it has sent itself for a change by another editor."""
     held: list[Route] = []
     kept = f"{own.url}/api/machines/{NAME}"
     table.route(kept, lambda route: held.append(route) if route.request.method == "PUT" else route.fallback())
